@@ -25,6 +25,7 @@ use input::SceneArguments;
 use output::Failure;
 use shading_lab::document::load;
 use shading_lab::lesson::Lesson;
+use shading_lab::render::check_mesh_memory;
 use shading_lab::scene::{nearest, presets};
 use shading_lab::text::{Language, set_language, text};
 use std::env;
@@ -251,6 +252,7 @@ fn open_window(
         }
         _ => (arguments.load(&[])?, None),
     };
+    check_mesh_memory(&loaded.scene, loaded.model.as_deref()).map_err(Failure::work)?;
     #[cfg(feature = "app")]
     return shading_lab::app::run(shading_lab::app::Start {
         loaded,

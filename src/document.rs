@@ -8,6 +8,7 @@
 #[cfg_attr(target_arch = "wasm32", path = "document/page.rs")]
 mod disk;
 mod error;
+mod names;
 
 use crate::analysis::{About as Analysed, Answer, Figure, Format};
 use crate::animation::{FilmFormat, Sweep, write_film};
@@ -16,7 +17,7 @@ use crate::figure::{Drawing, Paper};
 use crate::geometry::{Mesh, ObjError, read_obj};
 use crate::link::{self, Link, Shown};
 use crate::picture::{PictureError, PictureText, read_scene_text, write_png};
-use crate::render::Frame;
+use crate::render::{Frame, can_be_had};
 use crate::scene::{About, Choice, NormalSource, Object, ObjectKind, Scene, nearest, presets};
 use crate::text::{Message, excerpt, text};
 #[cfg(not(target_arch = "wasm32"))]
@@ -26,7 +27,8 @@ pub use disk::give;
 pub use disk::{check_target, write_whole};
 pub use error::{LoadError, SaveError};
 use error::{MODEL, PICTURE, SCENE_FILE};
-use std::ffi::OsStr;
+pub use names::ending;
+pub(crate) use names::stays_here;
 use std::io::{self, BufRead, BufReader, Cursor, Read, Seek};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -117,14 +119,14 @@ pub fn load_bytes(
     let (scene, shown) = if is_picture(&bytes) {
         let text = read_scene_text(Cursor::new(bytes));
         let text = text.map_err(|error| LoadError::file(path, error))?;
-        (Scene::parse(&text, name)?, Shown::default())
+        (parsed(&text, path)?, Shown::default())
     } else {
         let text = utf_8(path, bytes)?;
         if link::is_link(text.trim()) {
             let Link { scene, shown, .. } = link::read(text.trim())?;
             (scene, shown)
         } else {
-            (Scene::parse(&text, name)?, Shown::default())
+            (parsed(&text, path)?, Shown::default())
         }
     };
     let loaded = Loaded {
@@ -159,10 +161,7 @@ fn completed(
         scene = scene.with_overrides(overrides)?;
     }
     let model = load_model(&scene.object, progress)?;
-    let alone = path
-        .as_deref()
-        .and_then(Path::extension)
-        .is_some_and(|ending| ending.eq_ignore_ascii_case("obj"));
+    let alone = path.as_deref().and_then(ending).as_deref() == Some("obj");
     if let Some(mesh) = model.as_ref().filter(|_| alone) {
         let (centre, radius) = mesh.ball();
         scene.camera = scene.camera.fitted(centre, radius, scene.image.size);
@@ -182,6 +181,11 @@ fn completed(
     })
 }
 
+/// Bytes that reading a model takes at most for each byte of its file (`tests/obj_memory.rs`).
+const OF_MODEL: u64 = 6;
+/// Files up to so many bytes are read without asking for memory in advance.
+const LARGE_MODEL: u64 = 1 << 22;
+
 /// The model of an object: none unless its kind is `obj`.
 ///
 /// # Errors
@@ -191,6 +195,13 @@ pub fn load_model(object: &Object, progress: Progress<'_>) -> Result<Option<Arc<
         return Ok(None);
     };
     let (file, total) = disk::open(path, MODEL)?;
+    let bytes = total.saturating_mul(OF_MODEL);
+    if total > LARGE_MODEL && !can_be_had(bytes) {
+        return Err(LoadError::file(
+            path,
+            text!("document-model-memory", megabytes = bytes >> 20),
+        ));
+    }
     let mut told = |read| progress(read, total);
     let refused = |error: ObjError| {
         let (line, problem) = (error.line(), error.to_string());
@@ -210,32 +221,14 @@ pub fn load_model(object: &Object, progress: Progress<'_>) -> Result<Option<Arc<
 
 /// All but the model.
 fn read_scene(source: &Path) -> Result<Loaded, LoadError> {
-    let loaded = |scene, name| Loaded {
-        scene,
-        model: None,
-        name,
-        path: None,
-        shown: Shown::default(),
-    };
-    if let Some(text) = source.to_str().filter(|text| link::is_link(text)) {
-        let Link { scene, name, shown } = link::read(text)?;
-        return Ok(Loaded {
-            shown,
-            ..loaded(scene, name)
-        });
+    if let Some(named) = source.to_str().and_then(read_named) {
+        return named;
     }
-    let ending = source
-        .extension()
-        .and_then(OsStr::to_str)
-        .map(str::to_ascii_lowercase);
-    let mut scene = match ending.as_deref() {
+    let mut scene = match ending(source).as_deref() {
         Some("toml") => read_scene_file(source)?,
         Some("png") => read_scene_picture(source)?,
         Some("obj") => scene_of_model(source)?,
-        _ => {
-            let name = source.to_string_lossy().into_owned();
-            return Ok(loaded(built_in(source)?, name));
-        }
+        _ => return Err(unknown(source)),
     };
     if let (Some(model_path), Some(folder)) = (&mut scene.object.path, source.parent()) {
         *model_path = folder.join(&*model_path);
@@ -243,14 +236,52 @@ fn read_scene(source: &Path) -> Result<Loaded, LoadError> {
     let name = source.file_name().unwrap_or(source.as_os_str());
     let name = name.to_string_lossy().into_owned();
     Ok(Loaded {
+        scene,
+        model: None,
+        name,
         path: Some(source.to_owned()),
-        ..loaded(scene, name)
+        shown: Shown::default(),
     })
+}
+
+/// What is no file: a link, or a built-in scene by its name.
+fn read_named(name: &str) -> Option<Result<Loaded, LoadError>> {
+    let loaded = |scene, name, shown| Loaded {
+        scene,
+        model: None,
+        name,
+        path: None,
+        shown,
+    };
+    if link::is_link(name) {
+        let read = link::read(name).map_err(LoadError::from);
+        return Some(read.map(|Link { scene, name, shown }| loaded(scene, name, shown)));
+    }
+    let scene = presets::find(name)?.scene();
+    Some(Ok(loaded(scene, name.to_owned(), Shown::default())))
+}
+
+/// Opens a built-in scene or a link, and nothing else whatever `name` says: for names from people who may not have files opened.
+///
+/// # Errors
+/// See [`LoadError`].
+pub fn load_named(name: &str) -> Result<Loaded, LoadError> {
+    read_named(name).unwrap_or_else(|| Err(no_such_scene(name)))
+}
+
+/// The scene in a text out of `path`. The model that it names lies on this machine.
+fn parsed(text: &str, path: &Path) -> Result<Scene, LoadError> {
+    let scene = Scene::parse(text, &path.to_string_lossy())?;
+    let model = scene.object.path.as_ref();
+    if model.is_some_and(|model| !stays_here(&model.to_string_lossy())) {
+        return Err(LoadError::file(path, text!("document-elsewhere")));
+    }
+    Ok(scene)
 }
 
 fn read_scene_file(path: &Path) -> Result<Scene, LoadError> {
     let text = read_text(path, SCENE_FILE, Scene::MAX_TEXT)?;
-    Ok(Scene::parse(&text, &path.to_string_lossy())?)
+    parsed(&text, path)
 }
 
 /// The text of a file, which was expected to be `what`: at most one byte more than `most`, so that its reader can object.
@@ -282,7 +313,7 @@ fn utf_8(path: &Path, bytes: Vec<u8>) -> Result<String, LoadError> {
 fn read_scene_picture(path: &Path) -> Result<Scene, LoadError> {
     let text =
         read_scene_text(open_picture(path)?).map_err(|error| LoadError::file(path, error))?;
-    Ok(Scene::parse(&text, &path.to_string_lossy())?)
+    parsed(&text, path)
 }
 
 /// The default scene with a model in the place of its object.
@@ -302,25 +333,28 @@ fn scene_of_model(path: &Path) -> Result<Scene, LoadError> {
     Ok(scene)
 }
 
-fn built_in(source: &Path) -> Result<Scene, LoadError> {
-    if let Some(preset) = source.to_str().and_then(presets::find) {
-        return Ok(preset.scene());
-    }
+/// Why what the user named is no scene.
+fn unknown(source: &Path) -> LoadError {
     if source.is_dir() {
-        return Err(LoadError::file(source, text!("document-directory")));
+        return LoadError::file(source, text!("document-directory"));
     }
     if source.exists() || source.extension().is_some() || source.components().count() > 1 {
-        return Err(LoadError::file(source, text!("document-unknown-kind")));
+        return LoadError::file(source, text!("document-unknown-kind"));
     }
-    let name = excerpt(&source.to_string_lossy());
+    no_such_scene(&source.to_string_lossy())
+}
+
+/// Why there is no scene of that name.
+fn no_such_scene(name: &str) -> LoadError {
+    let name = excerpt(name);
     let meant = nearest(&name, presets::ALL.iter().map(|preset| preset.name));
     let meant = meant
         .map(|meant| text!("document-did-you-mean", name = meant))
         .unwrap_or_default();
-    Err(LoadError::file(
+    LoadError::file(
         Path::new(&name),
         text!("document-no-such-scene", meant = meant),
-    ))
+    )
 }
 
 /// Writes a scene file. The path of a model at or below the file's folder is written relative to it.

@@ -100,6 +100,16 @@ enum Node {
 }
 
 impl Node {
+    fn size(&self) -> usize {
+        let all = |parts: &[Self]| parts.iter().map(Self::size).sum();
+        1 + match self {
+            Self::Call(_, parts) => all(parts),
+            Self::With(_, inner) => inner.size(),
+            Self::At(parts) => all(&**parts),
+            _ => 0,
+        }
+    }
+
     /// How many operations are evaluated one inside the other.
     fn depth(&self) -> usize {
         let deepest = |parts: &[Self]| parts.iter().map(Self::depth).max().unwrap_or(0);
@@ -203,6 +213,11 @@ impl Expression {
             return Err(text!("expression-nested", most = CHAIN));
         }
         Ok(Self(node))
+    }
+
+    /// How many numbers, quantities and operations it has.
+    pub fn size(&self) -> usize {
+        self.0.size()
     }
 
     /// Its value with what the names mean.

@@ -4,6 +4,7 @@
 //! scene of the step, so that they stay right when a number is changed.
 
 mod answer;
+mod budget;
 mod builtin;
 mod check;
 mod class;
@@ -22,6 +23,7 @@ mod words;
 mod worksheet;
 
 pub use answer::{Answer, Grade};
+pub use budget::{Budget, TooHeavy};
 #[cfg(target_arch = "wasm32")]
 pub use builtin::take_texts;
 pub use builtin::{BuiltIn, LESSONS, are_there, find};
@@ -47,7 +49,7 @@ pub use stage::{OVERLAYS, Stage, Staged};
 pub use words::{in_words, without_marks};
 pub use worksheet::{Worksheet, topic_name, worksheet};
 
-use crate::document::{LoadError, read_text};
+use crate::document::{LoadError, ending, read_text};
 use crate::text::Message;
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -193,8 +195,7 @@ impl Lesson {
 
     /// Whether a file is a lesson, by its name.
     pub fn is_file(path: &Path) -> bool {
-        path.extension()
-            .is_some_and(|ending| ending.eq_ignore_ascii_case("md"))
+        ending(path).as_deref() == Some("md")
     }
 
     /// The same as [`Self::open`], with everything that the engine finds wrong with it.

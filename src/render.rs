@@ -18,7 +18,7 @@ pub use node::Memory;
 pub use rays::Transmission;
 pub use renderer::{
     Cued, Frame, Per, Plan, Renderer, Report, Stage, StageRun, Term, TermName, TooLarge,
-    check_memory, coarseness, coarser_size, srgb,
+    check_memory, check_memory_for, check_mesh_memory, coarseness, coarser_size, srgb,
 };
-pub(crate) use renderer::{Evaluation, Piece, WeightedPoint, displayed, stored_pixel};
+pub(crate) use renderer::{Evaluation, Piece, WeightedPoint, can_be_had, displayed, stored_pixel};
 pub use simd::SimdLevel;

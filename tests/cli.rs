@@ -2,6 +2,8 @@
 
 #[path = "cli/analyses.rs"]
 mod analyses;
+#[path = "cli/memory.rs"]
+mod memory;
 #[path = "cli/outputs.rs"]
 mod outputs;
 #[path = "common/program.rs"]

@@ -6,11 +6,14 @@
 
 #[path = "common/dice.rs"]
 mod dice;
+#[path = "common/lessons.rs"]
+mod lessons;
 
 use dice::Dice;
 use shading_lab::geometry::read_obj;
 use shading_lab::lesson::{
-    Answer, Answered, Grade, LESSONS, Lesson, Record, hand_in_bytes, read_hand_in,
+    Answer, Answered, Grade, Handed, LESSONS, Lab, Lesson, Record, Worksheet, check, class_sheet,
+    collect, hand_in_bytes, in_words, read_hand_in, worksheet,
 };
 use shading_lab::link;
 use shading_lab::picture::{read_scene_text, write_png};
@@ -19,6 +22,7 @@ use shading_lab::scene::{ObjectKind, Scene, presets};
 use shading_lab::text::Language;
 use std::env;
 use std::io::Cursor;
+use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 /// For each format, unless the environment says otherwise.
@@ -440,24 +444,115 @@ fn lessons() {
     format.fuzz();
 }
 
+/// A lesson with every kind of question whose pictures are small.
+const SMALL: &str = include_str!("data/lessons/kinds.md");
+
+/// A sheet with small pictures and all answers.
+const SHEET: Worksheet = Worksheet {
+    answers: true,
+    seed: 7,
+    samples: 1,
+};
+
+/// Whether no step shows much: work is bounded, but what may be done within the bounds is too much to do thousands of times.
+fn is_small(lesson: &Lesson) -> bool {
+    lesson.steps.iter().all(|step| {
+        step.stage.load(None).is_ok_and(|staged| {
+            let [width, height] = staged.scene.image.size;
+            let few = staged.scene.object.segments.max(staged.scene.object.rings) <= 64;
+            width * height <= 1 << 16 && few && staged.scene.lights.len() <= 3
+        })
+    })
+}
+
+#[test]
+fn lessons_through_to_their_pages() {
+    let format = Format {
+        name: "lessons through to their pages",
+        sound: vec![SMALL.as_bytes().to_vec(), lessons::EVERY_KIND.into()],
+        words: &[
+            "x = [0, 5e-324]\n",
+            "y = [-1e300, 1e300]\n",
+            "tolerance = 1e-300\n",
+            "from = -1e308\n",
+            "answer = \"x*1e308\"\n",
+            "set = [\"image.size=[1,300]\"]\n",
+            "light.0.position=[0,0,0]",
+            "{{ probe.sum[0] | 9 }}",
+            "picture.mean",
+            "<script>",
+        ],
+        read: |bytes| {
+            let Ok(lesson) = Lesson::read(&text(bytes), None) else {
+                return false;
+            };
+            if !is_small(&lesson) {
+                return true;
+            }
+            // Whether each is sound or not, it ends; and what is sound for `check` is so for all.
+            let checked = check(&lesson).is_ok();
+            let page = worksheet(&lesson, SHEET, &mut || {});
+            let words = in_words(&lesson, SHEET.seed, true);
+            if checked {
+                assert!(page.is_ok() && words.is_ok(), "{page:?} {words:?}");
+            }
+            if let Ok(page) = page {
+                assert!(page.ends_with("</html>\n") && !page.contains("<script"));
+            }
+            collected(&lesson);
+            true
+        },
+        png: false,
+    };
+    format.fuzz();
+}
+
+/// Has the right answers to a lesson, as far as there are any, handed in, collected and written.
+fn collected(lesson: &Lesson) {
+    let mut record = Record::new(&lesson.name, SHEET.seed);
+    for (index, step) in lesson.steps.iter().enumerate() {
+        let solution = step.question.as_ref().and_then(|question| {
+            let staged = step.stage.load(None).ok()?;
+            let lab = Lab::new(&staged);
+            question.solve(lab.place(&staged), SHEET.seed).ok()
+        });
+        if let Some(solution) = solution {
+            record.put(answered(index, Answer::right(&solution)));
+        }
+    }
+    let bytes = hand_in_bytes(&frame(), &Scene::default(), lesson, &record, "Ada");
+    let handed = Handed {
+        path: PathBuf::from("fuzz.png"),
+        bytes: bytes.ok(),
+    };
+    let class = collect(&[handed], None, true, &mut || {});
+    assert_eq!(class.groups.len() + class.unreadable.len(), 1);
+    let page = class_sheet(&class);
+    assert!(page.ends_with("</html>\n") && !page.contains("<script"));
+}
+
+fn answered(step: usize, answer: Answer) -> Answered {
+    Answered {
+        step,
+        prediction: answer.clone(),
+        answer,
+        grade: Grade::default(),
+        looked_up: 0,
+        tries: 1,
+        seconds: 3.5,
+    }
+}
+
 #[test]
 fn handed_in_answers() {
-    let lesson = Lesson::read(include_str!("data/lessons/kinds.md"), None).expect("a lesson");
+    let lesson = Lesson::read(SMALL, None).expect("a lesson");
     let mut record = Record::new("kinds", 7);
     for (step, answer) in [
         (1, Answer::Choice(1)),
         (2, Answer::Value(0.5)),
         (3, Answer::Point([0.1, -0.2])),
     ] {
-        record.put(Answered {
-            step,
-            prediction: answer.clone(),
-            answer,
-            grade: Grade::default(),
-            looked_up: 0,
-            tries: 1,
-            seconds: 3.5,
-        });
+        record.put(answered(step, answer));
     }
     let written = |name| {
         hand_in_bytes(&frame(), &Scene::default(), &lesson, &record, name).expect("a picture")
@@ -477,7 +572,16 @@ fn handed_in_answers() {
             "1e999",
             "\\u0000",
         ],
-        read: |bytes| read_hand_in(Cursor::new(bytes)).is_ok(),
+        read: |bytes| {
+            let read = read_hand_in(Cursor::new(bytes)).is_ok();
+            let handed = Handed {
+                path: PathBuf::from("fuzz.png"),
+                bytes: Some(bytes.to_vec()),
+            };
+            let class = collect(&[handed], None, true, &mut || {});
+            assert!(read || class.groups.is_empty());
+            class_sheet(&class).ends_with("</html>\n") && read
+        },
         png: true,
     };
     format.fuzz();

@@ -1,7 +1,10 @@
 //! Answers handed in as a picture: they come back as they were given, what was changed, damaged or forged is noticed, and a
 //! class is graded by the engine.
 
-use serde_json::Value;
+#[path = "hand_in/heavy.rs"]
+mod heavy;
+
+use serde_json::{Value, json};
 use shading_lab::lesson::{
     ANSWERS_KEYWORD, Answer, Answered, CURVE_POINTS, Grade, HandInError, Lesson, Record,
     hand_in_bytes, read_hand_in,
@@ -267,6 +270,38 @@ fn spoiled(sound: &[u8]) -> Vec<Vec<u8>> {
     spoiled.push(plain);
     assert_eq!(spoiled.len(), 20);
     spoiled
+}
+
+/// FNV-1a of texts with their lengths, as hand-ins have it.
+fn digest(texts: &[&str]) -> String {
+    let lengths = |text: &&str| [text.as_bytes(), &(text.len() as u64).to_le_bytes()].concat();
+    let hash = texts
+        .iter()
+        .flat_map(lengths)
+        .fold(0xcbf2_9ce4_8422_2325u64, |hash, byte| {
+            (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
+        });
+    format!("{hash:016x}")
+}
+
+/// A hand-in whose lesson is another one, with the digests that belong to it.
+fn forged(sound: &[u8], from: &str, to: &str) -> Vec<u8> {
+    let texts = [(ANSWERS_KEYWORD, 1 << 20), (SCENE_KEYWORD, 1 << 20)];
+    let [answers, scene] = read_texts(Cursor::new(sound), texts).expect("texts");
+    let scene = scene.expect("a scene");
+    let mut all: Value = serde_json::from_str(&answers.expect("answers")).expect("JSON");
+    let source = all["source"].as_str().expect("a lesson").replace(from, to);
+    all["lesson_digest"] = json!(digest(&[&source]));
+    all["source"] = json!(source);
+    let object = all.as_object_mut().expect("an object");
+    object.retain(|key, _| key != "version" && key != "digest");
+    let rest = format!(",{}", &all.to_string()[1..]);
+    let seal = digest(&[&rest, &scene]);
+    let answers = format!("{{\"version\":1,\"digest\":\"{seal}\"{rest}");
+    let mut bytes = Vec::new();
+    let texts = [(ANSWERS_KEYWORD, &*answers), (SCENE_KEYWORD, &*scene)];
+    write_png(&mut bytes, &picture(), None, &texts).expect("a picture");
+    bytes
 }
 
 /// CRC-32 as PNG has it.

@@ -120,6 +120,31 @@ fn problems(from: &str, to: &str) -> LessonError {
 }
 
 #[test]
+fn a_range_is_one_that_an_axis_can_have() {
+    for (from, to) in [
+        ("x = [0, 90]", "x = [0, 5e-324]"),
+        ("x = [0, 90]", "x = [0, inf]"),
+        ("x = [0, 90]", "x = [0, nan]"),
+        ("x = [0, 90]", "x = [90, 0]"),
+        ("y = [0, 2]", "y = [1, 1.0000000000000002]"),
+        ("y = [0, 2]", "y = [-1.7e308, 1.7e308]"),
+        ("from = -1", "from = 1"),
+        ("from = -1\nto = 1", "from = 1e16\nto = 10000000000000002"),
+    ] {
+        let error = problems(from, to).to_string();
+        assert!(error.contains("far enough apart"), "{to}: {error}");
+    }
+    for (from, to) in [
+        ("x = [0, 90]", "x = [0, 1e-280]"),
+        ("x = [0, 90]", "x = [-1e300, 1e300]"),
+        ("x = [0, 90]", "x = [1000000, 1000001]"),
+    ] {
+        let changed = EVERY_KIND.replacen(from, to, 1);
+        assert!(Lesson::read(&changed, None).is_ok(), "{to}");
+    }
+}
+
+#[test]
 fn every_error_has_its_line() {
     for (from, to, words) in [
         ("lesson = 1", "lesson = 2", "version"),

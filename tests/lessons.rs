@@ -2,8 +2,9 @@
 //! that there are.
 
 use rayon::prelude::*;
+use shading_lab::expression::Expression;
 use shading_lab::lesson::{
-    Answer, BuiltIn, Kind, LESSONS, Lab, Lesson, Question, Solution, Staged, Step, check,
+    Answer, Budget, BuiltIn, Kind, LESSONS, Lab, Lesson, Question, Solution, Staged, Step, check,
 };
 use shading_lab::text::Language;
 use std::collections::BTreeSet;
@@ -28,6 +29,56 @@ fn every_scene_number_and_question_of_every_lesson_is_sound() {
         })
         .collect();
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// What a worksheet draws of a step: four samples a pixel of each pane.
+fn work_of_pictures(step: &Step, staged: &Staged) -> u64 {
+    let lab = Lab::new(staged);
+    let pixels = Expression::read("picture.pixels").expect("an expression");
+    // A picture without the object counts as well.
+    let _ = pixels.value(&lab.place(staged));
+    4 * (1 + step.stage.panes.as_ref().map_or(0, Vec::len)) as u64 * lab.work()
+}
+
+#[test]
+fn no_lesson_takes_a_tenth_of_the_work_that_it_may() {
+    let work: Vec<(&str, Vec<u64>)> = LESSONS
+        .par_iter()
+        .map(|built_in| {
+            let lesson = built_in.lesson_in(Language::English);
+            let of_step = |step: &Step| {
+                let staged = step.stage.load(None).expect("a scene");
+                let lab = Lab::new(&staged);
+                let place = lab.place(&staged);
+                step.text.filled(&place).expect("a text");
+                if let Some(question) = &step.question {
+                    question.why.filled(&place).expect("a text");
+                    question.solve(place, 7).expect("a solution");
+                }
+                lab.work() + work_of_pictures(step, &staged)
+            };
+            (built_in.name, lesson.steps.iter().map(of_step).collect())
+        })
+        .collect();
+    let mut over = Vec::new();
+    for (name, steps) in &work {
+        let (most, all) = (steps.iter().max().unwrap_or(&0), steps.iter().sum::<u64>());
+        println!(
+            "{name}: {} million, a step {}",
+            all / 1_000_000,
+            most / 1_000_000
+        );
+        if 10 * most >= Budget::STEP || 10 * all >= Budget::FILE {
+            over.push((name, steps));
+        }
+    }
+    assert!(over.is_empty(), "{over:?}");
+    // Nothing would be within any bounds.
+    assert!(
+        work.iter()
+            .flat_map(|(_, steps)| steps)
+            .all(|work| *work > 0)
+    );
 }
 
 /// Answers that are wrong.

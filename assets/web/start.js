@@ -5,6 +5,11 @@ if ((navigator.language || "").toLowerCase().startsWith("zh")) page.lang = "zh-H
 if (matchMedia("(prefers-reduced-motion: reduce)").matches) page.dataset.motion = "reduce";
 if (matchMedia("(pointer: coarse)").matches) page.dataset.coarse = "";
 
+// What no program can catch, such as memory that has run out, stops it as well.
+const isTrap = (error) => error instanceof WebAssembly.RuntimeError;
+addEventListener("error", ({ error }) => { if (isTrap(error)) say("stopped"); });
+addEventListener("unhandledrejection", ({ reason }) => { if (isTrap(reason)) say("stopped"); });
+
 // A function that makes a vector: browsers without SIMD refuse it.
 const simd = new Uint8Array([0, 97, 115, 109, 1, 0, 0, 0, 1, 5, 1, 96, 0, 1, 123, 3, 2, 1, 0, 10, 10, 1, 8, 0, 65, 0, 253, 15, 253, 98, 11]);
 const canvas = document.createElement("canvas");
@@ -38,5 +43,6 @@ else try {
   console.error(error);
   // A browser too old for the page's policy compiles nothing.
   const old = error instanceof WebAssembly.CompileError;
-  if (page.dataset.state === "loading") say(old ? "no-simd" : "no-file");
+  if (isTrap(error)) say("stopped");
+  else if (page.dataset.state === "loading") say(old ? "no-simd" : "no-file");
 }

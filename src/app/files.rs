@@ -21,7 +21,7 @@ use crate::document::{load_with, save_film, save_picture, write_whole};
 use crate::geometry::Mesh;
 use crate::jobs::{Job, Work, pack_model, unpack_model};
 use crate::lesson::{Lesson, hand_in};
-use crate::render::{Frame, Renderer, check_memory};
+use crate::render::{Frame, Renderer, check_memory_for};
 use crate::scene::Scene;
 use crate::text::text;
 use eframe::egui::Context;
@@ -122,7 +122,8 @@ impl Work for Exported {
     const TRAVELS: Option<(Parcel<Self>, Parcel<Frame>)> = Some((Parcel::plain(), Parcel::plain()));
 
     fn run(&self, watch: &dyn Watch<Frame>) -> Result<Frame, String> {
-        check_memory(&self.scene).map_err(|error| error.to_string())?;
+        let model = self.model.as_deref();
+        check_memory_for(&self.scene, model, 1).map_err(|error| error.to_string())?;
         let mut renderer = Renderer::default();
         renderer.set_model(self.model.clone());
         let total = f64::from(self.samples) * self.scene.shown_panes().len() as f64;
@@ -162,8 +163,11 @@ impl Work for Filmed {
             over,
             path,
         } = &self.first;
-        check_memory(scene).map_err(|error| error.to_string())?;
         let (sweep, format) = self.form.sweep(scene, path)?;
+        sweep
+            .scenes()
+            .try_for_each(|scene| check_memory_for(&scene, model.as_deref(), 1))
+            .map_err(|error| error.to_string())?;
         let mut renderer = Renderer::default();
         renderer.set_model(model.clone());
         let count = f64::from(sweep.count());

@@ -20,6 +20,7 @@ use super::sampling::Sampling;
 use super::symbol::Lit;
 use crate::document::undrawn;
 use crate::figure::Area;
+use crate::render::check_mesh_memory;
 use crate::scene::parameter::Parameter;
 use crate::scene::{Compare, Scene, SceneError};
 use eframe::egui::Vec2;
@@ -133,8 +134,12 @@ impl AppState {
         self.replace(document);
     }
 
-    /// Puts another document in the place of this one.
+    /// Puts another document in the place of this one, unless the memory to draw it cannot be had.
     pub fn replace(&mut self, document: Document) {
+        if let Err(error) = check_mesh_memory(&document.scene, document.model.as_deref()) {
+            self.notice = Some(error.to_string());
+            return;
+        }
         self.document = document;
         (self.notice, self.warning) = (None, None);
         self.gliding = None;
@@ -182,25 +187,31 @@ impl AppState {
     pub fn commit(&mut self) {
         let changes = self.panes.changes(&self.shown.scene);
         if !changes.is_empty() || self.document.scene != self.panes.document {
-            if let Err(error) = self.take_over(&changes) {
-                self.notice = error.problems().first().map(ToString::to_string);
+            if let Err(words) = self.take_over(&changes) {
+                self.notice = Some(words);
                 self.document.scene = self.panes.document.clone();
             }
             self.derive();
         }
     }
 
-    fn take_over(&mut self, changes: &[Change]) -> Result<(), SceneError> {
+    fn take_over(&mut self, changes: &[Change]) -> Result<(), String> {
         let Self {
             document,
             shown,
             panes,
             ..
         } = self;
-        shown.scene.validate()?;
+        let words = |error: SceneError| {
+            let first = error.problems().first();
+            first.map(ToString::to_string).unwrap_or_default()
+        };
+        shown.scene.validate().map_err(words)?;
         distribute(&mut document.scene, panes, &shown.scene, changes);
         mend(&mut document.scene);
-        document.scene.validate()
+        document.scene.validate().map_err(words)?;
+        check_mesh_memory(&document.scene, document.model.as_deref())
+            .map_err(|error| error.to_string())
     }
 
     /// Derives from the document all that follows from it: the panes' scenes, what is chosen in them, what is wrong with the

@@ -16,7 +16,7 @@ use shading_lab::analysis::{
 use shading_lab::document::{check_target, json_text, save_answer, save_picture};
 use shading_lab::figure::Paper;
 use shading_lab::jobs::nanoseconds;
-use shading_lab::render::SimdLevel;
+use shading_lab::render::{SimdLevel, check_memory_for};
 use shading_lab::scene::{Choice, Interpolation, Object, Scene, ShadingMode};
 use shading_lab::text::text;
 use std::path::{Path, PathBuf};
@@ -30,6 +30,9 @@ pub trait Asks: Args {
 
     /// Whether `--size` is the figure's and not the picture's.
     const SIZES_FIGURE: bool = false;
+
+    /// How many times the scene's mesh is in memory at the same time.
+    const MESHES: u64 = 2;
 
     /// The question, and what else the arguments change in the scene.
     fn question(&self, scene: &mut Scene) -> Result<Self::Question, Failure>;
@@ -143,6 +146,8 @@ impl<A: Asks> Catalogued<A> {
             subject.scene.image.size = output.size.take().unwrap_or(subject.scene.image.size);
         }
         let question = asked.question(&mut subject.scene)?;
+        check_memory_for(&subject.scene, subject.model.as_deref(), A::MESHES)
+            .map_err(Failure::work)?;
         let bar = progress_bar(1000, text!("cli-working"));
         let watch = |share: f32| {
             bar.set_position((1000.0 * share) as u64);
@@ -224,6 +229,7 @@ pub struct Probe {
 impl Asks for Probe {
     type Question = ProbeQuestion;
     const NAME: &'static str = "probe";
+    const MESHES: u64 = 1;
 
     fn question(&self, scene: &mut Scene) -> Result<ProbeQuestion, Failure> {
         inside_picture("--pixel", self.pixel, scene.image.size)?;
@@ -372,6 +378,8 @@ pub struct Explain {
 impl Asks for Explain {
     type Question = PlanQuestion;
     const NAME: &'static str = "explain";
+    // What is left out is measured by renderers of their own.
+    const MESHES: u64 = 3;
 
     fn question(&self, _: &mut Scene) -> Result<PlanQuestion, Failure> {
         Ok(PlanQuestion {

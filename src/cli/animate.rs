@@ -8,7 +8,7 @@ use shading_lab::animation::{
     Course, FilmFormat, MOST_FRAMES, Sweep, SweepError, USUAL_FRAMES, USUAL_RATE,
 };
 use shading_lab::document::{check_target, save_film, save_picture};
-use shading_lab::render::{Frame, Renderer, check_memory};
+use shading_lab::render::{Frame, Renderer, check_memory_for};
 use shading_lab::scene::Scene;
 use shading_lab::text::text;
 use std::convert::Infallible;
@@ -61,7 +61,10 @@ impl Animate {
             back_and_forth: self.back_and_forth,
         };
         let sweep = Sweep::new(scene, &self.set_from, &self.set_to, course).map_err(refused)?;
-        check_memory(sweep.scene()).map_err(Failure::work)?;
+        sweep
+            .scenes()
+            .try_for_each(|scene| check_memory_for(&scene, loaded.model.as_deref(), 1))
+            .map_err(Failure::work)?;
         let mut renderer = Renderer::default();
         renderer.set_model(loaded.model);
         let bar = progress_bar(sweep.count().into(), text!("cli-drawing"));

@@ -82,7 +82,7 @@ impl Check {
         if is_stdin(&self.file) {
             return Ok(stdin()?.starts_with(b"+++"));
         }
-        Ok(self.file.extension().is_some_and(|ending| ending == "md"))
+        Ok(Lesson::is_file(&self.file))
     }
 }
 

@@ -7,6 +7,7 @@ use glam::DVec2;
 use serde::Serialize;
 use shading_lab::analysis::word;
 use shading_lab::document::{LoadError, Loaded, STDOUT, is_picture, load_bytes, load_with};
+use shading_lab::lesson::Lesson;
 use shading_lab::scene::materials::{self, NamedMaterial};
 use shading_lab::scene::parameter::Parameter;
 use shading_lab::scene::{CompareView, Image, Pane, Scene, presets};
@@ -114,7 +115,7 @@ impl SceneArguments {
             .source
             .as_deref()
             .unwrap_or(Path::new(presets::DEFAULT));
-        if source.extension().is_some_and(|ending| ending == "md") {
+        if Lesson::is_file(source) {
             let name = source.display().to_string();
             return Err(refused(source, text!("cli-scene-is-lesson", name = name)));
         }

@@ -81,7 +81,7 @@ fn open(name: &Path) -> Result<Lesson, Failure> {
     if let Some(lesson) = name.to_str().and_then(find) {
         return Ok(lesson.lesson());
     }
-    if is_stdin(name) || name.extension().is_some_and(|ending| ending == "md") {
+    if is_stdin(name) || Lesson::is_file(name) {
         return open_file(name);
     }
     let name = excerpt(&name.to_string_lossy());

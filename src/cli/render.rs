@@ -13,7 +13,7 @@ use shading_lab::analysis::{
     probe, profile,
 };
 use shading_lab::document::{check_target, save_picture};
-use shading_lab::render::{Frame, Renderer, check_memory};
+use shading_lab::render::{Frame, Renderer, check_memory_for};
 use shading_lab::scene::{Choice, CompareView, Scene};
 use shading_lab::text::text;
 use std::path::PathBuf;
@@ -63,7 +63,7 @@ impl Render {
                 which.first().map_or(scene.image.size, |(_, size)| *size),
             )?;
         }
-        check_memory(scene).map_err(Failure::work)?;
+        check_memory_for(scene, loaded.model.as_deref(), 1).map_err(Failure::work)?;
         let mut renderer = Renderer::default();
         renderer.set_model(loaded.model);
         let bar = progress_bar(

@@ -8,6 +8,7 @@ use serde_json::{Value, json};
 use shading_lab::document::{Loaded, STDOUT, save_code};
 use shading_lab::export::{Export, Part, glsl_330, opengl_c, opengl_c_snippet};
 use shading_lab::geometry::tessellate;
+use shading_lab::render::check_memory_for;
 use shading_lab::scene::materials::{NAMED, NamedMaterial};
 use shading_lab::scene::parameter::{Kind, Parameter};
 use shading_lab::scene::presets::{self, Preset};
@@ -158,6 +159,9 @@ impl Code {
         let Loaded {
             scene, model, name, ..
         } = self.scene.load(earlier)?;
+        if self.target != Target::Glsl {
+            check_memory_for(&scene, model.as_deref(), 1).map_err(Failure::work)?;
+        }
         let working = spinner(text!("cli-working"));
         let mesh = || model.unwrap_or_else(|| Arc::new(tessellate(&scene.object)));
         let export = match self.target {

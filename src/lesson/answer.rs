@@ -99,7 +99,7 @@ impl Answer {
                     Goal::Extreme(Extreme::Greatest | Extreme::Least) => (given - right).abs(),
                     Goal::Equals(equals) => {
                         let there = place.under(&[format!("{control}={given}")]).ok()?;
-                        (reach.number(&there).ok()? - equals.number(&there).ok()?).abs()
+                        (there.number(reach).ok()? - there.number(equals).ok()?).abs()
                     }
                 };
                 Some(Grade::within(off, *tolerance))
@@ -120,7 +120,7 @@ impl Answer {
                     return None;
                 }
                 let under = |values: &[f64]| place.under(&matched_settings(controls, values)).ok();
-                let off = picture_difference(&under(given)?, &under(right)?);
+                let off = picture_difference(&under(given)?, &under(right)?).ok()?;
                 Some(Grade::within(off, *tolerance))
             }
             _ => None,

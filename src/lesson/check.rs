@@ -1,7 +1,7 @@
 //! What the engine finds wrong with a lesson.
 
 use super::solve::{matched_settings, picture_difference};
-use super::{Answer, Kind, Lab, Lesson, LessonError, LessonProblem, Solution, Step};
+use super::{Answer, Budget, Kind, Lab, Lesson, LessonError, LessonProblem, Solution, Step};
 use crate::scene::parameter::Parameter;
 use crate::text::{excerpt, text};
 
@@ -11,9 +11,13 @@ use crate::text::{excerpt, text};
 /// Everything that is wrong, with its line.
 pub fn check(lesson: &Lesson) -> Result<(), LessonError> {
     let mut problems = Vec::new();
+    let budget = Budget::of_file();
     for step in &lesson.steps {
-        if let Err(error) = check_step(lesson, step) {
+        if let Err(error) = check_step(lesson, step, &budget) {
             problems.extend(error.problems);
+        }
+        if budget.is_spent() {
+            break;
         }
     }
     if problems.is_empty() {
@@ -23,9 +27,9 @@ pub fn check(lesson: &Lesson) -> Result<(), LessonError> {
     }
 }
 
-fn check_step(lesson: &Lesson, step: &Step) -> Result<(), LessonError> {
+fn check_step(lesson: &Lesson, step: &Step, budget: &Budget) -> Result<(), LessonError> {
     let staged = step.stage.load(lesson.folder.as_deref())?;
-    let lab = Lab::new(&staged);
+    let lab = Lab::within(&staged, budget);
     let place = lab.place(&staged);
     let mut problems = Vec::new();
     let mut take = |line: u64, words: String| problems.push(LessonProblem { line, words });
@@ -69,7 +73,7 @@ fn check_step(lesson: &Lesson, step: &Step) -> Result<(), LessonError> {
             ) = (&question.kind, &solution)
             {
                 let target = place.under(&matched_settings(controls, values))?;
-                if picture_difference(&place, &target) < 2.0 * tolerance {
+                if picture_difference(&place, &target)? < 2.0 * tolerance {
                     return Err(text!("lesson-match-same").to_owned());
                 }
             }

@@ -2,13 +2,12 @@
 
 use super::hand_in::{HandIn, digest, read_hand_in};
 use super::{
-    Answer, Answered, Grade, Kind, Lab, LabPlace, Lesson, MatchValues, Prose, Question, Solution,
-    Step, find,
+    Answer, Answered, Budget, Grade, Kind, Lab, LabPlace, Lesson, Prose, Question, Solution, Step,
+    TooHeavy, find,
 };
 use crate::document::open_picture;
 use crate::render::Frame;
 use crate::text::{Language, in_language, text};
-use std::collections::HashMap;
 use std::io::Cursor;
 use std::path::PathBuf;
 
@@ -83,6 +82,10 @@ pub struct Student {
     /// May be empty.
     pub name: String,
     seed: u64,
+    /// For grading what is in the file.
+    budget: Budget,
+    /// The question, from 0, whose answer takes more than that.
+    heavy: Option<(usize, TooHeavy)>,
     /// For each question.
     pub given: Vec<Option<Given>>,
 }
@@ -201,7 +204,9 @@ pub fn collect(
     }
     for group in &mut class.groups {
         group.grade(pictures, progress);
+        class.unreadable.extend(group.take_heavy());
     }
+    class.groups.retain(|group| !group.students.is_empty());
     class
 }
 
@@ -335,6 +340,8 @@ impl Group {
             file,
             name: hand_in.name,
             seed: record.seed,
+            budget: Budget::of_file(),
+            heavy: None,
             given,
         });
         Ok(())
@@ -378,7 +385,9 @@ impl Group {
         }
     }
 
+    /// Grades every answer. A lesson out of a hand-in that takes too much work makes those files too heavy that it came with.
     fn grade(&mut self, pictures: bool, progress: &mut dyn FnMut()) {
+        let budget = Budget::of_file();
         let Self {
             lesson,
             questions,
@@ -389,76 +398,150 @@ impl Group {
             let Some(step) = lesson.steps.get(asked.step) else {
                 continue;
             };
-            let answers = students.iter_mut().filter_map(|student| {
-                Some((student.seed, student.given.get_mut(index)?.as_mut()?))
-            });
-            if let Err(failure) = asked.grade(lesson, step, *foreign, pictures, answers) {
-                asked.failure = Some(failure);
+            if *foreign && step.stage.names_file() {
+                asked.failure = Some(text!("class-needs-lesson").to_owned());
+                progress();
+                continue;
+            }
+            match asked.grade(lesson, step, &budget, pictures, (index, &mut *students)) {
+                Err(Failure::Heavy(why)) if *foreign => {
+                    let heavy = |student: &mut Student| student.heavy = Some((index, why));
+                    return students.iter_mut().for_each(heavy);
+                }
+                Err(failure) => asked.failure = Some(failure.words()),
+                Ok(()) => {}
             }
             progress();
+        }
+    }
+
+    /// Takes out those whose files are too heavy.
+    fn take_heavy(&mut self) -> Vec<Unreadable> {
+        let heavy = self
+            .students
+            .extract_if(.., |student| student.heavy.is_some());
+        let unreadable = |student: Student| {
+            let (question, why) = student.heavy?;
+            let words = || {
+                let (question, why) = (question + 1, why.to_string());
+                text!("class-too-heavy", question = question, why = why)
+            };
+            Some(Unreadable {
+                file: student.file,
+                why: words(),
+                english: in_language(Language::English, words),
+            })
+        };
+        heavy.filter_map(unreadable).collect()
+    }
+}
+
+/// Why a question is not graded.
+enum Failure {
+    Question(String),
+    Heavy(TooHeavy),
+}
+
+impl Failure {
+    fn words(self) -> String {
+        match self {
+            Self::Question(words) => words,
+            Self::Heavy(why) => why.to_string(),
         }
     }
 }
 
 impl Asked {
-    fn grade<'g>(
+    /// Solves the question, fills in its numbers, and grades what the students answered to question `index`.
+    fn grade(
         &mut self,
         lesson: &Lesson,
         step: &Step,
-        foreign: bool,
+        budget: &Budget,
         pictures: bool,
-        answers: impl Iterator<Item = (u64, &'g mut Given)>,
-    ) -> Result<(), String> {
+        (index, students): (usize, &mut Vec<Student>),
+    ) -> Result<(), Failure> {
         let Some(question) = &step.question else {
             return Ok(());
         };
-        if foreign && step.stage.names_file() {
-            return Err(text!("class-needs-lesson").to_owned());
-        }
         let staged = step.stage.load(lesson.folder.as_deref());
         let staged = staged.map_err(|error| {
             let words: Vec<_> = error.lines().map(|(_, words)| words).collect();
-            words.join("\n")
+            Failure::Question(words.join("\n"))
         })?;
-        let lab = Lab::new(&staged);
+        let lab = Lab::within(&staged, budget);
         let place = lab.place(&staged);
+        let prepared = self.prepare(question, place, pictures);
+        if let Some(heavy) = lab.refused() {
+            return Err(Failure::Heavy(heavy));
+        }
+        prepared.map_err(Failure::Question)?;
+        let answers = students.iter_mut().filter_map(|student| {
+            let Student {
+                seed,
+                budget,
+                heavy,
+                given,
+                ..
+            } = student;
+            Some((*seed, budget, heavy, given.get_mut(index)?.as_mut()?))
+        });
+        for (seed, budget, heavy, given) in answers {
+            lab.bill(budget);
+            let graded = self.grade_answer(question, place, seed, given);
+            match lab.refused() {
+                Some(why) => *heavy = Some((index, why)),
+                None => graded.map_err(Failure::Question)?,
+            }
+        }
+        Ok(())
+    }
+
+    /// Fills in the numbers, draws what is needed and finds the right answer, where all students have the same.
+    fn prepare(
+        &mut self,
+        question: &Question,
+        place: LabPlace<'_>,
+        pictures: bool,
+    ) -> Result<(), String> {
         if let Ok(filled) = Self::filled(self.step, question, place) {
             *self = filled;
         }
         if pictures && matches!(question.kind, Kind::Point { .. }) {
-            self.picture = Some(place.picture());
+            self.picture = Some(place.counted_picture()?);
         }
-        let mut solutions = HashMap::new();
-        let own = matches!(
-            question.kind,
-            Kind::Match {
-                values: MatchValues::Random,
-                ..
+        if !question.kind.is_drawn_at_random() {
+            self.solution = Some(question.solve(place, 0)?);
+        }
+        Ok(())
+    }
+
+    fn grade_answer(
+        &self,
+        question: &Question,
+        place: LabPlace<'_>,
+        seed: u64,
+        given: &mut Given,
+    ) -> Result<(), String> {
+        let own;
+        let solution = match &self.solution {
+            Some(solution) => solution,
+            None => {
+                own = question.solve(place, seed)?;
+                &own
             }
-        );
-        for (seed, given) in answers {
-            let seed = if own { seed } else { 0 };
-            let solution = solutions
-                .entry(seed)
-                .or_insert_with(|| question.solve(place, seed));
-            let solution = solution.as_ref().map_err(Clone::clone)?;
-            // What cannot be graded, such as half a curve, is not right.
-            let grade =
-                |answer: &Answer| answer.grade(question, solution, place).unwrap_or_default();
-            let Answered {
-                answer, prediction, ..
-            } = &given.answered;
-            given.grade = Some(grade(answer));
-            given.predicted = if answer == prediction {
-                given.grade
-            } else {
-                Some(grade(prediction))
-            };
-        }
-        if !own {
-            let solution = solutions.remove(&0);
-            self.solution = Some(solution.unwrap_or_else(|| question.solve(place, 0))?);
-        }
+        };
+        // What cannot be graded, such as half a curve, is not right.
+        let grade = |answer: &Answer| answer.grade(question, solution, place).unwrap_or_default();
+        let Answered {
+            answer, prediction, ..
+        } = &given.answered;
+        given.grade = Some(grade(answer));
+        given.predicted = if answer == prediction {
+            given.grade
+        } else {
+            Some(grade(prediction))
+        };
         Ok(())
     }
 

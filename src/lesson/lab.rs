@@ -4,12 +4,13 @@
 //! at most [`Lab::SIDE`] pixels at the shorter side, so that a step is ready while its text is being read.
 
 use super::Staged;
+use super::budget::{Account, Budget, TooHeavy, triangles_of};
 use crate::analysis::{
     About, Answer, ConditionsQuestion, DefectsQuestion, FramePlan, LinearPicture, PlanQuestion,
-    Probed, ProfileQuestion, Question, Subject, curves::highlight_half_width, error_figures,
+    Probe, Probed, ProfileQuestion, Question, Subject, curves::highlight_half_width, error_figures,
     luminance, probe, unwatched,
 };
-use crate::expression::{Part, Quantities, Todo, Value};
+use crate::expression::{Expression, Part, Quantities, Todo, Value};
 use crate::geometry::Mesh;
 use crate::render::{Frame, Renderer};
 use crate::scene::{Rgb, Scene, ShadingMode};
@@ -25,11 +26,14 @@ use std::sync::Arc;
 pub struct Lab {
     model: Option<Arc<Mesh>>,
     inner: RefCell<Inner>,
+    account: RefCell<Account>,
 }
 
 struct Inner {
     renderer: Renderer,
     scenes: Vec<Arc<Scene>>,
+    /// Which of them the renderer has drawn last.
+    drawn: Option<usize>,
     /// The scene that settings make of another one.
     derived: HashMap<(usize, String), usize>,
     known: HashMap<String, Arc<Json>>,
@@ -64,6 +68,23 @@ const QUANTITIES: [&str; 8] = [
     "scene",
 ];
 
+/// The work of analyses, in pictures: of a profile for each mode, and of all the others.
+const PROFILE: u64 = 2;
+const CONDITIONS: u64 = 10;
+const DEFECTS: u64 = 20;
+const EXPLAIN: u64 = 40;
+/// The work of a defect at each of a mesh's triangles, and of how many at most an even choice is measured.
+const DEFECT: u64 = 100_000;
+const MEASURED: u64 = 4096;
+/// The work of a probe where the picture is drawn.
+const PROBE: u64 = 20_000;
+/// The work of an operation of an expression, and of an entry of a list.
+const OPERATION: u64 = 32;
+/// The work of another scene, which bounds how many are kept; of putting a setting into it, and of each letter of that.
+const SCENE: u64 = 300_000;
+const SETTING: u64 = 10_000;
+const LETTER: u64 = 32;
+
 fn no_clock() -> u64 {
     0
 }
@@ -74,8 +95,13 @@ impl Lab {
     /// Answers kept at most: those of single pixels are many.
     const KEPT: usize = 2000;
 
-    /// A lab with the scene of a step.
+    /// A lab with the scene of a step, which may do the work of a file.
     pub fn new(staged: &Staged) -> Self {
+        Self::within(staged, &Budget::of_file())
+    }
+
+    /// A lab whose work is counted against that of the lesson's file.
+    pub fn within(staged: &Staged, budget: &Budget) -> Self {
         let mut scene = staged.scene.clone();
         let [width, height] = scene.image.size;
         let shorter = width.min(height).max(1);
@@ -93,16 +119,60 @@ impl Lab {
             inner: RefCell::new(Inner {
                 renderer,
                 scenes: vec![Arc::new(scene)],
+                drawn: None,
                 derived: HashMap::new(),
                 known: HashMap::new(),
             }),
+            account: RefCell::new(Account::new(budget.clone())),
         }
     }
 
-    /// Lets the renderer, which has the model of the step, draw its scene.
-    pub(super) fn with_renderer<T>(&self, draw: impl FnOnce(&mut Renderer, &Scene) -> T) -> T {
+    /// Has what follows counted against another budget, as a step of its own.
+    pub(super) fn bill(&self, budget: &Budget) {
+        self.account.replace(Account::new(budget.clone()));
+    }
+
+    /// The work done so far, as [`Budget`] counts it.
+    pub fn work(&self) -> u64 {
+        self.account.borrow().spent()
+    }
+
+    /// Why no more work is done.
+    pub fn refused(&self) -> Option<TooHeavy> {
+        self.account.borrow().refused()
+    }
+
+    fn spend(&self, work: u64) -> Result<(), String> {
+        let spent = self.account.borrow_mut().spend(work);
+        spent.map_err(|refused| refused.to_string())
+    }
+
+    fn spend_pictures(&self, scene: &Scene, times: u64) -> Result<(), String> {
+        let model = self.model.as_deref();
+        let spent = self
+            .account
+            .borrow_mut()
+            .spend_pictures(scene, model, times);
+        spent.map_err(|refused| refused.to_string())
+    }
+
+    /// Lets the renderer, which has the model of the step, draw its scene or its panes with so many samples a pixel.
+    ///
+    /// # Errors
+    /// More work than there may be.
+    pub(super) fn with_renderer<T>(
+        &self,
+        samples: u32,
+        draw: impl FnOnce(&mut Renderer, &Scene) -> T,
+    ) -> Result<T, String> {
+        let scene = Arc::clone(&self.inner.borrow().scenes[0]);
+        for pane in 0..=scene.compare.panes.len() {
+            let pane = scene.pane(pane).map_err(|error| error.to_string())?;
+            self.spend_pictures(&pane, samples.into())?;
+        }
         let inner = &mut *self.inner.borrow_mut();
-        draw(&mut inner.renderer, &inner.scenes[0])
+        inner.drawn = None;
+        Ok(draw(&mut inner.renderer, &scene))
     }
 
     /// The step's scene with its probe and line.
@@ -136,6 +206,9 @@ impl LabPlace<'_> {
         if let Some(scene) = known {
             return Ok(Self { scene, ..self });
         }
+        let text = settings.iter().map(String::len).sum::<usize>() as u64;
+        self.lab
+            .spend(SCENE + SETTING * settings.len() as u64 + LETTER * text)?;
         let size = self.scene().image.size;
         let mut made = self
             .scene()
@@ -187,18 +260,46 @@ impl LabPlace<'_> {
         inside.then_some([at.x as u32, at.y as u32])
     }
 
-    /// Linear intensities of every pixel; the fourth is 0 where there is no object.
-    pub(super) fn linear(&self) -> Vec<[f32; 4]> {
+    /// The value of an expression, whose operations count as work.
+    pub(super) fn number(&self, expression: &Expression) -> Result<f64, String> {
+        self.lab.spend(OPERATION * expression.size() as u64)?;
+        expression.number(self)
+    }
+
+    /// Why no more work is done.
+    pub(super) fn refused(&self) -> Option<TooHeavy> {
+        self.lab.refused()
+    }
+
+    /// Has the renderer do something with the scene, at the work of so many pictures.
+    fn render<T>(
+        &self,
+        pictures: u64,
+        draw: impl FnOnce(&mut Renderer, &Scene) -> T,
+    ) -> Result<T, String> {
         let scene = self.scene();
-        let renderer = &mut self.lab.inner.borrow_mut().renderer;
-        renderer.linear_picture(&scene)
+        self.lab.spend_pictures(&scene, pictures)?;
+        let inner = &mut *self.lab.inner.borrow_mut();
+        inner.drawn = Some(self.scene);
+        Ok(draw(&mut inner.renderer, &scene))
+    }
+
+    /// Linear intensities of every pixel; the fourth is 0 where there is no object.
+    pub(super) fn linear(&self) -> Result<Vec<[f32; 4]>, String> {
+        self.render(1, |renderer, scene| renderer.linear_picture(scene))
     }
 
     /// The picture as it is shown.
+    pub(super) fn counted_picture(&self) -> Result<Frame, String> {
+        self.render(1, |renderer, scene| renderer.render(scene).clone())
+    }
+
+    /// The picture as it is shown, whatever work that is.
     pub fn picture(&self) -> Frame {
         let scene = self.scene();
-        let renderer = &mut self.lab.inner.borrow_mut().renderer;
-        renderer.render(&scene).clone()
+        let inner = &mut *self.lab.inner.borrow_mut();
+        inner.drawn = Some(self.scene);
+        inner.renderer.render(&scene).clone()
     }
 
     /// The profile along the line in one mode.
@@ -207,9 +308,11 @@ impl LabPlace<'_> {
         modes: &[ShadingMode],
     ) -> Result<crate::analysis::Profile, String> {
         let question = self.profile_question(modes)?;
-        let scene = self.scene();
-        let renderer = &mut self.lab.inner.borrow_mut().renderer;
-        crate::analysis::profile(renderer, &scene, &question).map_err(|error| error.to_string())
+        let profile = |renderer: &mut Renderer, scene: &Scene| {
+            crate::analysis::profile(renderer, scene, &question)
+        };
+        self.render(PROFILE * modes.len() as u64, profile)?
+            .map_err(|error| error.to_string())
     }
 
     fn profile_question(&self, modes: &[ShadingMode]) -> Result<ProfileQuestion, String> {
@@ -224,12 +327,15 @@ impl LabPlace<'_> {
         })
     }
 
-    fn subject(&self) -> Subject {
-        Subject {
-            scene: Scene::clone(&self.scene()),
+    /// The scene for an analysis at the work of so many pictures.
+    fn subject(&self, pictures: u64) -> Result<Subject, String> {
+        let scene = self.scene();
+        self.lab.spend_pictures(&scene, pictures)?;
+        Ok(Subject {
+            scene: Scene::clone(&scene),
             model: self.lab.model.clone(),
             clock: no_clock,
-        }
+        })
     }
 
     /// What an analysis says, kept for the next time.
@@ -259,6 +365,25 @@ impl LabPlace<'_> {
         Ok(found)
     }
 
+    /// The probe at a pixel. Where the picture of another scene was drawn last, what is drawn anew counts.
+    fn probed(&self, [x, y]: [u32; 2]) -> Result<Probe, String> {
+        let (scene, model) = (self.scene(), self.lab.model.as_deref());
+        let inner = &mut *self.lab.inner.borrow_mut();
+        let account = &mut *self.lab.account.borrow_mut();
+        let drawn = inner.drawn == Some(self.scene);
+        if !drawn {
+            let afforded = account.afford(&scene, model);
+            afforded.map_err(|refused| refused.to_string())?;
+        }
+        let probe = probe(&mut inner.renderer, &scene, x, y);
+        inner.drawn = Some(self.scene);
+        if !drawn {
+            let spent = account.spend_drawn(&scene, model, inner.renderer.report());
+            spent.map_err(|refused| refused.to_string())?;
+        }
+        Ok(probe)
+    }
+
     fn find(&self, name: &str) -> Result<Json, String> {
         let scene = self.scene();
         let about = About {
@@ -270,8 +395,8 @@ impl LabPlace<'_> {
             "probe" => {
                 let pixel = self.probe.and_then(|place| self.pixel(place));
                 let [x, y] = pixel.unwrap_or_default();
-                let renderer = &mut self.lab.inner.borrow_mut().renderer;
-                let probe = probe(renderer, &scene, x, y);
+                self.lab.spend(PROBE)?;
+                let probe = self.probed([x, y])?;
                 if probe.hit.is_none() {
                     return Err(text!("lesson-probe-misses").to_owned());
                 }
@@ -284,24 +409,32 @@ impl LabPlace<'_> {
                 let mut modes = ProfileQuestion::MODES.to_vec();
                 modes.push(ShadingMode::Interpolated);
                 let question = self.profile_question(&modes)?;
-                object(&question.answer(&self.subject(), &unwatched)?)
+                let subject = self.subject(PROFILE * modes.len() as u64)?;
+                object(&question.answer(&subject, &unwatched)?)
             }
-            "conditions" => object(&ConditionsQuestion.answer(&self.subject(), &unwatched)?),
+            "conditions" => {
+                object(&ConditionsQuestion.answer(&self.subject(CONDITIONS)?, &unwatched)?)
+            }
             "defects" => {
                 let question = DefectsQuestion { pixel: None };
-                object(&question.answer(&self.subject(), &unwatched)?)
+                let subject = self.subject(DEFECTS)?;
+                let triangles = triangles_of(&scene, self.lab.model.as_deref());
+                self.lab.spend(DEFECT * triangles.min(MEASURED))?;
+                object(&question.answer(&subject, &unwatched)?)
             }
             "explain" => {
                 let question = PlanQuestion { frames: 1 };
-                let plan: FramePlan = question.answer(&self.subject(), &unwatched)?;
+                let plan: FramePlan = question.answer(&self.subject(EXPLAIN)?, &unwatched)?;
                 object(&plan)
             }
             "error" => {
                 let mut exact = Scene::clone(&scene);
                 exact.shading.mode = ShadingMode::Exact;
-                let own = self.linear();
-                let renderer = &mut self.lab.inner.borrow_mut().renderer;
-                let reference = renderer.linear_picture(&exact);
+                let own = self.linear()?;
+                self.lab.spend_pictures(&exact, 1)?;
+                let inner = &mut *self.lab.inner.borrow_mut();
+                inner.drawn = None;
+                let reference = inner.renderer.linear_picture(&exact);
                 let picture = |pixels| LinearPicture {
                     width: scene.image.size[0],
                     pixels,
@@ -312,7 +445,7 @@ impl LabPlace<'_> {
             }
             "picture" => {
                 let seen: Vec<f64> = self
-                    .linear()
+                    .linear()?
                     .iter()
                     .filter(|pixel| pixel[3] > 0.0)
                     .map(|&[r, g, b, _]| luminance(Rgb::new(r.into(), g.into(), b.into())))
@@ -349,7 +482,9 @@ impl Quantities for LabPlace<'_> {
             return Err(text!("expression-unknown", name = excerpt(name)));
         }
         let found = self.known(name)?;
-        part_of(&found, name, parts)
+        let value = part_of(&found, name, parts)?;
+        self.lab.spend(OPERATION * length(&value))?;
+        Ok(value)
     }
 
     fn with(&self, settings: &str, todo: Todo<'_>) -> Result<Value, String> {
@@ -392,6 +527,14 @@ fn part_of(json: &Json, path: &str, parts: &[Part]) -> Result<Value, String> {
     match next {
         Some(next) => part_of(next, &name, rest),
         None => Err(text!("lesson-no-part", path = excerpt(&name))),
+    }
+}
+
+/// How many numbers there are in a value.
+fn length(value: &Value) -> u64 {
+    match value {
+        Value::List(values) => values.iter().map(length).sum(),
+        _ => 1,
     }
 }
 

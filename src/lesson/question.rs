@@ -217,6 +217,17 @@ impl Kind {
         matches!(self, Self::Value { .. } | Self::Settings { .. })
     }
 
+    /// Whether each student has another right answer, by the seed.
+    pub(super) fn is_drawn_at_random(&self) -> bool {
+        matches!(
+            self,
+            Self::Match {
+                values: MatchValues::Random,
+                ..
+            }
+        )
+    }
+
     /// Whether its answer is a drawing.
     pub fn is_drawn(&self) -> bool {
         matches!(self, Self::Curve { .. })

@@ -6,6 +6,7 @@ mod stage;
 use super::stage::Stage;
 use super::{Lesson, LessonError, LessonProblem, Prose, Step};
 use crate::expression::Expression;
+use crate::figure::Axis;
 use crate::text::{text, with_short_names};
 use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Options, Parser, Tag, TagEnd};
 use serde::Deserialize;
@@ -366,9 +367,10 @@ impl<'s> Reader<'s> {
         }
     }
 
+    /// The ends of a range that an axis can have.
     fn range(&mut self, block: &Block<'_>, key: &str, value: Option<[f64; 2]>) -> Option<[f64; 2]> {
         match value {
-            Some([from, to]) if from < to && (to - from).is_finite() => Some([from, to]),
+            Some([from, to]) if Axis::can_span(from, to) => Some([from, to]),
             Some(_) => {
                 let words = text!("lesson-range");
                 self.wrong(block.at, text!("lesson-key", key = key, words = words));

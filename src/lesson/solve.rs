@@ -41,12 +41,21 @@ impl Question {
     /// # Errors
     /// Why there is none, or why it is not the only one, in a sentence.
     pub fn solve(&self, place: LabPlace<'_>, seed: u64) -> Result<Solution, String> {
+        let solution = self.solution(place, seed);
+        // Where single places have no value they are passed over; that must not hide that the rest was never looked at.
+        match place.refused() {
+            Some(refused) => Err(refused.to_string()),
+            None => solution,
+        }
+    }
+
+    fn solution(&self, place: LabPlace<'_>, seed: u64) -> Result<Solution, String> {
         let place = place.under(&self.set)?;
         match &self.kind {
             Kind::Choice { options, by } => {
                 let mut right = Vec::new();
                 if let Some((extreme, by)) = by {
-                    let value = |set: &[String]| by.number(&place.under(set)?);
+                    let value = |set: &[String]| place.under(set)?.number(by);
                     let values: Result<Vec<f64>, String> =
                         options.iter().map(|option| value(&option.set)).collect();
                     return best(&values?, *extreme).map(Solution::Choice);
@@ -72,7 +81,7 @@ impl Question {
                 to,
                 ..
             } => {
-                let value = answer.number(&place)?;
+                let value = place.number(answer)?;
                 if value - tolerance < *from || value + tolerance > *to {
                     let value = super::prose::shown(value, 4);
                     return Err(text!("lesson-value-outside", value = value));
@@ -107,7 +116,7 @@ impl Question {
                 tolerance,
             } => setting(place, control, reach, goal, *tolerance).map(Solution::Setting),
             Kind::Order { items, by } => {
-                let value = |set: &[String]| by.number(&place.under(set)?);
+                let value = |set: &[String]| place.under(set)?.number(by);
                 let values: Result<Vec<f64>, String> =
                     items.iter().map(|item| value(&item.set)).collect();
                 let values = values?;
@@ -163,7 +172,7 @@ impl CurveOf {
         let x = |index: usize| from + (to - from) * index as f64 / (CURVE_POINTS - 1) as f64;
         match self {
             Self::Expression(of) => (0..CURVE_POINTS)
-                .map(|index| Ok([x(index), of.number(&place.over(x(index)))?]))
+                .map(|index| Ok([x(index), place.over(x(index)).number(of)?]))
                 .collect(),
             Self::Profile(mode) => {
                 let profile = place.profile(&[*mode])?;
@@ -208,7 +217,7 @@ impl Find {
                 let step = 1.0 / (TRIED as f64 * 4.0);
                 for (x, y) in (-3..=3).flat_map(|y| (-3..=3).map(move |x| (x, y))) {
                     let there = best.0 + step * DVec2::new(f64::from(x), f64::from(y));
-                    let value = of.number(&place.probing(there));
+                    let value = place.probing(there).number(of);
                     values.extend(value.ok().map(|value| (there, value)));
                 }
                 single(values, sign, tolerance)
@@ -250,7 +259,7 @@ fn grid(place: LabPlace<'_>, of: &Expression) -> Result<Vec<(DVec2, f64)>, Strin
     let half = size / size.min_element() / 2.0;
     let step = 1.0 / TRIED as f64;
     let count = (half / step).ceil();
-    let linear = place.linear();
+    let linear = place.linear()?;
     let width = place.scene().image.size[0] as usize;
     let (mut values, mut failure) = (Vec::new(), None);
     for row in -(count.y as i32)..=count.y as i32 {
@@ -264,7 +273,7 @@ fn grid(place: LabPlace<'_>, of: &Expression) -> Result<Vec<(DVec2, f64)>, Strin
             if linear.get(index).is_none_or(|pixel| pixel[3] == 0.0) {
                 continue;
             }
-            match of.number(&place.probing(at)) {
+            match place.probing(at).number(of) {
                 Ok(value) => values.push((at, value)),
                 Err(words) => failure = Some(words),
             }
@@ -298,7 +307,7 @@ fn single(values: Vec<(DVec2, f64)>, sign: f64, tolerance: f64) -> Result<Vec<DV
 fn brightest(place: LabPlace<'_>, sign: f64, tolerance: f64) -> Result<Vec<DVec2>, String> {
     let width = place.scene().image.size[0] as usize;
     let values = place
-        .linear()
+        .linear()?
         .iter()
         .enumerate()
         .filter(|(_, pixel)| pixel[3] > 0.0)
@@ -396,9 +405,9 @@ fn setting(
     }
     let at = |value: f64| -> Result<f64, String> {
         let there = under(value)?;
-        let reached = reach.number(&there)?;
+        let reached = there.number(reach)?;
         Ok(match goal {
-            Goal::Equals(equals) => reached - equals.number(&there)?,
+            Goal::Equals(equals) => reached - there.number(equals)?,
             Goal::Extreme(Extreme::Greatest) => reached,
             Goal::Extreme(Extreme::Least) => -reached,
         })
@@ -516,12 +525,12 @@ fn random_values(controls: &[String], seed: u64) -> Vec<f64> {
 }
 
 /// Root mean square of the difference of two pictures, as shown.
-pub(super) fn picture_difference(a: &LabPlace<'_>, b: &LabPlace<'_>) -> f64 {
-    let (scene, pictures) = (a.scene(), [a.linear(), b.linear()]);
+pub(super) fn picture_difference(a: &LabPlace<'_>, b: &LabPlace<'_>) -> Result<f64, String> {
+    let (scene, pictures) = (a.scene(), [a.linear()?, b.linear()?]);
     let picture = |index: usize| LinearPicture {
         width: scene.image.size[0],
         pixels: &pictures[index],
         clamps: true,
     };
-    error_figures(picture(0), picture(1)).rms
+    Ok(error_figures(picture(0), picture(1)).rms)
 }

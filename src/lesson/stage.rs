@@ -1,7 +1,7 @@
 //! The scene of a step, and what is shown of it.
 
 use super::LessonError;
-use crate::document::load_with;
+use crate::document::{ending, load, load_named, stays_here};
 use crate::geometry::Mesh;
 use crate::link::{Shown, VIEWS};
 use crate::scene::{Compare, CompareView, Pane, Scene};
@@ -58,19 +58,23 @@ pub struct Staged {
 }
 
 impl Stage {
+    /// Longest settings of a step, with those that it takes over, in bytes.
+    pub const MAX_SETTINGS: usize = 1 << 15;
+
     /// Loads the scene; files are looked for in `folder`.
     ///
     /// # Errors
     /// A scene that cannot be loaded, or settings that it does not have.
     pub fn load(&self, folder: Option<&Path>) -> Result<Staged, LessonError> {
         let wrong = |words: String| LessonError::one(self.line_number, words);
-        let source = match folder {
-            Some(folder) if self.is_file() => folder.join(&self.scene),
+        let loaded = match folder {
             None if self.is_file() => return Err(wrong(text!("lesson-no-folder").to_owned())),
-            _ => PathBuf::from(&self.scene),
+            Some(_) if !stays_here(&self.scene) => {
+                return Err(wrong(text!("document-elsewhere").to_owned()));
+            }
+            Some(folder) if self.is_file() => load(&folder.join(&self.scene)),
+            _ => load_named(&self.scene),
         };
-        let none: [&str; 0] = [];
-        let loaded = load_with(&source, &none, &mut |_, _| {});
         let loaded = loaded.map_err(|error| wrong(error.to_string()))?;
         let mut scene = loaded.scene.clone();
         if let Some(count) = self.lights {
@@ -84,6 +88,9 @@ impl Stage {
         }
         let scene = scene.with_overrides(&self.set);
         let scene = scene.map_err(|error| wrong(error.to_string()))?;
+        if folder.is_none() && scene.object.path.is_some() {
+            return Err(wrong(text!("lesson-no-folder").to_owned()));
+        }
         Ok(Staged {
             settings: scene.settings_from(&loaded.scene),
             scene,
@@ -101,9 +108,8 @@ impl Stage {
 
     /// Whether its scene is a file.
     pub fn is_file(&self) -> bool {
-        let name = self.scene.to_ascii_lowercase();
-        let endings = [".toml", ".obj", ".png"];
-        endings.iter().any(|ending| name.ends_with(ending))
+        let endings = ["toml", "obj", "png"];
+        ending(Path::new(&self.scene)).is_some_and(|ending| endings.contains(&&*ending))
     }
 
     /// Whether loading it opens a file.
@@ -117,6 +123,9 @@ impl Stage {
         let places = self.probe.iter().chain(self.line.iter().flatten());
         if places.into_iter().any(far) {
             return Err(text!("lesson-far").to_owned());
+        }
+        if self.set.iter().map(String::len).sum::<usize>() > Self::MAX_SETTINGS {
+            return Err(text!("lesson-long-settings", most = Self::MAX_SETTINGS));
         }
         if self.lights.is_some_and(|count| count > Scene::MAX_LIGHTS) {
             return Err(text!("lesson-lights", most = Scene::MAX_LIGHTS));

@@ -3,7 +3,7 @@
 use super::class::{Asked, letter};
 use super::links::without_closed_links;
 use super::worksheet::answer_words;
-use super::{Kind, Lab, Lesson, LessonError, Question, Staged};
+use super::{Budget, Kind, Lab, Lesson, LessonError, Question, Staged};
 use crate::text::text;
 use std::fmt::Write as _;
 
@@ -18,9 +18,10 @@ pub fn in_words(lesson: &Lesson, seed: u64, answers: bool) -> Result<String, Les
     }
     let mut right = String::new();
     let mut number = 0;
+    let budget = Budget::of_file();
     for (index, step) in lesson.steps.iter().enumerate() {
         let staged = step.stage.load(lesson.folder.as_deref())?;
-        let lab = Lab::new(&staged);
+        let lab = Lab::within(&staged, &budget);
         let place = lab.place(&staged);
         let wrong = |(line, words): (u64, String)| LessonError::one(line, words);
         let text = step.text.filled(&place).map_err(wrong)?;

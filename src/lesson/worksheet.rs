@@ -3,7 +3,9 @@
 use super::class::{Asked, letter};
 use super::page::{Axes, axis_name, blocks, data, escaped, inline, page, picture};
 use super::prose::shown;
-use super::{Kind, Lab, LabPlace, Lesson, LessonError, Question, Solution, Stage, Staged, Step};
+use super::{
+    Budget, Kind, Lab, LabPlace, Lesson, LessonError, Question, Solution, Stage, Staged, Step,
+};
 use crate::analysis::{
     NormalField, OverlayLayer, OverlayOptions, ProfileQuestion, VertexNormal, comparison_sheet,
     draw_normals, draw_overlay, draw_panes, draw_profile, panes_on_sheet, probe, profile,
@@ -91,8 +93,9 @@ pub fn worksheet(
     );
     let mut answers = String::new();
     let mut number = 0;
+    let budget = Budget::of_file();
     for (index, step) in lesson.steps.iter().enumerate() {
-        let part = StepPart::new(lesson, index, step, sheet)?;
+        let part = StepPart::new(lesson, (index, step), sheet, &budget)?;
         body.push_str(&part.body);
         if let Some(question) = part.question {
             number += 1;
@@ -150,12 +153,12 @@ struct QuestionPart {
 impl StepPart {
     fn new(
         lesson: &Lesson,
-        index: usize,
-        step: &Step,
+        (index, step): (usize, &Step),
         sheet: Worksheet,
+        budget: &Budget,
     ) -> Result<Self, LessonError> {
         let staged = step.stage.load(lesson.folder.as_deref())?;
-        let lab = Lab::new(&staged);
+        let lab = Lab::within(&staged, budget);
         let place = lab.place(&staged);
         let wrong = |(line, words): (u64, String)| LessonError::one(line, words);
         let text = step.text.filled(&place).map_err(wrong)?;
@@ -166,7 +169,15 @@ impl StepPart {
             "<section class=\"step\">\n<h2>{}. {title}</h2>\n",
             index + 1
         );
+        let question = |words: String| {
+            let line = step
+                .question
+                .as_ref()
+                .map_or(step.line, |question| question.line);
+            wrong((line, text!("lesson-question", words = words)))
+        };
         let frame = stage_picture(&lab, step, &staged, sheet.samples);
+        let frame = frame.map_err(|words| wrong((step.line, words)))?;
         if !step.question.as_ref().is_some_and(own_picture) {
             let panes = staged.scene.compare.panes.is_empty();
             let class = if panes && frame.width < 2 * frame.height {
@@ -182,19 +193,16 @@ impl StepPart {
             body,
             question: None,
         };
-        if let Some(question) = &step.question {
-            let mut asked = Asked::filled(index, question, place).map_err(wrong)?;
-            let target = matches!(question.kind, Kind::Match { .. });
+        if let Some(asks) = &step.question {
+            let mut asked = Asked::filled(index, asks, place).map_err(wrong)?;
+            let target = matches!(asks.kind, Kind::Match { .. });
             if sheet.answers || target && sheet.samples > 0 {
-                let solution = question.solve(place, sheet.seed);
-                let solution = solution.map_err(|words| {
-                    wrong((question.line, text!("lesson-question", words = words)))
-                })?;
-                asked.solution = Some(solution);
+                let solution = asks.solve(place, sheet.seed);
+                asked.solution = Some(solution.map_err(question)?);
             }
             part.question = Some(QuestionPart {
-                room: room(&asked, question, place, &frame, sheet),
-                answer: answer(&asked, question, &frame),
+                room: room(&asked, asks, place, &frame, sheet).map_err(question)?,
+                answer: answer(&asked, asks, &frame),
                 ask: inline(&asked.ask),
             });
         }
@@ -209,7 +217,7 @@ fn room(
     place: LabPlace<'_>,
     frame: &Frame,
     sheet: Worksheet,
-) -> String {
+) -> Result<String, String> {
     let line = "<span class=\"blank\"></span>";
     let mut out = String::new();
     match &question.kind {
@@ -255,16 +263,16 @@ fn room(
             let _ = writeln!(out, "<p>{} = {line}</p>", control_name(control));
         }
         Kind::Order { items, .. } => {
-            let drawn = |place: LabPlace<'_>| match sheet.samples {
-                0 => blank(),
-                _ => place.picture(),
+            let small = |set: &[String]| match sheet.samples {
+                0 => Ok(blank()),
+                _ => place.under(set)?.counted_picture(),
             };
-            let small = |set: &[String]| place.under(set).map(drawn);
             out.push_str("<div class=\"items\">\n");
             for (index, (item, words)) in items.iter().zip(&asked.options).enumerate() {
-                let image = match small(&item.set) {
-                    Ok(frame) if !item.set.is_empty() => picture(&thumbnail(&frame), words),
-                    _ => String::new(),
+                let image = if item.set.is_empty() {
+                    String::new()
+                } else {
+                    picture(&thumbnail(&small(&item.set)?), words)
                 };
                 let _ = writeln!(
                     out,
@@ -278,13 +286,12 @@ fn room(
         }
         Kind::Match { controls, .. } => {
             let target = match &asked.solution {
-                Some(Solution::Match(values)) => place
-                    .under(&question.set)
-                    .and_then(|place| {
-                        place.under(&super::solve::matched_settings(controls, values))
-                    })
-                    .map(|place| place.picture()),
-                _ => Err(String::new()),
+                Some(Solution::Match(values)) => {
+                    let settings = super::solve::matched_settings(controls, values);
+                    let target = place.under(&question.set)?.under(&settings)?;
+                    Some(target.counted_picture()?)
+                }
+                _ => None,
             };
             let caption = |words: &str| format!("<figcaption>{}</figcaption>", escaped(words));
             let _ = write!(
@@ -293,7 +300,7 @@ fn room(
                 picture(frame, ""),
                 caption(text!("class-start"))
             );
-            if let Ok(target) = target {
+            if let Some(target) = target {
                 let words = text!("class-target", seed = sheet.seed.to_string());
                 let _ = write!(
                     out,
@@ -311,7 +318,7 @@ fn room(
     out.push_str(
         "<div class=\"rules\"><div class=\"rule\"></div><div class=\"rule\"></div></div>\n",
     );
-    out
+    Ok(out)
 }
 
 /// The right answer, and why.
@@ -473,11 +480,11 @@ fn thumbnail(frame: &Frame) -> Frame {
 
 /// What the window shows of a step: the picture or its panes, with what is drawn over it. The profile's curve is left out
 /// where it would be the answer.
-fn stage_picture(lab: &Lab, step: &Step, staged: &Staged, samples: u32) -> Frame {
+fn stage_picture(lab: &Lab, step: &Step, staged: &Staged, samples: u32) -> Result<Frame, String> {
     if samples == 0 {
-        return blank();
+        return Ok(blank());
     }
-    lab.with_renderer(|renderer, scene| {
+    lab.with_renderer(samples, |renderer, scene| {
         let told =
             step.stage.hide || matches!(&step.question, Some(question) if question.kind.is_drawn());
         let mut scene = scene.clone();

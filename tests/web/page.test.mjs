@@ -154,3 +154,26 @@ test("the page runs no script but its own", async () => {
   for (const directive of ["script-src-elem", "script-src-attr", "connect-src"]) assert.ok(refused.includes(directive), `${directive}: ${refused}`);
   await page.close();
 });
+
+test("a trap of the program, or one in the middle of other work, is said", async () => {
+  // A module whose only function runs into `unreachable`, as the program does where memory has run out.
+  const trap = [0, 97, 115, 109, 1, 0, 0, 0, 1, 4, 1, 96, 0, 0, 3, 2, 1, 0, 7, 5, 1, 1, 102, 0, 0, 10, 5, 1, 3, 0, 0, 11];
+  for (const late of [false, true]) {
+    const { page, problems } = await open(here.browser.context, here.server.url + "?scene=sphere");
+    await page.evaluate(([bytes, late]) => {
+      const { exports } = new WebAssembly.Instance(new WebAssembly.Module(new Uint8Array(bytes)));
+      setTimeout(late ? async () => exports.f() : () => exports.f());
+    }, [trap, late]);
+    await until(() => page.evaluate(() => document.documentElement.dataset.state === "stopped"));
+    assert.ok(await page.getByRole("alert").isVisible());
+    assert.ok(problems.some((problem) => problem.includes("unreachable")), problems);
+    await page.close();
+  }
+});
+
+test("a scene that takes too much memory is refused with the figure", async () => {
+  const { page } = await open(here.browser.context, here.server.url + "?scene=teapot&set=object.segments=4096&set=object.rings=4096");
+  assert.equal(await page.evaluate(() => document.documentElement.dataset.state), "ready");
+  await until(async () => (await widgets(page)).some(({ name }) => name.includes("MB of memory")));
+  await page.close();
+});

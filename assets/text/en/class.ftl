@@ -10,6 +10,7 @@ class-other-version = answers to another version of the lesson “{ $lesson }”
 class-no-lesson = the lesson “{ $lesson }” is not known
 class-bad-lesson = the lesson inside is not sound: line { $error }
 class-needs-lesson = the lesson needs a file: give the lesson with --lesson
+class-too-heavy = question { $question } of the lesson in it: { $why }
 
 # The class's table.
 class-name = Name

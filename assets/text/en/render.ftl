@@ -93,4 +93,5 @@ render-why-cue-beyond = depth cueing begins behind the object
 
 # Failures.
 render-too-large = a picture of { $width }×{ $height } pixels needs about { $megabytes } MB of memory, which is not available, expected a smaller picture
+render-too-many-triangles = { $triangles } triangles need about { $megabytes } MB of memory, which is not available, expected fewer segments or rings, or a smaller model
 render-job-ended = The computation ended without a result.

@@ -10,6 +10,7 @@ class-other-version = 是課程「{ $lesson }」另一版本的答案
 class-no-lesson = 不認得課程「{ $lesson }」
 class-bad-lesson = 圖片內的課程有誤：第 { $error } 行
 class-needs-lesson = 這一課需要一個檔案：請以 --lesson 指定課程
+class-too-heavy = 其中課程的第 { $question } 題：{ $why }
 
 # The class's table.
 class-name = 姓名

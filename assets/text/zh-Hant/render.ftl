@@ -93,4 +93,5 @@ render-why-cue-beyond = 深度提示從物體後方才開始
 
 # 失敗。
 render-too-large = { $width }×{ $height } 像素的圖片約需 { $megabytes } MB 記憶體，目前無法取得，請改用較小的圖片
+render-too-many-triangles = { $triangles } 個三角形約需 { $megabytes } MB 記憶體，目前無法取得，請減少分段數或環數，或改用較小的模型
 render-job-ended = 計算已結束，但沒有結果。

@@ -12,9 +12,10 @@ use super::{App, system};
 use crate::analysis::{
     BenchQuestion, DefectsQuestion, ProfileQuestion, StabilityQuestion, StudyQuestion,
 };
-use crate::document::load;
+use crate::document::{Loaded, load};
 use crate::jobs::{Asked, Served, serve, served};
 use crate::link;
+use crate::render::check_mesh_memory;
 use crate::scene::presets;
 use crate::text::text;
 use eframe::egui::Context;
@@ -47,10 +48,15 @@ pub fn run() {
 async fn start(canvas: HtmlCanvasElement) {
     let open = |cc: &eframe::CreationContext<'_>| -> Box<dyn eframe::App> {
         let (page, link) = address();
-        let linked = link::is_link(&link).then(|| load(Path::new(&link)));
+        let open = |link: &str| -> Result<Loaded, String> {
+            let loaded = load(Path::new(link)).map_err(|error| error.to_string())?;
+            let small = check_mesh_memory(&loaded.scene, loaded.model.as_deref());
+            small.map(|()| loaded).map_err(|error| error.to_string())
+        };
+        let linked = link::is_link(&link).then(|| open(&link));
         let (loaded, problem) = match linked {
             Some(Ok(loaded)) => (Some(loaded), None),
-            Some(Err(error)) => (None, Some(error.to_string())),
+            Some(Err(error)) => (None, Some(error)),
             None => (None, None),
         };
         let loaded =

@@ -6,21 +6,24 @@ use crate::figure::text::raised;
 /// Steps of degrees that divide a right angle.
 const DEGREES: [f64; 6] = [5.0, 10.0, 15.0, 30.0, 45.0, 90.0];
 
-/// About as many round numbers on `axis` as there is room for, and how they are written.
+/// Most ticks that an axis has room for.
+const MOST: f64 = 40.0;
+
+/// About as many round numbers on `axis` as there is room for, at most twice [`MOST`] or those of three to a decade, and how they are
+/// written. An axis that [`Axis::can_span`] refuses has none.
 pub fn ticks(axis: &Axis, room: f64) -> Vec<(f64, String)> {
-    let span = axis.high - axis.low;
-    if span.is_nan() || span <= 0.0 || !span.is_finite() {
+    if room.is_nan() || !Axis::can_span(axis.low, axis.high) {
         return vec![];
     }
+    let room = room.clamp(1.0, MOST);
     if axis.decades {
-        return decades(axis, room.clamp(1.0, 40.0));
+        let beyond = axis.low.abs().max(axis.high.abs()) > WIDEST;
+        return if beyond { vec![] } else { decades(axis, room) };
     }
-    let least = span / room.clamp(1.0, 40.0);
+    let least = (axis.high - axis.low) / room;
     let step = if axis.degrees {
-        DEGREES
-            .into_iter()
-            .find(|step| *step >= least)
-            .unwrap_or(90.0)
+        let known = DEGREES.into_iter().find(|step| *step >= least);
+        known.unwrap_or_else(|| 90.0 * round_up(least / 90.0))
     } else {
         round_up(least)
     };
@@ -36,6 +39,9 @@ pub fn ticks(axis: &Axis, room: f64) -> Vec<(f64, String)> {
         })
         .collect()
 }
+
+/// No number in double precision has a logarithm as far from 0.
+const WIDEST: f64 = 400.0;
 
 /// What a decade is divided at, by how many ticks it has room for.
 const MANTISSAS: [&[u8]; 3] = [&[1, 2, 5], &[1, 3], &[1]];
@@ -130,4 +136,75 @@ fn scientific(value: f64) -> String {
         mantissa.replace('-', "−"),
         raised(exponent.parse().unwrap_or(0))
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Numbers that are hard, with their neighbours.
+    const HARD: [f64; 15] = [
+        0.0,
+        5e-324,
+        1e-308,
+        1e-292,
+        1e-30,
+        1e-9,
+        0.3,
+        1.0,
+        90.0,
+        1e6,
+        1e15,
+        1e19,
+        1e300,
+        f64::MAX,
+        f64::INFINITY,
+    ];
+
+    #[test]
+    fn every_axis_has_few_ticks_and_none_is_beyond_it() {
+        let signed = || {
+            HARD.iter()
+                .flat_map(|value| [*value, -value])
+                .chain([f64::NAN])
+        };
+        let ends = || signed().flat_map(|value| [value, value.next_up()]);
+        let rooms = [f64::NAN, -1.0, 0.0, 6.0, 1e300];
+        let mut ticked = 0;
+        for (low, high) in ends().flat_map(|low| ends().map(move |high| (low, high))) {
+            for room in rooms {
+                for axis in [
+                    Axis::new("", low, high),
+                    Axis::degrees("", low, high),
+                    Axis::decades("", low, high),
+                ] {
+                    let ticks = ticks(&axis, room);
+                    assert!(ticks.len() <= 130, "{axis:?}: {}", ticks.len());
+                    assert!(
+                        ticks.is_empty() || Axis::can_span(low, high),
+                        "{axis:?} has ticks"
+                    );
+                    let slack = 1e-6 * (high - low);
+                    let inside = |value: f64| value >= low - slack && value <= high + slack;
+                    assert!(
+                        ticks.iter().all(|(value, _)| inside(*value)),
+                        "{axis:?}: {ticks:?}"
+                    );
+                    ticked += usize::from(!ticks.is_empty());
+                }
+            }
+        }
+        assert!(ticked > 1000, "{ticked} axes have ticks");
+    }
+
+    #[test]
+    fn an_axis_of_many_turns_has_round_numbers_of_right_angles() {
+        let written = |high| {
+            let ticks = ticks(&Axis::degrees("", 0.0, high), 5.0);
+            let written: Vec<_> = ticks.into_iter().map(|(_, text)| text).collect();
+            written.join(" ")
+        };
+        assert_eq!(written(90.0), "0° 30° 60° 90°");
+        assert_eq!(written(3600.0), "0° 900° 1800° 2700° 3600°");
+    }
 }

@@ -163,6 +163,19 @@ impl Axis {
         }
     }
 
+    /// Whether an axis can reach from `low` to `high`: finite numbers, the smaller one first, so far apart that double precision has
+    /// numbers between them, all with their full digits.
+    pub fn can_span(low: f64, high: f64) -> bool {
+        /// Of the larger end: ticks and points between the ends keep six digits and more.
+        const THINNEST: f64 = 1e-9;
+        /// Parts of a shorter span would be subnormal numbers.
+        const SHORTEST: f64 = f64::MIN_POSITIVE / f64::EPSILON;
+        let span = high - low;
+        let least = (THINNEST * low.abs().max(high.abs())).max(SHORTEST);
+        // A round number above it is a number too.
+        (10.0 * span).is_finite() && span >= least
+    }
+
     /// An axis of the logarithms to the base 10 of a quantity.
     pub fn decades(name: impl Into<String>, low: f64, high: f64) -> Self {
         Self {

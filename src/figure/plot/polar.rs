@@ -1,7 +1,7 @@
 //! A curve over the directions above a surface: the angle from N and the distance from the point.
 
 use super::axes::round_up;
-use super::data::Direction;
+use super::data::{Axis, Direction};
 use super::sheet::Sheet;
 use crate::figure::area::Area;
 use crate::figure::drawing::{Scale, Shape};
@@ -26,7 +26,7 @@ pub fn draw(sheet: &mut Sheet<'_>, room: Area) {
     let (em, plot) = (sheet.em, sheet.plot);
     let space = room.max - room.min - DVec2::new(2.0 * 2.2 * em, 1.5 * em + 2.0 * em);
     let radius = (0.5 * space.x).min(space.y);
-    if radius < LEAST * em || plot.y.high.is_nan() || plot.y.high <= 0.0 {
+    if radius < LEAST * em || !Axis::can_span(0.0, plot.y.high) {
         return;
     }
     let slack = space.y - radius;

@@ -3,30 +3,15 @@
 use super::display::{Linear, display};
 use super::frame::Frame;
 use super::pipeline::Renderer;
-use crate::scene::{AmbientSource, CompareView, Overflow, Scene};
-use crate::text::text;
+use crate::scene::{AmbientSource, Overflow, Scene};
 use glam::DVec2;
 
 /// A picture of more pixels than this is drawn in strips of at most so many: 3840 × 2160 is drawn at once.
-const MOST_AT_ONCE: u64 = 1 << 23;
+pub(super) const MOST_AT_ONCE: u64 = 1 << 23;
 /// Rows of a strip are a multiple of these: the bands' 16, and the 6 after which the marks of overflow repeat.
 const STRIDE: u32 = 48;
-/// Bytes that drawing several samples takes for each pixel that is drawn at once, the stored picture aside; rays take the most.
-const BYTES_AT_ONCE: u64 = 96;
-/// Bytes for everything else in a process that draws a large picture.
-const BYTES_BESIDES: u64 = 1 << 28;
-
-/// A picture whose memory cannot be had.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("{}", text!("render-too-large", width = *width, height = *height, megabytes = *megabytes))]
-pub struct TooLarge {
-    width: u32,
-    height: u32,
-    megabytes: u64,
-}
-
 /// Rows that are drawn at a time: all of them where the picture is small, or where a pixel depends on all others.
-fn rows_at_once(scene: &Scene) -> u32 {
+pub(super) fn rows_at_once(scene: &Scene) -> u32 {
     let [width, height] = scene.image.size;
     let alone = scene.display.overflow != Overflow::Scale
         && scene.ambient.source == AmbientSource::Constant;
@@ -35,35 +20,6 @@ fn rows_at_once(scene: &Scene) -> u32 {
     }
     let rows = u32::try_from(MOST_AT_ONCE / u64::from(width)).unwrap_or(height);
     (rows / STRIDE * STRIDE).clamp(STRIDE, height.max(STRIDE))
-}
-
-/// Whether the memory to draw a sound scene can be had: to be asked before, since running out of it ends the process.
-///
-/// # Errors
-/// It cannot.
-pub fn check_memory(scene: &Scene) -> Result<(), TooLarge> {
-    let [width, height] = scene.image.size;
-    let row = u64::from(width);
-    // Panes are compared before the display, all of their pixels.
-    let rows = if scene.compare.view == CompareView::Single {
-        rows_at_once(scene)
-    } else {
-        height
-    };
-    let stored = row * u64::from(height) * size_of::<[u8; 4]>() as u64;
-    let bytes = stored + row * u64::from(rows) * BYTES_AT_ONCE + BYTES_BESIDES;
-    let small = row * u64::from(height) <= MOST_AT_ONCE;
-    let there =
-        usize::try_from(bytes).is_ok_and(|bytes| Vec::<u8>::new().try_reserve_exact(bytes).is_ok());
-    if small || there {
-        Ok(())
-    } else {
-        Err(TooLarge {
-            width,
-            height,
-            megabytes: bytes >> 20,
-        })
-    }
 }
 
 impl Renderer {

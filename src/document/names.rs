@@ -1,0 +1,112 @@
+//! What names a file, and where a path out of a file may lead. The rules are the same on every system, and nothing is opened for them.
+
+use std::path::Path;
+
+/// Names that Windows has for devices, in any folder and with any ending.
+const DEVICES: [&str; 6] = ["con", "prn", "aux", "nul", "conin", "conout"];
+/// The same, each followed by a digit.
+const PORTS: [&str; 2] = ["com", "lpt"];
+
+const SEPARATORS: [char; 2] = ['/', '\\'];
+
+/// Returns the ending of a file's name, in lower case; none where the name does not end with it. `x.toml/.`, which systems open as
+/// `x.toml`, has none.
+///
+/// ```
+/// use shading_lab::document::ending;
+/// use std::path::Path;
+///
+/// assert_eq!(ending(Path::new("a/Scene.TOML")).as_deref(), Some("toml"));
+/// assert_eq!(ending(Path::new("a/scene.toml/.")), None);
+/// ```
+pub fn ending(path: &Path) -> Option<String> {
+    let text = path.as_os_str().to_string_lossy();
+    let (stem, ending) = last_part(&text).rsplit_once('.')?;
+    (!stem.is_empty()).then(|| ending.to_ascii_lowercase())
+}
+
+fn last_part(path: &str) -> &str {
+    path.rsplit(SEPARATORS).next().unwrap_or(path)
+}
+
+/// Whether a path that stands in a file leads to a file of this machine: not to another machine (`\\\\host\\share`), which opening it
+/// would sign in to, and to no device.
+pub(crate) fn stays_here(path: &str) -> bool {
+    let mut start = path.chars();
+    let separator = |c: Option<char>| c.is_some_and(|c| SEPARATORS.contains(&c));
+    // `\\\\` begins a share or a device, `\\??\\` what the kernel of Windows calls one.
+    let elsewhere = separator(start.next()) && {
+        let second = start.next();
+        separator(second) || second == Some('?')
+    };
+    let name = last_part(path).to_lowercase();
+    let stem = name.split(['.', ':', ' ', '$']).next().unwrap_or_default();
+    let port = |port: &&str| {
+        let number = stem.strip_prefix(port).map(str::chars);
+        number.is_some_and(|mut rest| {
+            rest.next().is_some_and(char::is_numeric) && rest.next().is_none()
+        })
+    };
+    !elsewhere && !DEVICES.contains(&stem) && !PORTS.iter().any(|name| port(&name))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_is_named_by_its_end() {
+        for (path, expected) in [
+            ("x.toml", Some("toml")),
+            ("/a.b/x.OBJ", Some("obj")),
+            ("x.toml/.", None),
+            ("x.toml/", None),
+            ("x.toml/./", None),
+            ("x.toml\\.", None),
+            ("x.toml.", Some("")),
+            ("x.toml ", Some("toml ")),
+            ("x.toml::$DATA", Some("toml::$data")),
+            (".toml", None),
+            ("toml", None),
+            ("", None),
+        ] {
+            assert_eq!(ending(Path::new(path)).as_deref(), expected, "{path}");
+        }
+    }
+
+    #[test]
+    fn a_path_in_a_file_stays_on_this_machine() {
+        for path in [
+            "a.obj",
+            "../a/b.obj",
+            "/home/ada/a.obj",
+            "C:\\Users\\ada\\a.obj",
+            "console.obj",
+            "com/x.obj",
+            "compass.obj",
+            "com10.obj",
+        ] {
+            assert!(stays_here(path), "{path}");
+        }
+        for path in [
+            "\\\\host\\share\\a.obj",
+            "//host/share/a.obj",
+            "\\/host/a.obj",
+            "/\\host\\a.obj",
+            "\\\\?\\C:\\a.obj",
+            "\\\\?\\UNC\\host\\share\\a.obj",
+            "\\\\.\\COM1",
+            "\\??\\C:\\a.obj",
+            "nul",
+            "NUL.obj",
+            "a\\con.obj",
+            "C:/x/aux .obj",
+            "CONIN$",
+            "Com1.obj",
+            "lpt9:",
+            "com².obj",
+        ] {
+            assert!(!stays_here(path), "{path}");
+        }
+    }
+}
