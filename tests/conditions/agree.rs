@@ -262,10 +262,7 @@ fn picture_and_probe(
 fn flat_shade(scene: &Scene, hit: &ProbeHit) -> Option<DVec3> {
     let object = &scene.object;
     let flat = scene.shading.mode == ShadingMode::Flat && scene.depth_cueing.by == CuedBy::Off;
-    if !flat
-        || object.kind != ObjectKind::Polygons
-        || !object.faces.iter().all(|face| is_fan(object, face))
-    {
+    if !flat || object.kind != ObjectKind::Polygons {
         return None;
     }
     let face = object.faces.get(hit.face? as usize)?;
@@ -301,18 +298,6 @@ fn flat_shade(scene: &Scene, hit: &ProbeHit) -> Option<DVec3> {
 fn facing(corners: &[DVec3]) -> DVec3 {
     let edges = corners.iter().zip(corners.iter().cycle().skip(1));
     edges.map(|(a, b)| a.cross(*b)).sum::<DVec3>().normalize()
-}
-
-/// Whether the first corner sees all of a polygon. Others are not shaded as one polygon that begins there.
-fn is_fan(object: &Object, face: &[u32]) -> bool {
-    let corners: Vec<DVec3> = face.iter().map(|&v| object.vertices[v as usize]).collect();
-    let facing = facing(&corners);
-    corners[1..].windows(2).all(|pair| {
-        (pair[0] - corners[0])
-            .cross(pair[1] - corners[0])
-            .dot(facing)
-            > 0.0
-    })
 }
 
 /// The profile along a row against the picture, at the centres of the row's pixels.
