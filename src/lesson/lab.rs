@@ -71,10 +71,10 @@ const QUANTITIES: [&str; 8] = [
 /// The work of analyses, in pictures: of a profile for each mode, and of all the others.
 const PROFILE: u64 = 2;
 const CONDITIONS: u64 = 10;
-const DEFECTS: u64 = 20;
-const EXPLAIN: u64 = 40;
+const DEFECTS: u64 = 40;
+const EXPLAIN: u64 = 90;
 /// The work of a defect at each of a mesh's triangles, and of how many at most an even choice is measured.
-const DEFECT: u64 = 100_000;
+const DEFECT: u64 = 240_000;
 const MEASURED: u64 = 4096;
 /// The work of a probe where the picture is drawn.
 const PROBE: u64 = 20_000;
