@@ -179,7 +179,10 @@ impl Checker<'_> {
             _ => "the polygon’s vertices",
         };
         let area = light.source.kind == LightKind::Area;
-        let points = format!("{} points of the light", light.source.samples);
+        let points = match light.source.samples {
+            1 => "one point of the light".to_owned(),
+            count => format!("{count} points of the light"),
+        };
         let over: Vec<&str> = [if area { &points[..] } else { "" }, place]
             .into_iter()
             .filter(|text| !text.is_empty())

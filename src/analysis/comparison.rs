@@ -325,7 +325,7 @@ fn table(panes: &[PaneFigures]) -> Table {
         Column::shown(text!("picture-column-at"), as_it_is).extra(),
         Column::key("x"),
         Column::key("y"),
-        Column::shown(text!("picture-column-region"), as_it_is),
+        Column::shown(text!("picture-column-region"), as_it_is).extra(),
         Column::key("region"),
     ]);
     for PaneFigures {

@@ -230,7 +230,10 @@ impl Mesh {
             points.clear();
             points.extend(self.face_points(f));
             let area = self.area_vector(f);
-            if area == DVec3::ZERO || concave::fan_covers(&points, area, self.area_rounding(f)) {
+            if area == DVec3::ZERO
+                || concave::fan_covers(&points, area, self.area_rounding(f))
+                || self.is_tangle(f)
+            {
                 continue;
             }
             let start = self.starts[f];
@@ -240,6 +243,16 @@ impl Mesh {
         }
         self.cut.shrink_to_fit();
         self
+    }
+
+    /// Returns whether face `f` comes to its points so often that it cannot be a simple polygon, not even one with holes that are
+    /// joined to its border, which comes to a point twice. Nothing covers such a tangle, and cutting a large one takes minutes.
+    fn is_tangle(&self, f: usize) -> bool {
+        let mut points: Vec<u32> = self.face(f).iter().map(|c| c.position).collect();
+        let corners = points.len();
+        points.sort_unstable();
+        points.dedup();
+        corners > 2 * points.len()
     }
 
     /// Sets `closed` from the polygons themselves: true if every directed edge occurs once and its opposite once, and
