@@ -47,7 +47,7 @@ pub(crate) fn stays_here(path: &str) -> bool {
             rest.next().is_some_and(char::is_numeric) && rest.next().is_none()
         })
     };
-    !elsewhere && !DEVICES.contains(&stem) && !PORTS.iter().any(|name| port(&name))
+    !elsewhere && !DEVICES.contains(&stem) && !PORTS.iter().any(port)
 }
 
 #[cfg(test)]
