@@ -9,7 +9,7 @@ const DEGREES: [f64; 6] = [5.0, 10.0, 15.0, 30.0, 45.0, 90.0];
 /// Most ticks that an axis has room for.
 const MOST: f64 = 40.0;
 
-/// About as many round numbers on `axis` as there is room for, at most twice [`MOST`] or those of three to a decade, and how they are
+/// About as many round numbers on `axis` as there is room for, at most twice `MOST` or those of three to a decade, and how they are
 /// written. An axis that [`Axis::can_span`] refuses has none.
 pub fn ticks(axis: &Axis, room: f64) -> Vec<(f64, String)> {
     if room.is_nan() || !Axis::can_span(axis.low, axis.high) {
