@@ -253,7 +253,11 @@ impl Checker<'_> {
                 self.scene.object.kind,
                 ObjectKind::Obj | ObjectKind::Polygons
             ) && self.scene.reflection.backfacing == Backfacing::Clamp;
+            let smoothed = hit
+                .face
+                .is_some_and(|face| self.judge.turns_away(light.source, face, hit.position));
             if sound
+                && !smoothed
                 && self
                     .judge
                     .is_clearly_blocked(light.source, (hit.position, hit.normal))

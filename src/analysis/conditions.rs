@@ -127,7 +127,7 @@ pub fn conditions(renderer: &mut Renderer, scene: &Scene) -> Conditions {
     let surface = if has_surface {
         leaning(mesh, scene, NormalSource::Exact)
     } else {
-        leaning(mesh, scene, scene.object.normals)
+        leaning(mesh, scene, scene.object.normal_source())
     };
     let inside = if has_surface && surface < ROUNDING {
         same_polygon(renderer, scene)
@@ -205,7 +205,7 @@ fn assumptions(mesh: &Mesh, scene: &Scene, plan: &Plan) -> Vec<Assumption> {
     let patterned = pattern.kind != PatternKind::None && pattern.color != material.color;
     let own_normals = || {
         scene.shading.flat_at == FlatAt::Centre
-            || leaning(mesh, scene, scene.object.normals) < ROUNDING
+            || leaning(mesh, scene, scene.object.normal_source()) < ROUNDING
     };
     let broken = [
         (Assumption::Pattern, patterned && colored),

@@ -124,6 +124,10 @@ pub struct FileKind {
 
 /// What became of the desktop's own dialog for a file.
 pub enum Picked {
+    #[cfg_attr(
+        target_arch = "wasm32",
+        allow(dead_code, reason = "a page has no paths")
+    )]
     File(PathBuf),
     /// It was cancelled.
     Nothing,

@@ -269,6 +269,17 @@ impl<'a> Judge<'a> {
     }
 
     #[allow(dead_code, reason = "each test takes what it needs of it")]
+    /// Whether a face of a convex solid is turned away from a light. Where its vertex normals are not, they stand for a smooth surface
+    /// that is lit there, though the face itself is not.
+    pub fn turns_away(&self, light: &Light, face: u32, p: DVec3) -> bool {
+        let way = match light.kind {
+            LightKind::Directional => -light.direction,
+            _ => light.position - p,
+        };
+        self.vertices.convex && self.vertices.face_normal(face as usize).dot(way) < 0.0
+    }
+
+    #[allow(dead_code, reason = "each test takes what it needs of it")]
     /// Whether something stands before the light of a point with its normal, whatever the point is lifted by.
     pub fn is_clearly_blocked(&self, light: &Light, (p, n): (DVec3, DVec3)) -> bool {
         // In steps of the object's radius, whose millionth is_met takes for nothing.
