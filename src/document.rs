@@ -181,7 +181,7 @@ fn completed(
     })
 }
 
-/// Bytes that reading a model takes at most for each byte of its file (`tests/obj_memory.rs`).
+/// Bytes that reading a model takes at most for each byte of its file (`tests/engine/obj_memory.rs`).
 const OF_MODEL: u64 = 6;
 /// Files up to so many bytes are read without asking for memory in advance.
 const LARGE_MODEL: u64 = 1 << 22;

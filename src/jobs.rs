@@ -12,7 +12,7 @@ mod worker;
 use crate::analysis::{Parcel, Question, Subject, Watch};
 use crate::geometry::Mesh;
 use crate::scene::Scene;
-use crate::text::text;
+use crate::text::{in_language, language, text};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::fmt::{self, Debug, Formatter};
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
@@ -197,9 +197,10 @@ impl<W: Work> Job<W> {
             over: sender,
             wake: Arc::new(wake),
         };
+        let language = language();
         let run = move || {
             if !teller.progress.cancel.load(Ordering::Relaxed) {
-                let answer = work.run(&teller);
+                let answer = in_language(language, || work.run(&teller));
                 // The receiver may be gone; dropping the answer is fine.
                 let _ = teller.over.send(answer);
             }

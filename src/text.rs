@@ -91,9 +91,11 @@ pub fn language() -> Language {
         .unwrap_or(Language::ALL[usize::from(CHOSEN.load(Ordering::Relaxed))])
 }
 
-/// Chooses the language of the process.
+/// Chooses the language of the process, and of this thread whatever another one chooses later: so that each of several windows
+/// keeps its own.
 pub fn set_language(language: Language) {
     CHOSEN.store(language as u8, Ordering::Relaxed);
+    OVERRIDE.set(Some(language));
 }
 
 /// Runs `work` with this thread's text in `language`, as what programs read is written in English.
@@ -160,6 +162,25 @@ files! {
     "controls" "lights" "files" "window" "links" "lesson" "course" "class" "animation"
     #[cfg(not(target_arch = "wasm32"))] "cli"
 }
+
+/// The fonts of all text but Chinese, by name. On a web page they are cut down by `.ci/font`, and the browser draws other letters.
+#[cfg(not(target_arch = "wasm32"))]
+pub const FONTS: [(&str, &[u8]); 2] = [
+    ("Ubuntu-Light", epaint_default_fonts::UBUNTU_LIGHT),
+    ("Hack", epaint_default_fonts::HACK_REGULAR),
+];
+
+#[cfg(target_arch = "wasm32")]
+pub const FONTS: [(&str, &[u8]); 2] = [
+    (
+        "Ubuntu-Light",
+        include_bytes!("../assets/fonts/Ubuntu-Light-subset.ttf"),
+    ),
+    (
+        "Hack",
+        include_bytes!("../assets/fonts/Hack-Regular-subset.ttf"),
+    ),
+];
 
 /// A font with the Chinese characters of the catalogue: Noto Sans CJK TC, cut down by `.ci/font`. A web page fetches it when
 /// that language is chosen; until then it is empty.

@@ -1,12 +1,13 @@
 //! What the window holds: the largest scenes, meshes and windows leave nothing behind, nor do letters of other sizes and
 //! pictures of a dialog that is closed.
 
-#[path = "common/window.rs"]
-mod hands;
+#[path = "common/fixtures.rs"]
+#[allow(dead_code, reason = "each program takes what it needs")]
+mod common;
 
+use common::hands::{wait, window};
 use eframe::egui::{Event, Key, vec2};
 use egui_kittest::Harness;
-use hands::{wait, window};
 use peak_alloc::PeakAlloc;
 use shading_lab::app::App;
 use shading_lab::scene::presets;

@@ -66,9 +66,11 @@ pub fn defects_ui(ui: &mut Ui, view: &mut DefectsView, state: &mut AppState, eng
     );
     ui.label(text!("picture-defects-about"));
     let work = &view.measured.work;
-    if !progress_ui(ui, work, text!("picture-defects-stop")) && work.stopped() {
-        ui.label(RichText::new(text!("picture-defects-stopped")).weak());
-    }
+    ui.vertical(|ui| {
+        if !progress_ui(ui, work, text!("picture-defects-stop")) && work.stopped() {
+            ui.label(RichText::new(text!("picture-defects-stopped")).weak());
+        }
+    });
     export_ui(ui, state, "defects", || view.measured.latest());
     ui.add_space(4.0);
     // What the scene is about comes first.
@@ -101,11 +103,14 @@ fn card_ui(
     defect: &'static Defect,
 ) {
     ui.separator();
-    if view.measured.view.is_empty() {
-        ui.label(RichText::new(defect.title()).strong());
-        ui.label("…");
-    }
-    view.measured.view.section_ui(ui, index);
+    // As one, so that what follows stays the same widgets when the answer comes.
+    ui.vertical(|ui| {
+        if view.measured.view.is_empty() {
+            ui.label(RichText::new(defect.title()).strong());
+            ui.label("…");
+        }
+        view.measured.view.section_ui(ui, index);
+    });
     if MARKED.contains(&defect.scene) {
         let mut on = is_marked(Some(view), state, defect);
         if ui

@@ -1,6 +1,6 @@
 //! How the window looks: type, spacing and two calm themes.
 
-use crate::text::chinese_font;
+use crate::text::{FONTS, chinese_font};
 use eframe::egui::style::{HandleShape, Selection, TextCursorStyle, WidgetVisuals, Widgets};
 use eframe::egui::{
     Align2, Color32, Context, CornerRadius, FontData, FontDefinitions, FontFamily, Margin, Shadow,
@@ -74,27 +74,20 @@ pub fn touch(ctx: &Context, on: bool) {
     }
 }
 
-/// The usual fonts, with the monospaced one behind the proportional one: it has the arrows and the squares. Behind both, the
-/// Chinese characters of the catalogue.
+/// The fonts: behind the proportional one stands the monospaced one, which has the arrows and the squares, and the other way
+/// round; behind both, the Chinese characters of the catalogue.
 fn fonts() -> FontDefinitions {
-    let mut fonts = FontDefinitions::default();
-    let behind = fonts
-        .families
-        .get(&FontFamily::Monospace)
-        .cloned()
-        .unwrap_or_default();
-    fonts
-        .families
-        .entry(FontFamily::Proportional)
-        .or_default()
-        .extend(behind);
-    if chinese_font().is_empty() {
-        return fonts;
+    let mut fonts = FontDefinitions::empty();
+    let chinese = Some(("Chinese", chinese_font())).filter(|(_, file)| !file.is_empty());
+    let files: Vec<_> = FONTS.into_iter().chain(chinese).collect();
+    for (family, first) in [(FontFamily::Proportional, 0), (FontFamily::Monospace, 1)] {
+        let mut names: Vec<_> = files.iter().map(|(name, _)| (*name).to_owned()).collect();
+        names[..2].rotate_left(first);
+        fonts.families.insert(family, names);
     }
-    let chinese = FontData::from_static(chinese_font());
-    fonts.font_data.insert("Chinese".to_owned(), chinese.into());
-    for family in fonts.families.values_mut() {
-        family.push("Chinese".to_owned());
+    for (name, file) in files {
+        let data = FontData::from_static(file);
+        fonts.font_data.insert(name.to_owned(), data.into());
     }
     fonts
 }

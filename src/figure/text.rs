@@ -1,6 +1,6 @@
 //! Lettering as outlines: text in, a path and its extent in pixels out.
 
-use crate::text::chinese_font;
+use crate::text::{FONTS, chinese_font};
 use glam::DVec2;
 use skrifa::instance::{LocationRef, Size};
 use skrifa::outline::{DrawSettings, OutlinePen};
@@ -205,15 +205,12 @@ impl OutlinePen for Pen {
 
 /// The fonts in the order in which they are asked for a character; a web page may not have the last of them yet.
 fn fonts() -> &'static [FontRef<'static>] {
-    static FONTS: [OnceLock<Vec<FontRef<'static>>>; 2] = [const { OnceLock::new() }; 2];
-    FONTS[usize::from(!chinese_font().is_empty())].get_or_init(|| {
-        let files = [
-            epaint_default_fonts::UBUNTU_LIGHT,
-            epaint_default_fonts::HACK_REGULAR,
-            chinese_font(),
-        ];
+    static READ: [OnceLock<Vec<FontRef<'static>>>; 2] = [const { OnceLock::new() }; 2];
+    READ[usize::from(!chinese_font().is_empty())].get_or_init(|| {
+        let files = FONTS.map(|(_, file)| file);
         files
             .into_iter()
+            .chain([chinese_font()])
             .filter_map(|file| FontRef::new(file).ok())
             .collect()
     })

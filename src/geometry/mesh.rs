@@ -18,6 +18,9 @@ pub struct Corner {
 /// A corner without a given normal.
 pub const NO_NORMAL: u32 = u32::MAX;
 
+/// Most steps that the polygons of a mesh are cut in, where one of n corners may take n² of them: some seconds.
+const CUTTING_STEPS: u64 = 1 << 32;
+
 /// What says which point a corner of a polygon is at.
 pub trait AtPoint: Copy {
     /// Index into [`Mesh::positions`].
@@ -219,10 +222,12 @@ impl Mesh {
 
     /// Sets `cut` from the polygons themselves: triangles for each that a fan from its first corner would not cover. Every
     /// corner belongs to one of them, so that polygons side by side share their edges; a polygon without area, or one that
-    /// crosses itself so that it has no triangles, stays a fan.
+    /// crosses itself so that it has no triangles, stays a fan. So does one of more than 65 536 corners, or of fewer after others that
+    /// took long: the time is bounded.
     pub fn with_concave_faces_cut(mut self) -> Self {
         self.cut.clear();
         let mut points = Vec::new();
+        let mut left = CUTTING_STEPS;
         for f in 0..self.face_count() {
             if self.face(f).len() == 3 {
                 continue;
@@ -236,6 +241,10 @@ impl Mesh {
             {
                 continue;
             }
+            let Some(rest) = left.checked_sub((points.len() as u64).pow(2)) else {
+                continue;
+            };
+            left = rest;
             let start = self.starts[f];
             let triangles = concave::triangles(&points, area).into_iter();
             let corners = triangles.map(|triangle| triangle.map(|k| start + k as u32));

@@ -1,479 +1,555 @@
-//! What commands say of a scene: probes, code, benchmarks, plans and tables.
+//! The analyses as a script sees them: curves, profiles, the scan line and vertex normals.
 
-use super::program::Folder;
+use crate::common::program::{Folder, pixels_of, size_of};
 use serde_json::Value;
-use shading_lab::render::SimdLevel;
 use std::fs;
 
-fn vector(value: &Value) -> [f64; 3] {
-    let numbers = value
-        .as_array()
-        .expect("a list")
-        .iter()
-        .map(|x| x.as_f64().expect("a number"));
-    numbers
-        .collect::<Vec<_>>()
-        .try_into()
-        .expect("three numbers")
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
+#[test]
+fn curves_are_drawn_written_and_told() {
+    let folder = Folder::new("curves");
+    let attenuated = [
+        "attenuation",
+        "--set",
+        "image.size=[120,120]",
+        "--set",
+        "material.reflectance=glass",
+    ];
+    let with = |more: &[&'static str]| [&["curves"], &attenuated[..], more].concat();
+    folder.prints(&with(&["-o", "all.png", "--size", "640x400", "--dark"]));
+    assert_eq!(size_of(&folder.0.join("all.png")), (640, 400));
+    assert!(
+        pixels_of(&folder.0.join("all.png"))
+            .iter()
+            .any(|code| *code > 200),
+        "light lines on a dark ground"
+    );
+    folder.prints(&with(&[
+        "--kind", "lobe", "-o", "lobe.svg", "--csv", "lobe.csv",
+    ]));
+    let svg = fs::read_to_string(folder.0.join("lobe.svg")).expect("a figure");
+    assert!(
+        svg.starts_with("<svg ")
+            && svg.trim_end().ends_with("</svg>")
+            && svg.contains("diffuse + specular")
+    );
+    let csv = fs::read_to_string(folder.0.join("lobe.csv")).expect("a table");
+    assert!(
+        csv.starts_with("plot,curve,x,y\nlobe,diffuse + specular,-90,")
+            && csv.lines().count() > 500
+    );
+    assert!(csv.lines().all(|line| line.split(',').count() == 4));
+    folder.prints(&with(&["--kind", "exponent", "-o", "family.csv"]));
+    let csv = fs::read_to_string(folder.0.join("family.csv")).expect("a table");
+    assert!(csv.contains("exponent,n = 1005,0,1\n") && csv.contains("exponent,n = 20,0,1\n"));
+    let told = folder.prints(&with(&[]));
+    assert!(
+        told.contains("half-width") && told.contains("farthest: f(") && told.contains("W(80°)"),
+        "{told}"
+    );
+    assert_eq!(
+        folder.names(),
+        ["all.png", "family.csv", "lobe.csv", "lobe.svg"]
+    );
 }
 
 #[test]
-fn a_probe_adds_up_to_its_pixel() {
-    let folder = Folder::new("probe");
-    for mode in ["flat", "interpolated", "gouraud", "phong", "exact"] {
-        let set = format!("shading.mode={mode}");
-        let probe = folder.json(&[
-            "probe",
-            "three-lights",
-            "--pixel",
-            "384,500",
-            "--set",
-            &set,
-            "--json",
-        ]);
-        assert_eq!(probe["pixel"], serde_json::json!([384, 500]));
-        let lights = probe["lights"].as_array().expect("a list");
-        assert_eq!(lights.len(), 3);
-        let (ambient, sum) = (vector(&probe["ambient"]), vector(&probe["sum"]));
-        for channel in 0..3 {
-            let terms = lights.iter().map(|light| {
-                vector(&light["diffuse"])[channel] + vector(&light["specular"])[channel]
-            });
-            let total = ambient[channel] + terms.sum::<f64>();
-            assert!(
-                (total - sum[channel]).abs() < 1e-9,
-                "{mode}: {total} {}",
-                sum[channel]
-            );
-            let stored = probe["stored"][channel].as_f64().expect("a number");
-            assert!(
-                (255.0 * sum[channel].min(1.0) - stored).abs() <= 0.51,
-                "{mode}: {stored}"
-            );
-        }
-        let (normal, view) = (vector(&probe["normal"]), vector(&probe["view"]));
-        for light in lights {
-            let l = vector(&light["l"]);
-            assert_eq!(light["kind"], "point");
-            assert!((light["n_dot_l"].as_f64().expect("a number") - dot(normal, l)).abs() < 1e-9);
-            let cosine = dot(normal, l) / dot(normal, normal).sqrt();
-            let theta = light["theta"].as_f64().expect("degrees").to_radians().cos();
-            let phi = light["phi"].as_f64().expect("degrees").to_radians().cos();
-            assert!((theta - cosine).abs() < 1e-6, "{mode}");
-            assert!(
-                (phi - dot(vector(&light["r"]), view)).abs() < 1e-3,
-                "{mode}"
-            );
-        }
-        for key in ["position", "depth", "face"] {
-            assert!(
-                !probe[key].is_null() || (mode, key) == ("exact", "face"),
-                "{mode} {key}"
-            );
-        }
-    }
-    assert_eq!(
-        folder.json(&["probe", "sphere", "--pixel", "0,0", "--json"]),
-        serde_json::json!({"pixel": [0, 0], "hit": false})
+fn curves_are_the_probes_own() {
+    let folder = Folder::new("curves-json");
+    let at = [
+        "attenuation",
+        "--set",
+        "image.size=[120,120]",
+        "--pixel",
+        "70,50",
+        "--json",
+    ];
+    let curves = folder.json(&[&["curves"], &at[..]].concat());
+    let probe = folder.json(&[&["probe"], &at[..]].concat());
+    assert_eq!(curves["pixel"], probe["pixel"]);
+    let kinds: Vec<_> = curves["plots"]
+        .as_array()
+        .expect("plots")
+        .iter()
+        .map(|plot| plot["kind"].clone())
+        .collect();
+    assert_eq!(kinds, ["attenuation", "exponent", "reflectance", "lobe"]);
+    let marks = curves["plots"][0]["marks"].as_array().expect("marks");
+    let mark = marks
+        .iter()
+        .find(|mark| mark["probe"] == true)
+        .expect("the probe's");
+    let (f, expected) = (
+        mark["values"][0][1].as_f64(),
+        probe["lights"][0]["attenuation"].as_f64(),
     );
-    assert_eq!(
-        folder.prints(&["probe", "sphere", "--pixel", "0,0"]),
-        "pixel (0, 0) shows the background\n"
+    assert!(
+        (f.expect("f") - expected.expect("f")).abs() < 1e-9,
+        "{f:?} {expected:?}"
+    );
+}
+
+#[test]
+fn lights_are_counted_from_1_by_people_and_from_0_in_keys() {
+    let folder = Folder::new("curves-lights");
+    for number in 1..=3 {
+        let light = number.to_string();
+        let arguments = ["curves", "three-lights", "--light", &light];
+        let text = folder.prints(&arguments);
+        assert!(text.contains(&format!(", light {number}\n")), "{text}");
+        let object = folder.json(&[&arguments[..], &["--json"]].concat());
+        assert_eq!(object["light"], number - 1);
+    }
+    // A true minus sign, and none before a zero.
+    let text = folder.prints(&["curves", "sphere", "--pixel", "230,384"]);
+    let angles: Vec<&str> = text
+        .lines()
+        .filter(|line| line.ends_with("° from N"))
+        .collect();
+    assert!(
+        angles.len() == 4
+            && angles
+                .iter()
+                .all(|line| !line.contains("-") && !line.contains("−0.0°")),
+        "{angles:?}"
+    );
+}
+
+#[test]
+fn curves_that_cannot_be_are_refused() {
+    let folder = Folder::new("curves-refused");
+    folder.refuses(
+        &["curves", "sphere", "-o", "curves.gif"],
+        ".png, .svg or .csv",
+    );
+    folder.refuses(
+        &["curves", "sphere", "--kind", "shadow"],
+        "expected attenuation, exponent, reflectance or lobe",
     );
     folder.fails(
-        &["probe", "sphere", "--pixel", "768,0"],
+        &["curves", "three-lights", "--light", "4"],
+        2,
+        &["error: --light 4: no such light in the scene, expected 1 to 3"],
+    );
+    folder.refuses(
+        &["curves", "three-lights", "--light", "0"],
+        "expected a whole number from 1 to",
+    );
+    folder.fails(
+        &["curves", "sphere", "--pixel", "768,0"],
         2,
         &["error: --pixel 768,0: outside the picture, expected 0,0 to 767,767"],
     );
-}
-
-#[test]
-fn phi_lies_between_r_and_v_and_alpha_between_n_and_h_in_every_model() {
-    let folder = Folder::new("probe-angles");
-    let degrees = |a: [f64; 3], b: [f64; 3]| dot(a, b).clamp(-1.0, 1.0).acos().to_degrees();
-    for (model, backfacing, lobe) in [
-        ("phong", "clamp", "(R·V)^n = cos^40 "),
-        ("blinn", "clamp", "(N·H)^n = cos^40 "),
-        ("blinn", "flip", "(N·H)^n = cos^40 "),
-        ("cook-torrance", "clamp", "S = "),
-    ] {
-        let sets = [
-            format!("reflection.model={model}"),
-            format!("reflection.backfacing={backfacing}"),
-            "material.n=40".to_owned(),
-            // From behind, where only the flipped normal is lit.
-            format!(
-                "light.0.position={}",
-                if backfacing == "flip" {
-                    "[3,1,-2]"
-                } else {
-                    "[2,2,3]"
-                }
-            ),
-        ];
-        let mut arguments = vec!["probe", "sphere", "--pixel", "330,310"];
-        sets.iter().for_each(|set| arguments.extend(["--set", set]));
-        let text = folder.prints(&arguments);
-        arguments.push("--json");
-        let probe = folder.json(&arguments);
-        let light = &probe["lights"][0];
-        let (mut n, h) = (vector(&probe["normal"]), vector(&light["h"]));
-        if backfacing == "flip" {
-            assert!(light["n_dot_l"].as_f64().expect("a cosine") < 0.0);
-            n = n.map(|part| -part);
-        }
-        let alpha = light["alpha"].as_f64().expect("degrees");
-        let phi = light["phi"].as_f64().expect("degrees");
-        assert!((alpha - degrees(n, h)).abs() < 1e-4, "{model}: α {alpha}");
-        let mirrored = degrees(vector(&light["r"]), vector(&probe["view"]));
-        assert!((phi - mirrored).abs() < 1e-4, "{model}: φ {phi}");
-        assert!((alpha - phi).abs() > 1.0, "the angles cannot be told apart");
-        for line in [
-            format!("{phi:.2}°  φ, R to V"),
-            format!("{alpha:.2}°  α, N to H"),
-        ] {
-            assert!(text.contains(&line), "{model}: {line}\n{text}");
-        }
-        let angle = if model == "phong" { phi } else { alpha };
-        let lobe = match model {
-            "cook-torrance" => lobe.to_owned(),
-            _ if angle > 90.0 => "points away".to_owned(),
-            _ => format!("{lobe}{angle:.2}°"),
-        };
-        assert!(text.contains(&lobe), "{model}: {lobe}\n{text}");
-    }
-    let gold = ["--set", "material.reflectance=gold"];
-    let text = folder.prints(&[&["probe", "sphere", "--pixel", "330,310"][..], &gold].concat());
-    assert!(text.contains("Ks·W(θ)·(R·V)^n]"), "{text}");
-    let text = folder.prints(&["probe", "three-lights", "--pixel", "384,500"]);
-    for number in 0..=4 {
-        let heading = text
-            .lines()
-            .any(|line| line.starts_with(&format!("light {number}")));
-        assert_eq!(heading, (1..=3).contains(&number), "light {number}\n{text}");
-    }
-    let one = ["--set", "light.0.kind=area", "--set", "light.0.samples=1"];
-    let text = folder.prints(&[&["probe", "sphere", "--pixel", "384,384"][..], &one].concat());
-    assert!(
-        text.contains("valuated at one point of the light\n"),
-        "{text}"
-    );
-}
-
-#[test]
-fn a_light_that_adds_nothing_says_why() {
-    let folder = Folder::new("probe-why");
-    let at = |pixel: &str, sets: &[&str]| {
-        let mut arguments = vec!["probe", "sphere", "--pixel", pixel];
-        sets.iter().for_each(|set| arguments.extend(["--set", set]));
-        let words = folder.prints(&arguments);
-        arguments.push("--json");
-        (words, folder.json(&arguments)["lights"][0].clone())
-    };
-    let black = ["material.kd=0", "material.ks=0"];
-    let (words, light) = at("384,384", &black);
-    assert!(
-        words.contains("adds nothing: Kd·Od is 0, and Ks·Os is 0") && !words.contains("in shadow"),
-        "{words}"
-    );
-    assert_eq!(light["diffuse_zero"], serde_json::json!(["coefficient"]));
-    assert_eq!(light["reached"], 1.0);
-    let (words, light) = at(
-        "384,384",
-        &["light.0.position=[0,0,-5]", "shading.shadows=true"],
-    );
-    assert!(
-        words.contains("adds nothing: the light is behind the surface, N·L ≤ 0"),
-        "{words}"
-    );
-    assert_eq!(light["specular_zero"], serde_json::json!(["faces-away"]));
-    let (words, light) = at("384,384", &["material.ks=0"]);
-    assert!(
-        words.contains("specular adds nothing: Ks·Os is 0") && words.contains("N·L\n"),
-        "{words}"
-    );
-    assert_eq!(
-        (&light["diffuse_zero"], &light["specular_zero"]),
-        (&serde_json::json!([]), &serde_json::json!(["coefficient"]))
-    );
-}
-
-#[test]
-fn a_probe_in_words_has_the_numbers_of_the_probe_in_json() {
-    let folder = Folder::new("probe-text");
-    for scene in [
-        "sphere",
-        "blinn",
-        "infinite",
-        "attenuation",
-        "highlight",
-        "flat-facets",
-    ] {
-        let arguments = ["probe", scene, "--pixel", "384,384"];
-        let text = folder.prints(&arguments);
-        let probe = folder.json(&[&arguments[..], &["--json"]].concat());
-        for (channel, name) in ["red", "green", "blue"].iter().enumerate() {
-            let sum = vector(&probe["sum"])[channel];
-            let stored = probe["stored"][channel].as_u64().expect("a code value");
-            let expected = [name.to_string(), format!("{sum:.4}"), stored.to_string()];
-            let fits = |line: &str| {
-                line.split_whitespace()
-                    .eq(expected.iter().map(String::as_str))
-            };
-            assert!(text.lines().any(fits), "{scene}: {expected:?}\n{text}");
-        }
-        let ambient = format!("  {:.4}", vector(&probe["ambient"])[0]);
-        let row = |line: &str| line.starts_with("  red ") && line.ends_with(&ambient);
-        assert!(text.lines().any(row), "{scene}: {ambient}\n{text}");
-    }
-}
-
-#[test]
-fn a_scene_is_written_as_code() {
-    let folder = Folder::new("code");
-    let shaders = folder.prints(&["code", "sphere", "--target", "glsl"]);
-    assert_eq!(shaders.matches("#version 330 core").count(), 2);
-    folder.prints(&["code", "sphere", "--target", "glsl", "-o", "s.glsl"]);
-    let parts =
-        ["s.vert", "s.frag"].map(|name| fs::read_to_string(folder.0.join(name)).expect("a shader"));
-    assert!(
-        parts
-            .iter()
-            .all(|part| part.starts_with("#version 330 core\n") && shaders.contains(part))
-    );
-    // What cannot be said is no error, and does not get into the text's way.
-    let set = [
-        "--set",
-        "shading.mode=gouraud",
-        "--set",
-        "reflection.model=blinn",
-        "--set",
-        "material.n=200",
-    ];
-    let output =
-        folder.run(&[&["code", "cube", "--target", "c", "-o", "cube.c"][..], &set].concat());
-    assert_eq!(
-        String::from_utf8_lossy(&output.stderr),
-        "note: n = 200: GL_SHININESS goes up to 128.\n"
-    );
-    assert_eq!((output.status.code(), output.stdout.len()), (Some(0), 0));
-    let program = fs::read_to_string(folder.0.join("cube.c")).expect("a program");
-    assert!(
-        program.contains("n = 200: GL_SHININESS goes up to 128.") && program.contains("int main(")
-    );
-    let snippet = folder.run(&[&["code", "cube"][..], &set].concat()).stdout;
-    assert!(String::from_utf8_lossy(&snippet).contains("glMaterialf(") && snippet.len() < 8000);
-    assert_eq!(folder.names(), ["cube.c", "s.frag", "s.vert"]);
-    let large = [
-        "--set",
-        "object.segments=1024",
-        "--set",
-        "object.rings=1024",
-    ];
-    let text = "error: sphere: 2095104 triangles to write, expected at most 1000000: use a coarser mesh, or c-snippet";
     folder.fails(
-        &[&["code", "sphere", "--target", "c"][..], &large].concat(),
+        &[
+            "curves", "sphere", "--kind", "lobe", "--pixel", "0,0", "-o", "lobe.png",
+        ],
         2,
-        &[text],
+        &["error: pixel 0,0 shows the background, expected one that shows the object"],
     );
-    let no_folder =
-        "error: no/s.vert: its folder does not exist, expected a file in an existing folder";
     folder.fails(
-        &["code", "sphere", "--target", "glsl", "-o", "no/s"],
-        1,
-        &[no_folder],
+        &[
+            "curves",
+            "sphere",
+            "--kind",
+            "attenuation",
+            "--set",
+            "light=[]",
+        ],
+        2,
+        &["error: the scene has no light, expected one"],
     );
+    folder.fails(
+        &[
+            "curves",
+            "sphere",
+            "--kind",
+            "lobe",
+            "--set",
+            "light.0.position=[0,0,-5]",
+            "--pixel",
+            "380,380",
+        ],
+        2,
+        &["error: light 1 is behind the surface at pixel 380,380, expected one in front of it"],
+    );
+    assert!(folder.names().is_empty());
 }
 
 #[test]
-fn a_benchmark_names_every_figure() {
-    let folder = Folder::new("bench");
-    let bench = folder.json(&[
-        "bench",
+fn a_profile_has_every_mode_at_every_pixel_centre() {
+    let folder = Folder::new("profile");
+    let line = [
+        "profile",
         "sphere",
-        "--frames",
-        "3",
-        "--threads",
-        "2",
-        "--size",
-        "64x48",
+        "--from",
+        "100.5,300.5",
+        "--to",
+        "140.5,300.5",
+        "--json",
+    ];
+    let object = folder.json(&line);
+    let samples = object["samples"].as_array().expect("a list");
+    for x in 100..=140 {
+        let centre = f64::from(x) + 0.5;
+        let sample = samples.iter().find(|sample| {
+            sample["x"]
+                .as_f64()
+                .is_some_and(|at| (at - centre).abs() < 1e-9)
+        });
+        let sample = sample.unwrap_or_else(|| panic!("{centre}"));
+        assert_eq!(sample["y"], 300.5);
+        for mode in ["flat", "gouraud", "phong", "exact"] {
+            for key in ["", "_slope", "_perceived"] {
+                assert!(
+                    sample[format!("{mode}{key}")].is_f64(),
+                    "{mode}{key}: {sample}"
+                );
+            }
+        }
+    }
+    assert_eq!(
+        (
+            samples[0]["t"].as_f64(),
+            samples[samples.len() - 1]["t"].as_f64()
+        ),
+        (Some(0.0), Some(1.0))
+    );
+    let phong = folder.json(&[&line[..], &["--modes", "phong"]].concat());
+    assert!(phong["samples"][0].get("gouraud").is_none() && phong["samples"][0]["phong"].is_f64());
+    let probed = folder.json(&["probe", "sphere", "--pixel", "300,300", "--json"]);
+    let there = folder.json(&[
+        "profile",
+        "sphere",
+        "--from",
+        "300.5,300.5",
+        "--to",
+        "301.5,300.5",
+        "--modes",
+        "phong",
         "--json",
     ]);
-    assert_eq!(bench["threads"], 2);
-    assert_eq!(bench["size"], serde_json::json!([64, 48]));
-    assert_eq!(bench["triangles"], 2 * 192 * 95);
-    assert!(bench["full"]["median_ms"].as_f64().expect("a time") > 0.0);
-    for change in ["light", "n", "ka", "camera", "tessellation"] {
-        assert!(
-            bench["changes"][change]["median_ms"]
-                .as_f64()
-                .expect("a time")
-                > 0.0,
-            "{change}"
-        );
-    }
-    let stages = bench["stages"].as_object().expect("stages");
-    for stage in [
-        "geometry",
-        "transform",
-        "coverage",
-        "pixel-shading",
-        "display",
-    ] {
-        assert!(stages[stage]["median_ms"].is_number(), "{stage}");
-    }
-    let memory = &bench["memory"];
-    for each in [
-        "bytes_per_vertex",
-        "bytes_per_triangle",
-        "bytes_per_pixel",
-        "total_bytes",
-    ] {
-        assert!(memory[each].as_f64().expect("bytes") > 0.0, "{each}");
-    }
-    assert!(bench["growth"].is_null());
-    let dark = folder.json(&[
-        "bench", "sphere", "--frames", "1", "--size", "8x8", "--set", "light=[]", "--json",
-    ]);
-    assert!(dark["changes"]["light"]["median_ms"].is_null());
-    let text = folder.prints(&["bench", "cube", "--frames", "1", "--size", "8x8"]);
-    assert!(
-        text.contains("everything") && text.contains("camera"),
-        "{text}"
-    );
-}
-
-#[test]
-fn a_benchmark_runs_at_the_level_that_is_asked_for() {
-    let folder = Folder::new("bench-simd");
-    let available = SimdLevel::available();
-    for level in SimdLevel::ALL {
-        let word = serde_json::to_value(level).expect("a word");
-        let simd = word.as_str().expect("a word");
-        let arguments = [
-            "bench", "sphere", "--frames", "1", "--size", "8x8", "--json", "--simd", simd,
-        ];
-        if available.iter().any(|(name, _)| name == level) {
-            assert_eq!(folder.json(&arguments)["simd"], word);
-        } else {
-            folder.refuses(&arguments, "not on this machine");
-        }
-    }
-    folder.refuses(&["bench", "sphere", "--simd", "avx"], "expected avx512");
-}
-
-#[test]
-fn the_plan_of_a_frame_is_explained() {
-    let folder = Folder::new("explain");
-    let set = [
-        "--set",
-        "material.ks=0",
-        "--set",
-        "light.0.mute=true",
-        "--size",
-        "64x48",
-        "--frames",
-        "2",
-    ];
-    let told = folder.json(&[&["explain", "sphere", "--json"][..], &set].concat());
-    let terms = told["terms"].as_array().expect("terms");
-    for term in terms {
-        let (per, omitted) = (term["per"].as_str().expect("how often"), &term["omitted"]);
-        assert!(
-            ["frame", "face", "vertex", "pixel", "none"].contains(&per),
-            "{term}"
-        );
-        assert!(
-            term["name"].is_string() && term["evaluations"].is_u64(),
-            "{term}"
-        );
-        assert_eq!(omitted.is_string(), per == "none", "{term}");
-    }
-    let muted = terms
+    let sum: Vec<f64> = probed["sum"]
+        .as_array()
+        .expect("three")
         .iter()
-        .find(|term| term["name"] == "light 1: diffuse")
-        .expect("the light's term");
-    assert_eq!(muted["omitted"], "muted");
-    assert!(
-        told["saved"]["evaluations"]["ratio"]
-            .as_f64()
-            .expect("a ratio")
-            > 1.0
-    );
-    assert!(told["saved"]["time"]["all_ms"].as_f64().expect("a time") > 0.0);
-    assert!(
-        told["stages"]["coverage"]["share"]
-            .as_f64()
-            .expect("a share")
-            <= 1.0
-    );
-    assert!(
-        told["changes"]["camera"]
-            .as_array()
-            .expect("stages")
-            .contains(&serde_json::json!("coverage"))
-    );
-    assert_eq!(told["changes"]["tessellation"][0], "geometry");
-    let text = folder.prints(&[&["explain", "sphere", "--csv", "plan.csv"][..], &set].concat());
-    assert!(text.is_empty());
-    let rows = fs::read_to_string(folder.0.join("plan.csv")).expect("the rows");
-    assert_eq!(rows.lines().count(), 1 + terms.len());
-    let text = folder.prints(&["explain", "cube", "--frames", "1", "--size", "8x8"]);
-    assert!(
-        text.contains("a closed solid hides them") && text.contains("Work saved"),
-        "{text}"
-    );
-    folder.refuses(
-        &["explain", "cube", "--frames", "0"],
-        "expected a whole number from 1 to 100000",
-    );
+        .filter_map(Value::as_f64)
+        .collect();
+    let expected = 0.2126 * sum[0] + 0.7152 * sum[1] + 0.0722 * sum[2];
+    assert!((there["samples"][0]["phong"].as_f64().expect("a number") - expected).abs() < 1e-9);
 }
 
 #[test]
-fn tables_have_a_field_for_each_column_whatever_the_words() {
-    let folder = Folder::new("tables");
-    let fields = |name: &str| -> Vec<Vec<String>> {
-        let mut reader = csv::Reader::from_path(folder.0.join(name)).expect("a table");
-        let row =
-            |row: Result<csv::StringRecord, csv::Error>| row.expect("a row as long as the first");
-        reader
-            .records()
-            .map(|next| row(next).iter().map(str::to_owned).collect())
-            .collect()
-    };
-    folder.prints(&[
-        "explain", "checker", "--frames", "1", "--size", "8x8", "--csv", "a.csv",
-    ]);
-    assert!(
-        fields("a.csv")
-            .iter()
-            .any(|row| row[1] == "light 1: diffuse")
-    );
-    let text = fs::read_to_string(folder.0.join("a.csv")).expect("a text");
-    assert!(
-        text.contains(",light 1: diffuse,") && !text.contains("\"\""),
-        "only what needs quotes has them: {text}"
-    );
-    let pane = [
-        "--pane",
-        "light.0.position=[1,2,3]",
-        "--pane",
-        "shading.mode=\"flat\"",
+fn a_profile_is_written_as_table_plot_and_picture() {
+    let folder = Folder::new("profile-files");
+    let line = [
+        "profile",
+        "flat-facets",
+        "--from",
+        "100,300",
+        "--to",
+        "600,310.5",
     ];
+    let text = folder.prints(&line);
+    assert!(
+        text.starts_with("x,y,t,flat,flat_slope,flat_perceived,gouraud,"),
+        "{}",
+        &text[..80]
+    );
     folder.prints(
         &[
-            &["compare", "cube", "--size", "8x8", "--csv", "b.csv"][..],
-            &pane,
+            &line[..],
+            &[
+                "-o",
+                "plot.png",
+                "--csv",
+                "rows.csv",
+                "--picture",
+                "seen.png",
+                "--size",
+                "640x480",
+            ],
         ]
         .concat(),
     );
-    let names: Vec<String> = fields("b.csv").iter().map(|row| row[0].clone()).collect();
-    assert!(
-        names.iter().any(|name| name.contains("[1,2,3]")),
-        "{names:?}"
+    folder.prints(
+        &[
+            &line[..],
+            &[
+                "-o",
+                "plot.svg",
+                "--dark",
+                "--response",
+                "response-normalisation",
+            ],
+        ]
+        .concat(),
     );
+    assert_eq!(
+        folder.names(),
+        ["plot.png", "plot.svg", "rows.csv", "seen.png"]
+    );
+    folder.prints(&[
+        "render",
+        "flat-facets",
+        "--overlay",
+        "profile",
+        "--from",
+        "9,9",
+        "--to",
+        "400,300",
+        "-o",
+        "over.png",
+    ]);
+    folder.prints(&[
+        "render",
+        "flat-facets",
+        "--overlay",
+        "vectors,profile",
+        "-o",
+        "over.png",
+    ]);
+}
+
+#[test]
+fn a_profile_along_no_line_is_refused() {
+    let folder = Folder::new("profile-refused");
+    let with = |from, to, more: &[&'static str]| {
+        [&["profile", "sphere", "--from", from, "--to", to], more].concat()
+    };
+    let outside = "error: --from 0,0 --to 769,3: outside the picture, expected 0,0 to 768,768";
+    folder.fails(&with("0,0", "769,3", &[]), 2, &[outside]);
+    let nowhere = "error: --from 5,5 --to 5,5: both ends of the line are at the same place, expected two places";
+    folder.fails(&with("5,5", "5,5", &[]), 2, &[nowhere]);
+    let narrow = "error: --surround 0.01: expected more than the centre's 0.04";
+    folder.fails(&with("0,0", "5,5", &["--surround", "0.01"]), 2, &[narrow]);
+    folder.fails(
+        &with("0,0", "5,5", &["--viewing-distance", "NaN"]),
+        2,
+        &["error: --viewing-distance NaN: expected 100 to 5000"],
+    );
+    let wide = [
+        "--picture",
+        "a.png",
+        "--surround",
+        "2",
+        "--viewing-distance",
+        "5000",
+    ];
+    let error = "error: --surround 2: 660 pixels wide, expected at most 256 for --picture";
+    folder.fails(&with("0,0", "5,5", &wide), 2, &[error]);
+    folder.refuses(&with("0,0", "x,5", &[]), "expected X,Y in pixels");
+    folder.refuses(&with("0,0", "inf,5", &[]), "expected X,Y in pixels");
+    folder.refuses(
+        &with("0,0", "5,5", &["--modes", "flat,fong"]),
+        "expected flat, interpolated, gouraud, phong or exact",
+    );
+    folder.refuses(
+        &["render", "sphere", "-o", "a.png", "--from", "1,1"],
+        "--to",
+    );
+    assert!(folder.names().is_empty());
+}
+
+#[test]
+fn a_polygon_is_scanned_as_text_as_data_and_as_a_figure() {
+    let folder = Folder::new("scanline");
+    let gouraud = [
+        "--set",
+        "shading.mode=gouraud",
+        "--set",
+        "shading.interpolation=affine",
+    ];
+    let scanline = |arguments: &[&'static str]| {
+        [&["scanline", "flat-facets"], &gouraud[..], arguments].concat()
+    };
+    let text = folder.prints(&scanline(&["--line", "7"]));
+    for words in [
+        "I(P) = (1−α)·I(",
+        "I = (1−α)·I(P) + α·I(Q)",
+        "scan line 7, ",
+        "dx/dy",
+        "active",
+    ] {
+        assert!(text.contains(words), "{words} in {text}");
+    }
+    let object = folder.json(&scanline(&["--json", "--rows", "24", "--step", "last"]));
+    assert_eq!(object["grid"]["rows"], 24);
+    assert_eq!(
+        object["step"],
+        object["steps"].as_array().map_or(0, Vec::len) - 1
+    );
+    assert_eq!(
+        (&object["carried"], &object["compared"]),
+        (&"intensity".into(), &"affine".into())
+    );
+    let pixels: usize = object["lines"]
+        .as_array()
+        .expect("lines")
+        .iter()
+        .flat_map(scanned)
+        .count();
+    assert_eq!(
+        folder.prints(&scanline(&["--rows", "24", "--csv", "pixels.csv"])),
+        ""
+    );
+    let table = fs::read_to_string(folder.0.join("pixels.csv")).expect("the table");
+    assert_eq!(table.lines().count(), pixels + 1);
+    assert!(
+        table.starts_with(
+            "y,x,p_x,q_x,alpha_p,alpha_q,alpha,value_r,value_g,value_b,barycentric_r,"
+        )
+    );
+    folder.prints(&scanline(&[
+        "-o", "step.png", "--size", "640x440", "--dark",
+    ]));
+    folder.prints(&scanline(&[
+        "-o", "step.svg", "--face", "120", "--step", "40",
+    ]));
+    let svg = fs::read_to_string(folder.0.join("step.svg")).expect("the figure");
+    assert!(svg.contains("Gouraud shading, face 120") && svg.contains("<polygon"));
+    let png = fs::read(folder.0.join("step.png")).expect("the figure");
+    assert!(png.starts_with(b"\x89PNG"));
+    assert_eq!(folder.names(), ["pixels.csv", "step.png", "step.svg"]);
+    let refuses =
+        |arguments: &[&'static str], error: &str| folder.fails(&scanline(arguments), 2, &[error]);
+    refuses(
+        &["--face", "9999"],
+        "error: no face 9999 in the object, expected 0 to 287",
+    );
+    refuses(&["--rows", "5"], "error: 5 rows, expected 8 to 64");
+    refuses(
+        &["--pixel", "0,0"],
+        "error: pixel 0,0 shows the background, expected one that shows the object",
+    );
+    refuses(
+        &["--face", "120", "--line", "0"],
+        "error: --line 0: not a scan line of the polygon, expected 1 to 14 or last",
+    );
+    refuses(
+        &["--face", "120", "--step", "9999"],
+        "error: --step 9999: no such step, expected 0 to 230 or last",
+    );
+}
+
+fn scanned(line: &Value) -> impl Iterator<Item = &Value> {
+    let spans = line["spans"].as_array().into_iter().flatten();
+    spans.flat_map(|span| span["pixels"].as_array().into_iter().flatten())
+}
+
+#[test]
+fn a_vertex_normal_is_told_with_the_faces_that_it_comes_from() {
+    let folder = Folder::new("normals");
+    let cube = [
+        "cube",
+        "--set",
+        "object={kind=\"cube\",segments=4,rings=1,normals=\"averaged\",weighting=\"angle\"}",
+    ];
+    let normals = |more: &[&'static str]| [&["normals"], &cube[..], more].concat();
+    let told = folder.json(&normals(&["--vertex", "0", "--json"]));
+    assert_eq!(
+        (&told["vertices"], &told["faces"], &told["weight_unit"]),
+        (&8.into(), &6.into(), &"degrees".into())
+    );
+    let faces = told["vertex"]["faces"].as_array().expect("faces");
+    assert_eq!(
+        (faces.len(), told["vertex"]["origin"].as_str()),
+        (3, Some("averaged"))
+    );
+    for face in faces {
+        let number = |key: &str| face[key].as_f64().expect("a number");
+        assert!(
+            (number("share") - 1.0 / 3.0).abs() < 1e-6 && (number("weight") - 90.0).abs() < 1e-5
+        );
+        assert!((number("angle") - 54.735_61).abs() < 1e-4);
+    }
+    let text = folder.prints(&normals(&["--vertex", "0"]));
+    assert!(text.starts_with("cube: vertex 0 of 8, at ("), "{text}");
+    assert!(
+        text.contains("the mean of 3 faces, weighted by angle")
+            && text.contains("of length 0.5774"),
+        "{text}"
+    );
+    // Next to the place where it appears, and in the same words.
+    let nearest = folder.json(&normals(&["--pixel", "400,310", "--json"]));
+    let number = nearest["vertex"]["vertex"]
+        .as_u64()
+        .expect("a number")
+        .to_string();
+    assert_eq!(
+        folder.json(&[&["normals"], &cube[..], &["--vertex", &number, "--json"]].concat())["vertex"],
+        nearest["vertex"]
+    );
+    assert_eq!(folder.prints(&normals(&["--csv", "a.csv"])), "");
+    let table = fs::read_to_string(folder.0.join("a.csv")).expect("a table");
+    assert_eq!(
+        (table.lines().count(), table.lines().next()),
+        (4, Some("face,share,weight,angle,nx,ny,nz"))
+    );
+    let exact = folder.prints(&["normals", "cube", "--set", "object.normals=exact"]);
+    assert!(exact.contains("the true surface’s"), "{exact}");
+    let outside = ["error: --vertex 8: no such vertex, expected 0 to 7"];
+    folder.fails(&normals(&["--vertex", "8"]), 2, &outside);
+    folder.fails(
+        &normals(&["--pixel", "9999,0"]),
+        2,
+        &["error: --pixel 9999,0: outside the picture, expected 0,0 to 767,767"],
+    );
+    let away = normals(&[
+        "--set",
+        "camera.target=[0,0,9]",
+        "--set",
+        "camera.eye=[0,0,4]",
+    ]);
+    let unseen = "error: no vertex is seen in the picture, expected --vertex or a camera that sees the object";
+    folder.fails(&away, 2, &[unseen]);
+
+    let render = |name: &str, more: &[&str]| {
+        folder.prints(
+            &[
+                &["render"],
+                &cube[..],
+                &["-o", name, "--size", "160x160"],
+                more,
+            ]
+            .concat(),
+        );
+        pixels_of(&folder.0.join(name))
+    };
+    let plain = render("plain.png", &[]);
+    let mut drawn = vec![plain];
+    for list in [
+        "face-normals",
+        "vertex-normals",
+        "face-normals,vertex-normals",
+        "vertex-normals,lights",
+    ] {
+        drawn.push(render("over.png", &["--overlay", list]));
+    }
+    drawn.push(render(
+        "lit.png",
+        &["--overlay", "vertex-normals", "--vertex", &number],
+    ));
+    let count = drawn.len();
+    drawn.sort();
+    drawn.dedup();
+    assert_eq!(drawn.len(), count, "each drawing is another");
+    let refused = |more: &[&'static str]| [&["render"], &cube[..], &["-o", "x.png"], more].concat();
+    folder.fails(
+        &refused(&["--overlay", "vertex-normals", "--vertex", "8"]),
+        2,
+        &outside,
+    );
+    let without = ["error: --vertex without normals, expected --overlay vertex-normals"];
+    folder.fails(
+        &refused(&["--overlay", "lights", "--vertex", "1"]),
+        2,
+        &without,
+    );
+    // An object of which nothing is seen has no needles, and that is no error.
+    folder.prints(&refused(&[
+        "--overlay",
+        "vertex-normals",
+        "--set",
+        "camera.target=[0,0,9]",
+    ]));
 }

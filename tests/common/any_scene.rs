@@ -1,8 +1,6 @@
 //! Any scene at all: its numbers are everyday ones, the ends of what is allowed, or none that a scene may hold.
 
-#[path = "dice.rs"]
-pub mod dice;
-#[path = "any_model.rs"]
+use super::dice;
 mod model;
 
 use dice::Dice;

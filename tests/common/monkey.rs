@@ -1,6 +1,6 @@
 //! What a monkey does: one step at a time, as the events that a desktop would send.
 
-use super::any_scene::dice::Dice;
+use super::dice::Dice;
 use eframe::egui::accesskit::{Action, ActionData, ActionRequest, Role};
 use eframe::egui::{
     Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Rect, TouchPhase, Vec2, pos2, vec2,

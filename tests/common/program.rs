@@ -1,7 +1,5 @@
 //! The program in a folder of its own, as a script runs it.
 
-#![allow(dead_code, reason = "each test takes what it needs of it")]
-
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};

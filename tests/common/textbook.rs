@@ -1,13 +1,6 @@
 //! The equation again, as the textbooks write it: apart from the program, in double precision, for the unit sphere.
 
-#![allow(dead_code, reason = "each test takes what it needs of it")]
-
-#[path = "dice.rs"]
-#[allow(
-    clippy::duplicate_mod,
-    reason = "a test may take it with another module that has dice"
-)]
-mod dice;
+use super::dice;
 
 use glam::{DVec2, DVec3};
 use shading_lab::illumination::area_samples;

@@ -8,7 +8,10 @@ engine-plan-total = { $count ->
     [one] { $number } evaluation a frame
    *[other] { $number } evaluations a frame
 }
-engine-plan-measured = { $about }, median of { $frames } frames drawn anew
+engine-plan-measured = { $frames ->
+    [one] { $about }, 1 frame drawn anew
+   *[other] { $about }, median of { $frames } frames drawn anew
+ }
 engine-ran = ■ { $stage }, { $ms } ms
 engine-note = { $name }: { $note }
 engine-kept = □ { $stage }, kept
@@ -72,7 +75,13 @@ engine-time-minutes = { $count ->
    *[other] about { $count } minutes
 }
 engine-bench-counts = { $about }, { $triangles } triangles, { $covered } pixels covered, { $evaluations } evaluations
-engine-bench-measured = { $threads } threads, SIMD level { $simd }, median of { $frames } frames, ms
+engine-bench-measured = { $threads ->
+    [one] 1 thread
+   *[other] { $threads } threads
+ }, SIMD level { $simd }, { $frames ->
+    [one] 1 frame
+   *[other] median of { $frames } frames
+ }, ms
 engine-no-simd-level = SIMD level { $level }: not on this machine, expected one of { $available }
 engine-dragged = while dragged
 engine-coarser = at 1/… of the size

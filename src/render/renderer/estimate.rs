@@ -10,7 +10,7 @@ use crate::text::text;
 /// Bytes that drawing several samples takes for each pixel that is drawn at once, the stored picture aside; rays take the most.
 const PIXEL: u64 = 96;
 /// Bytes for each triangle and each vertex while the arrays of a mesh are made from its polygons, which is when they take the
-/// most: what `tests/cli/memory.rs` grants is enough.
+/// most: what `tests/cli/scripts/memory.rs` grants is enough.
 const TRIANGLE: u64 = 64;
 const VERTEX: u64 = 76;
 /// Bytes for each triangle where rays are followed: their hierarchy of boxes while it is sorted.

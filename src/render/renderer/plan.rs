@@ -1,7 +1,7 @@
 //! What a frame will do, decided before a pixel is touched: where the equation is evaluated and what is left out; and what its
 //! steps read.
 //!
-//! Leaving out never changes a stored pixel (`tests/omissions.rs`). The renderer executes the plan; `account.rs` tells it to
+//! Leaving out never changes a stored pixel (`tests/engine/omissions.rs`). The renderer executes the plan; `account.rs` tells it to
 //! the reader, term by term.
 
 use crate::geometry::Surface;

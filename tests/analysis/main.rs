@@ -1,0 +1,22 @@
+//! The analyses: what they measure, against closed forms.
+
+#[path = "../common/fixtures.rs"]
+#[allow(dead_code, reason = "each program takes what it needs")]
+mod common;
+
+mod claims;
+mod comparison;
+mod conditions;
+mod curves;
+mod defects;
+mod figure;
+mod golden_figures;
+mod jobs;
+mod normals;
+mod profile;
+mod sampling;
+mod scan_conversion;
+mod stability;
+mod study;
+mod terms;
+mod travel;

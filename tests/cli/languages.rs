@@ -1,0 +1,150 @@
+//! The language of the program: chosen by `--language` or by the system's locale, for what people read and for nothing else.
+
+use crate::common::program::Folder;
+use serde_json::Value;
+use std::collections::BTreeSet;
+use std::fs;
+use std::process::Output;
+
+/// Runs in a Taiwanese locale.
+fn in_taiwan(folder: &Folder, arguments: &[&str]) -> Output {
+    let mut command = folder.command(arguments);
+    command.env("LC_ALL", "zh_TW.UTF-8");
+    command.output().expect("the program")
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+#[test]
+fn help_and_errors_are_in_the_language_of_the_locale_unless_an_option_says_otherwise() {
+    let folder = Folder::new("language");
+    let chinese = text(&in_taiwan(&folder, &["--help"]).stdout);
+    assert!(
+        chinese.contains("用法：") && chinese.contains("列出內建場景"),
+        "{chinese}"
+    );
+    assert_eq!(folder.prints(&["--language", "zh-Hant", "--help"]), chinese);
+    let english = folder.prints(&["--help"]);
+    assert!(
+        english.contains("Usage:") && english.contains("List the built-in scenes"),
+        "{english}"
+    );
+    let asked = in_taiwan(&folder, &["--language", "en", "--help"]);
+    assert_eq!(text(&asked.stdout), english);
+    let failed = in_taiwan(&folder, &["check", "none.toml"]);
+    assert_eq!(failed.status.code(), Some(2));
+    assert_eq!(
+        text(&failed.stderr),
+        "錯誤：none.toml: 找不到檔案，應為場景檔\n"
+    );
+    // On either side of the command.
+    for arguments in [
+        &["--language", "zh-Hant", "probe", "sphere", "--pixel", "1"][..],
+        &["probe", "sphere", "--pixel", "1", "--language=zh-Hant"],
+    ] {
+        let refused = folder.run(arguments);
+        assert_eq!(refused.status.code(), Some(2));
+        assert_eq!(
+            text(&refused.stderr),
+            "錯誤：--pixel <X,Y> 的值「1」不正確：應為從左上角起算的整數像素 X,Y，例如 100,80\n"
+        );
+    }
+    let unknown = ["scenes", "--language", "fr"];
+    folder.refuses(&unknown, "expected en or zh-Hant");
+}
+
+/// All keys and texts of a JSON value.
+fn words(value: &Value, found: &mut BTreeSet<String>) {
+    match value {
+        Value::String(text) => {
+            found.insert(text.clone());
+        }
+        Value::Array(values) => values.iter().for_each(|value| words(value, found)),
+        Value::Object(entries) => {
+            for (key, value) in entries {
+                found.insert(key.clone());
+                words(value, found);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// What programs read has the same bytes in both languages; where times are in it, the same words.
+#[test]
+fn what_programs_read_is_the_same_in_both_languages() {
+    let folder = Folder::new("same");
+    let small = ["--set", "image.size=[48,48]", "--set", "object.segments=12"];
+    let study = [
+        "study",
+        "--methods=flat,taylor",
+        "--segments=8",
+        "--interpolation=affine",
+        "--repeats=1",
+    ];
+    let analyses: [(&[&str], bool); 12] = [
+        (&["probe", "--pixel", "24,24"], true),
+        (&["curves"], true),
+        (&["profile", "--from", "2,20", "--to", "46,30"], true),
+        (&["scanline"], true),
+        (&["normals"], true),
+        (&["compare", "--pane", "shading.mode=flat"], true),
+        (&["defects"], true),
+        (&["conditions"], true),
+        (&["stability", "--case", "far-from-the-origin"], true),
+        (&["explain", "--frames", "1"], false),
+        (&study, false),
+        (&["bench", "--frames", "1"], false),
+    ];
+    for scene in ["three-lights", "checker"] {
+        for (arguments, same) in analyses {
+            let subject = [&[scene], &small[..]].concat();
+            let subject = if arguments[0] == "stability" {
+                &[][..]
+            } else {
+                &subject
+            };
+            let written = ["en", "zh-Hant"].map(|language| {
+                let to = ["--language", language, "--csv", "a.csv", "-o", "a.json"];
+                folder.prints(&[arguments, subject, &to].concat());
+                ["a.csv", "a.json"].map(|name| fs::read_to_string(folder.0.join(name)).expect(name))
+            });
+            let [[csv, json], [chinese_csv, chinese_json]] = written;
+            if same {
+                assert_eq!((csv, json), (chinese_csv, chinese_json), "{arguments:?}");
+                continue;
+            }
+            let [english, chinese] = [json, chinese_json].map(|json| {
+                let mut found = BTreeSet::new();
+                words(&serde_json::from_str(&json).expect("JSON"), &mut found);
+                found
+            });
+            assert_eq!(english, chinese, "{arguments:?}");
+            let head = |csv: &str| csv.lines().next().map(str::to_owned);
+            assert_eq!(head(&csv), head(&chinese_csv), "{arguments:?}");
+            let chinese = |c: char| ('\u{4E00}'..='\u{9FFF}').contains(&c);
+            assert!(!chinese_csv.contains(chinese), "{chinese_csv}");
+        }
+        // The scene inside the picture is TOML.
+        let drawn = ["en", "zh-Hant"].map(|language| {
+            let to = ["--language", language, "-o", "a.png"];
+            folder.prints(&[&["render", scene][..], &small, &to].concat());
+            fs::read(folder.0.join("a.png")).expect("a picture")
+        });
+        assert!(drawn[0] == drawn[1], "{scene}");
+    }
+    for list in ["scenes", "materials", "parameters"] {
+        let english = folder.prints(&[list, "--json"]);
+        let chinese = text(&in_taiwan(&folder, &[list, "--json"]).stdout);
+        assert_eq!(english, chinese, "{list}");
+    }
+    for target in ["c", "c-snippet", "glsl"] {
+        let shadows = ["--set", "shading.shadows=true"];
+        let code = [&["code", "three-lights", "--target", target][..], &shadows].concat();
+        let [english, chinese] = [folder.run(&code), in_taiwan(&folder, &code)];
+        assert_eq!(english.stdout, chinese.stdout, "{target}");
+        assert_ne!(text(&english.stderr), text(&chinese.stderr), "{target}");
+    }
+}

@@ -1,0 +1,257 @@
+//! The window without a screen, and hands for it: controls are found by role and name.
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, Modifiers, Pos2, Rect, TexturesDelta};
+use egui_kittest::kittest::{NodeT, Queryable};
+use egui_kittest::{Harness, TestRenderer};
+use serde::Serialize;
+use shading_lab::app::{App, Kept, Look};
+use shading_lab::document::{Loaded, load};
+use shading_lab::scene::Scene;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+pub fn built_in(scene: &str) -> Loaded {
+    load(Path::new(scene)).expect("a scene")
+}
+
+pub fn window(scene: &str) -> Harness<'static, App> {
+    window_with(scene, |app| app)
+}
+
+/// A window whose controls are all in reach, on a file or a built-in scene that is set up before its first frame.
+pub fn window_with(scene: &str, set_up: impl FnOnce(App) -> App) -> Harness<'static, App> {
+    opened(built_in(scene), Nowhere, set_up)
+}
+
+/// A window with its sections folded as the scene has them.
+pub fn folded(scene: &str) -> Harness<'static, App> {
+    let loaded = built_in(scene);
+    built(loaded, Nowhere, |app| app)
+}
+
+/// A window whose textures go to `card`.
+pub fn window_on(scene: &str, card: impl TestRenderer + 'static) -> Harness<'static, App> {
+    opened(built_in(scene), card, |app| app)
+}
+
+/// A window on any scene.
+pub fn window_of(loaded: Loaded) -> Harness<'static, App> {
+    opened(loaded, Nowhere, |app| app)
+}
+
+/// What is stored between two sessions, in memory.
+#[derive(Default)]
+struct Storage(BTreeMap<String, String>);
+
+impl eframe::Storage for Storage {
+    fn get_string(&self, key: &str) -> Option<String> {
+        self.0.get(key).cloned()
+    }
+
+    fn set_string(&mut self, key: &str, value: String) {
+        self.0.insert(key.to_owned(), value);
+    }
+
+    fn remove_string(&mut self, key: &str) {
+        self.0.remove(key);
+    }
+
+    fn flush(&mut self) {}
+}
+
+/// What a window stores.
+#[derive(Serialize)]
+struct Stored<'a> {
+    look: &'a Look,
+    course: &'a Kept,
+}
+
+/// A window of some size, in points, that finds this look stored.
+pub fn window_looking(
+    loaded: Loaded,
+    size: [f32; 2],
+    look: &Look,
+    set_up: impl FnOnce(App) -> App,
+) -> Harness<'static, App> {
+    window_storing(loaded, size, look, &Kept::default(), set_up)
+}
+
+/// The same with answers to lessons.
+pub fn window_storing(
+    loaded: Loaded,
+    size: [f32; 2],
+    look: &Look,
+    course: &Kept,
+    set_up: impl FnOnce(App) -> App,
+) -> Harness<'static, App> {
+    let mut storage = Storage::default();
+    eframe::set_value(&mut storage, "look", &Stored { look, course });
+    // A window's storage lives as long as the window.
+    let storage: &'static Storage = Box::leak(Box::new(storage));
+    let mut harness = Harness::builder()
+        .with_size(size)
+        .with_max_steps(60)
+        .renderer(Nowhere)
+        .build_eframe(|cc| {
+            cc.storage = Some(storage);
+            set_up(App::new(cc, loaded))
+        });
+    harness.run_ok();
+    harness
+}
+
+fn opened(
+    loaded: Loaded,
+    card: impl TestRenderer + 'static,
+    set_up: impl FnOnce(App) -> App,
+) -> Harness<'static, App> {
+    let mut harness = built(loaded, card, set_up);
+    unfold_all(&mut harness);
+    harness
+}
+
+fn built(
+    loaded: Loaded,
+    card: impl TestRenderer + 'static,
+    set_up: impl FnOnce(App) -> App,
+) -> Harness<'static, App> {
+    let builder = Harness::builder()
+        .with_size([1280.0, 800.0])
+        .with_max_steps(40)
+        .renderer(card);
+    let mut harness = builder.build_eframe(|cc| set_up(App::new(cc, loaded)));
+    harness.run();
+    harness
+}
+
+/// A graphics card that takes textures and lets them go, as one does that has copied them.
+pub struct Nowhere;
+
+impl TestRenderer for Nowhere {
+    fn handle_delta(&mut self, delta: &mut TexturesDelta) {
+        delta.clear();
+    }
+}
+
+pub fn picture(harness: &Harness<'_, App>) -> Vec<[u8; 4]> {
+    harness.state().frame().pixels.clone()
+}
+
+pub fn scene<'h>(harness: &'h Harness<'_, App>) -> &'h Scene {
+    &harness.state().state().document.scene
+}
+
+/// Chooses an entry of a list by the names of both.
+pub fn choose(harness: &mut Harness<'_, App>, list: &str, entry: &str) {
+    harness
+        .get_by_role_and_label(Role::ComboBox, list)
+        .scroll_to_me();
+    harness.run();
+    harness
+        .get_by_role_and_label(Role::ComboBox, list)
+        .click_accesskit();
+    harness.run();
+    harness
+        .get_by_role_and_label(Role::Button, entry)
+        .click_accesskit();
+    harness.run();
+}
+
+/// Opens a view by its name, by way of its group on the rail.
+pub fn open_view(harness: &mut Harness<'_, App>, name: &str) {
+    for group in ["Point", "Line", "Picture", "Engine", "Course"] {
+        if harness.query_by_role_and_label(Role::Tab, name).is_some() {
+            break;
+        }
+        press(harness, group);
+    }
+    harness
+        .get_by_role_and_label(Role::Tab, name)
+        .click_accesskit();
+    harness.run();
+}
+
+/// Where the picture is.
+pub fn picture_place(harness: &Harness<'_, App>) -> Rect {
+    let mut images = harness.query_all_by_role(Role::Image);
+    let is_picture = |node: &egui_kittest::Node<'_>| {
+        let label = node.accesskit_node().label().unwrap_or_default();
+        label.starts_with("Picture")
+    };
+    images.find(is_picture).expect("a picture").rect()
+}
+
+/// Clicks a button by its name.
+pub fn press(harness: &mut Harness<'_, App>, name: &str) {
+    harness
+        .get_by_role_and_label(Role::Button, name)
+        .click_accesskit();
+    harness.run();
+}
+
+/// Opens a section of the panel of controls.
+pub fn unfold(harness: &mut Harness<'_, App>, title: &str) {
+    let section = harness.get_by_role_and_label(Role::DisclosureTriangle, title);
+    if section.accesskit_node().data().is_expanded() != Some(true) {
+        section.click_accesskit();
+        harness.run();
+    }
+}
+
+/// The sections of the panel of controls.
+pub const TITLES: [&str; 8] = [
+    "Material",
+    "Lights",
+    "Shading",
+    "Object",
+    "Surroundings",
+    "Transparency",
+    "Camera",
+    "Display",
+];
+
+/// Opens every section of the panel of controls, whatever the scene is about.
+pub fn unfold_all(harness: &mut Harness<'_, App>) {
+    for title in TITLES {
+        let section = harness.query_by_role_and_label(Role::DisclosureTriangle, title);
+        if section.is_some() {
+            unfold(harness, title);
+        }
+    }
+}
+
+/// Types a number into a field by its name.
+pub fn enter(harness: &mut Harness<'_, App>, name: &str, value: f64) {
+    harness
+        .get_by_role_and_label(Role::SpinButton, name)
+        .set_value_accesskit(value);
+    harness.run();
+}
+
+pub fn undo(harness: &mut Harness<'_, App>) {
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    harness.run();
+}
+
+/// Looks at the window until `condition` holds.
+pub fn wait(harness: &mut Harness<'_, App>, condition: impl Fn(&Harness<'_, App>) -> bool) -> bool {
+    for _ in 0..3000 {
+        harness.run_ok();
+        if condition(harness) {
+            return true;
+        }
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+    false
+}
+
+/// Drags from one place of the window to another.
+pub fn drag(harness: &mut Harness<'_, App>, from: Pos2, to: Pos2) {
+    harness.drag_at(from);
+    harness.run();
+    harness.hover_at(to);
+    harness.run();
+    harness.drop_at(to);
+    harness.run();
+}

@@ -1,0 +1,40 @@
+//! The engine: illumination, geometry, scenes and their files, links, rendering.
+
+#[path = "../common/fixtures.rs"]
+#[allow(dead_code, reason = "each program takes what it needs")]
+mod common;
+
+mod accuracy;
+mod animation;
+mod api;
+mod camera_roll;
+mod depth_cueing;
+mod documents;
+mod drawing;
+mod export;
+mod fine_meshes;
+mod framing;
+mod geometry_normals;
+mod geometry_polygons;
+mod geometry_shapes;
+mod geometry_surfaces;
+mod geometry_teapot;
+mod golden;
+mod illumination_parts;
+mod imports;
+mod interpolation;
+mod laws;
+mod levels;
+mod link;
+mod memory;
+mod obj_files;
+mod obj_memory;
+mod omissions;
+mod parameters;
+mod rays;
+mod robustness;
+mod scene_format;
+mod scene_round_trip;
+mod specular;
+mod stages;
+mod view;

@@ -1,0 +1,276 @@
+//! A change re-runs only the stages that read it, and what is kept shows the same picture as what is drawn anew.
+
+use crate::common::dice::Dice;
+use shading_lab::render::{Renderer, Stage, coarseness, coarser_size};
+use shading_lab::scene::{Interpolation, ObjectKind, ReflectionModel, Scene, ShadingMode, Viewer};
+
+const MODES: [ShadingMode; 5] = [
+    ShadingMode::Flat,
+    ShadingMode::Interpolated,
+    ShadingMode::Gouraud,
+    ShadingMode::Phong,
+    ShadingMode::Exact,
+];
+
+fn scene(mode: ShadingMode) -> Scene {
+    let mut scene = Scene::default();
+    scene.image.size = [160, 120];
+    scene.shading.mode = mode;
+    scene
+}
+
+fn ran(renderer: &Renderer) -> Vec<Stage> {
+    renderer
+        .report()
+        .stages
+        .iter()
+        .filter(|run| run.ran)
+        .map(|run| run.stage)
+        .collect()
+}
+
+#[test]
+fn nothing_moved_nothing_runs() {
+    for mode in MODES {
+        let mut renderer = Renderer::default();
+        renderer.render(&scene(mode));
+        renderer.render(&scene(mode));
+        assert_eq!(ran(&renderer), [], "{mode:?}");
+    }
+}
+
+#[test]
+fn a_light_or_an_exponent_touches_neither_geometry_nor_coverage() {
+    for mode in MODES {
+        let mut renderer = Renderer::default();
+        let mut scene = scene(mode);
+        renderer.render(&scene);
+        scene.lights[0].position.x -= 1.0;
+        renderer.render(&scene);
+        let expected: &[Stage] = match mode {
+            ShadingMode::Flat => &[Stage::VertexShading, Stage::Display],
+            ShadingMode::Interpolated | ShadingMode::Gouraud => {
+                &[Stage::VertexShading, Stage::Interpolation, Stage::Display]
+            }
+            ShadingMode::Phong | ShadingMode::Exact => &[Stage::PixelShading, Stage::Display],
+        };
+        assert_eq!(ran(&renderer), expected, "light, {mode:?}");
+        scene.material.n = 7.0;
+        renderer.render(&scene);
+        assert_eq!(ran(&renderer), expected, "exponent, {mode:?}");
+    }
+}
+
+#[test]
+fn the_camera_leaves_the_geometry_alone() {
+    let mut renderer = Renderer::default();
+    let mut scene = scene(ShadingMode::Phong);
+    renderer.render(&scene);
+    scene.camera.eye.x += 1.0;
+    renderer.render(&scene);
+    assert!(!ran(&renderer).contains(&Stage::Geometry));
+    assert!(ran(&renderer).contains(&Stage::Coverage));
+}
+
+/// Changes of every kind, one after another, against a renderer that has never seen the scene before.
+#[test]
+fn what_is_kept_is_what_would_be_drawn() {
+    type Change = (&'static str, fn(&mut Scene));
+    let changes: [Change; 16] = [
+        ("light", |s| s.lights[0].position.x = -1.0),
+        ("gouraud", |s| s.shading.mode = ShadingMode::Gouraud),
+        ("kd", |s| s.material.kd *= 0.5),
+        ("flat", |s| s.shading.mode = ShadingMode::Flat),
+        ("n", |s| s.material.n = 100.0),
+        ("camera", |s| s.camera.eye.y = 2.0),
+        ("torus", |s| s.object.kind = ObjectKind::Torus),
+        ("phong", |s| s.shading.mode = ShadingMode::Phong),
+        ("affine", |s| {
+            s.shading.interpolation = Interpolation::Affine;
+        }),
+        ("no renormalisation", |s| s.shading.renormalise = false),
+        ("scan line", |s| {
+            s.shading.interpolation = Interpolation::Scanline;
+        }),
+        ("exact", |s| s.shading.mode = ShadingMode::Exact),
+        ("size", |s| s.image.size = [121, 77]),
+        ("background", |s| s.image.background.y = 0.5),
+        ("mark", |s| {
+            s.display.overflow = shading_lab::scene::Overflow::Mark;
+        }),
+        ("srgb", |s| {
+            s.display = shading_lab::scene::Display {
+                overflow: shading_lab::scene::Overflow::Clamp,
+                encoding: shading_lab::scene::Encoding::Srgb,
+            }
+        }),
+    ];
+    let mut renderer = Renderer::default();
+    let mut scene = scene(ShadingMode::Phong);
+    for (name, change) in changes {
+        change(&mut scene);
+        let kept = renderer.render(&scene).clone();
+        let fresh = Renderer::default().render(&scene).clone();
+        assert!(kept.pixels == fresh.pixels, "after the change of {name}");
+    }
+}
+
+/// Any change after any other, there and back.
+#[test]
+fn what_is_kept_is_what_would_be_drawn_on_any_way() {
+    const CHANGES: [&[&str]; 23] = [
+        &[
+            "shading.mode=flat",
+            "shading.mode=gouraud",
+            "shading.mode=phong",
+            "shading.mode=phong",
+            "shading.mode=exact",
+        ],
+        &[
+            "material.n=0",
+            "material.n=20",
+            "material.n=300",
+            "material.n=1e8",
+            "material.n=inf",
+        ],
+        &["material.ka=0", "material.ka=0.3"],
+        &["material.kd=0", "material.kd=0.7"],
+        &["material.ks=0", "material.ks=0.5", "material.ks=1.5"],
+        &["material.color=[1, 0, 0.5]", "material.color=[0.2, 0.9, 1]"],
+        &[
+            "light.0.color=[1, 1, 1]",
+            "light.0.color=[0, 0, 0]",
+            "light.0.color=[0.2, 0.9, 0.4]",
+        ],
+        &["light.1.mute=true", "light.1.mute=false"],
+        &["light.1.position=[-3, 1, 2]", "light.1.position=[0, -4, 2]"],
+        &[
+            "shading.interpolation=affine",
+            "shading.interpolation=perspective",
+            "shading.interpolation=scanline",
+        ],
+        &["shading.renormalise=true", "shading.renormalise=false"],
+        &["shading.shadows=true", "shading.shadows=false"],
+        &["ground.visible=true", "ground.visible=false"],
+        &[
+            "display.overflow=clamp",
+            "display.overflow=mark",
+            "display.overflow=scale",
+        ],
+        &["display.encoding=raw", "display.encoding=srgb"],
+        &[
+            "depth_cueing.by=off",
+            "depth_cueing.by=vertex",
+            "depth_cueing.by=pixel",
+        ],
+        &["pattern.kind=none", "pattern.kind=checker"],
+        &["transparency.kt=0", "transparency.kt=0.4"],
+        &[
+            "reflection.model=phong",
+            "reflection.model=blinn",
+            "reflection.model=cook-torrance",
+        ],
+        &["camera.viewer=local", "camera.viewer=infinite"],
+        &[
+            "camera.eye=[0, 1, 3]",
+            "camera.eye=[2, 1, 3]",
+            "camera.eye=[0, 0, 60000]",
+        ],
+        &[
+            "object.kind=sphere",
+            "object.kind=torus",
+            "object.kind=cube",
+        ],
+        &["image.size=[47, 33]", "image.size=[40, 40]"],
+    ];
+    let mut renderer = Renderer::default();
+    let mut scene = scene(ShadingMode::Phong);
+    (scene.object.segments, scene.object.rings) = (9, 6);
+    scene.lights.push(scene.lights[0].clone());
+    let mut dice = Dice(99);
+    let mut way = std::collections::VecDeque::new();
+    for _ in 0..3000 {
+        let choices = dice.of(&CHANGES);
+        let change = dice.of(choices);
+        scene = scene.with_override(change).expect(change);
+        way.push_back(change);
+        if way.len() > 12 {
+            way.pop_front();
+        }
+        if scene.validate().is_err() {
+            continue;
+        }
+        let kept = renderer.render(&scene).clone();
+        let fresh = Renderer::default().render(&scene).clone();
+        assert!(
+            kept.pixels == fresh.pixels,
+            "the last changes: {way:#?}\n{}",
+            scene.to_toml()
+        );
+    }
+}
+
+/// Switches that change neither coverage nor the equation's coefficients.
+#[test]
+fn switches_of_the_shading_are_noticed() {
+    let mut renderer = Renderer::default();
+    let mut scene = scene(ShadingMode::Phong);
+    (scene.object.segments, scene.object.rings, scene.material.n) = (6, 4, 20.0);
+    for renormalise in [true, false, true] {
+        scene.shading.renormalise = renormalise;
+        let kept = renderer.render(&scene).clone();
+        assert!(
+            kept.pixels == Renderer::default().render(&scene).pixels,
+            "renormalise = {renormalise}"
+        );
+    }
+    let mut glass = scene.clone();
+    (glass.object.kind, glass.transparency.kt) = (ObjectKind::Torus, 0.4);
+    (glass.object.segments, glass.object.rings) = (48, 24);
+    (glass.camera.eye, glass.shading.renormalise) = (glam::DVec3::new(0.0, 1.0, 3.0), true);
+    glass.lights[0].position = glam::DVec3::new(-3.0, 1.0, 2.0);
+    let shadowed = [true, false, true].map(|shadows| {
+        glass.shading.shadows = shadows;
+        let kept = renderer.render(&glass).clone();
+        assert!(
+            kept.pixels == Renderer::default().render(&glass).pixels,
+            "shadows = {shadows}"
+        );
+        kept.pixels
+    });
+    assert!(shadowed[0] != shadowed[1]);
+    let model = std::sync::Arc::new(shading_lab::geometry::tessellate(&scene.object));
+    scene.object.kind = ObjectKind::Obj;
+    renderer.set_model(Some(model));
+    renderer.render(&scene);
+    scene.shading.mode = ShadingMode::Exact;
+    renderer.render(&scene);
+    assert!(
+        ran(&renderer).contains(&Stage::PixelShading),
+        "a model's exact picture is evaluated in double precision"
+    );
+}
+
+#[test]
+fn an_infinite_viewer_and_far_lights_change_the_picture() {
+    let mut renderer = Renderer::default();
+    let mut scene = scene(ShadingMode::Phong);
+    let local = renderer.render(&scene).clone();
+    scene.camera.viewer = Viewer::Infinite;
+    let infinite = renderer.render(&scene).clone();
+    assert!(local.pixels != infinite.pixels);
+    scene.reflection.model = ReflectionModel::Blinn;
+    assert!(renderer.render(&scene).pixels != infinite.pixels);
+}
+
+/// What is dragged is drawn no coarser than it must be to keep up, and never so coarse that it is not recognised.
+#[test]
+fn a_picture_that_keeps_up_is_drawn_whole() {
+    let in_ms = |ms: u64| coarseness(ms * 1_000_000);
+    assert_eq!(
+        [0, 5, 26, 27, 104, 105, 700, 100_000].map(in_ms),
+        [1, 1, 1, 2, 2, 3, 6, 8]
+    );
+    assert_eq!(coarser_size([641, 480], 2), [321, 240]);
+    assert_eq!(coarser_size([3, 1], 8), [1, 1]);
+}

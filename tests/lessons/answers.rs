@@ -1,0 +1,412 @@
+//! Questions answered by the engine: each kind against closed forms or what the commands print, full marks for the right
+//! answer and none for wrong ones.
+
+use crate::common::lessons::EVERY_KIND;
+use glam::DVec2;
+use shading_lab::lesson::{
+    Answer, CURVE_POINTS, Grade, Lab, Lesson, Question, Solution, Staged, check,
+};
+use shading_lab::scene::Scene;
+use std::process::Command;
+
+struct Room {
+    staged: Staged,
+    lab: Lab,
+    question: Question,
+}
+
+impl Room {
+    fn of(lesson: &Lesson, step: usize) -> Self {
+        let step = &lesson.steps[step];
+        let staged = step.stage.load(None).expect("a scene");
+        Self {
+            lab: Lab::new(&staged),
+            staged,
+            question: step.question.clone().expect("a question"),
+        }
+    }
+
+    /// A sphere of radius 1 seen from (0, 0, 4), lit by one light.
+    fn new(step: &str, question: &str) -> Self {
+        let source = format!(
+            "+++\nlesson = 1\nname = \"a\"\ntitle = \"A\"\n+++\n## A\n```step\nscene = \"sphere\"\nset = [\"camera.eye=[0,0,4]\", \"image.size=[192,192]\", \
+             \"light.0.kind=directional\", \"light.0.color=[1,1,1]\", \"material.color=[1,1,1]\", {step}\n```\n```question\nask = \"?\"\n{question}\n```\n"
+        );
+        let lesson =
+            Lesson::read(&source, None).unwrap_or_else(|error| panic!("{error}\n{source}"));
+        Self::of(&lesson, 0)
+    }
+
+    fn solve(&self) -> Solution {
+        let place = self.lab.place(&self.staged);
+        self.question.solve(place, 1).expect("a solution")
+    }
+
+    fn refused(&self) -> String {
+        let place = self.lab.place(&self.staged);
+        self.question.solve(place, 1).expect_err("no solution")
+    }
+
+    fn grade(&self, answer: &Answer) -> Grade {
+        let place = self.lab.place(&self.staged);
+        let grade = answer.grade(&self.question, &self.solve(), place);
+        grade.unwrap_or_else(|| panic!("{answer:?} cannot be graded"))
+    }
+
+    /// The right answer counts in full, the wrong ones do not.
+    fn marks(&self, wrong: &[Answer]) {
+        let right = Answer::right(&self.solve());
+        assert!(right.fits(&self.question.kind), "{right:?}");
+        let grade = self.grade(&right);
+        assert!(grade.right && grade.score == 1.0, "{right:?}: {grade:?}");
+        for answer in wrong {
+            assert!(answer.fits(&self.question.kind), "{answer:?}");
+            let grade = self.grade(answer);
+            assert!(!grade.right && grade.score < 1.0, "{answer:?}: {grade:?}");
+        }
+    }
+}
+
+#[test]
+fn every_kind_is_sound() {
+    let lesson = Lesson::read(EVERY_KIND, None).expect("a lesson");
+    check(&lesson).expect("sound");
+}
+
+#[test]
+fn an_answer_of_another_kind_is_not_graded() {
+    let lesson = Lesson::read(EVERY_KIND, None).expect("a lesson");
+    let rooms: Vec<Room> = (0..lesson.steps.len())
+        .map(|step| Room::of(&lesson, step))
+        .collect();
+    let answers: Vec<Answer> = rooms
+        .iter()
+        .map(|room| Answer::right(&room.solve()))
+        .collect();
+    for room in &rooms {
+        let place = room.lab.place(&room.staged);
+        let solution = room.solve();
+        for answer in &answers {
+            let same =
+                std::mem::discriminant(answer) == std::mem::discriminant(&Answer::right(&solution));
+            if !same {
+                assert!(!answer.fits(&room.question.kind), "{answer:?}");
+                assert_eq!(
+                    answer.grade(&room.question, &solution, place),
+                    None,
+                    "{answer:?}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn the_option_that_holds_is_right() {
+    let options = "[[option]]\ntext = \"a\"\nholds = \"probe.lights[0].n_dot_l > 0.9\"\n[[option]]\ntext = \"b\"\nholds = \"probe.lights[0].n_dot_l <= 0.9\"";
+    let question = format!("kind = \"choice\"\n{options}");
+    // N is (0, 0, 1) at the middle.
+    for (z, right) in [(-1.0, 0), (-0.5, 1)] {
+        let step = format!("\"light.0.direction=[-0.866,0,{z}]\"]\nprobe = [0, 0]");
+        let step = if right == 0 {
+            step.replace("-0.866", "0")
+        } else {
+            step
+        };
+        let room = Room::new(&step, &question);
+        assert_eq!(room.solve(), Solution::Choice(right));
+        room.marks(&[Answer::Choice(1 - right)]);
+    }
+    let both = question.replace("<= 0.9", "> 0");
+    let room = Room::new("\"light.0.direction=[0,0,-1]\"]\nprobe = [0, 0]", &both);
+    assert!(room.refused().contains("expected one"));
+}
+
+#[test]
+fn the_scene_with_the_greatest_value_is_right() {
+    let option = |n: u32| format!("[[option]]\ntext = \"{n}\"\nset = [\"material.n={n}\"]\n");
+    let options = [option(50), option(5), option(500)].concat();
+    let step = "\"light.0.direction=[0,0,-1]\"]\nprobe = [0, 0]";
+    let greatest = Room::new(
+        step,
+        &format!("kind = \"choice\"\ngreatest = \"half_width\"\n{options}"),
+    );
+    assert_eq!(greatest.solve(), Solution::Choice(1));
+    let least = Room::new(
+        step,
+        &format!("kind = \"choice\"\nleast = \"half_width\"\n{options}"),
+    );
+    assert_eq!(least.solve(), Solution::Choice(2));
+    least.marks(&[Answer::Choice(0), Answer::Choice(1)]);
+    let alike = Room::new(
+        step,
+        &format!("kind = \"choice\"\ngreatest = \"1 + scene.material.n / 1e6\"\n{options}"),
+    );
+    assert!(alike.refused().contains("2 %"));
+}
+
+#[test]
+fn a_value_is_that_of_the_probe() {
+    let direction = "light.0.direction=[-0.6,0,-0.8]";
+    let step = format!(
+        "\"{direction}\", \"material.kd=0.5\", \"material.ks=0\", \"material.ka=0\"]\nprobe = [0.0026, 0.0026]"
+    );
+    let question =
+        "kind = \"value\"\nanswer = \"probe.sum[0]\"\ntolerance = 0.05\nfrom = 0\nto = 2";
+    let room = Room::new(&step, question);
+    let Solution::Value(value) = room.solve() else {
+        panic!("a value");
+    };
+    // I = Kd (N·L), N nearly (0, 0, 1).
+    assert!((value - 0.4).abs() < 0.01, "{value}");
+    room.marks(&[
+        Answer::Value(value + 0.06),
+        Answer::Value(value - 0.06),
+        Answer::Value(1e300),
+    ]);
+    assert!(room.grade(&Answer::Value(value + 0.049)).right);
+    let half = room.grade(&Answer::Value(value + 0.075));
+    assert!(!half.right && (half.score - 0.5).abs() < 1e-6, "{half:?}");
+
+    // The same number as the command prints for the same scene.
+    let settings = [
+        "camera.eye=[0,0,4]",
+        "image.size=[192,192]",
+        "light.0.kind=directional",
+        "light.0.color=[1,1,1]",
+        "material.color=[1,1,1]",
+        direction,
+        "material.kd=0.5",
+        "material.ks=0",
+        "material.ka=0",
+    ];
+    let mut command = Command::new(env!("CARGO_BIN_EXE_shading-lab"));
+    command.args(["probe", "sphere", "--pixel", "96,96", "--json"]);
+    for setting in settings {
+        command.args(["--set", setting]);
+    }
+    let output = command.output().expect("a run");
+    let printed: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    assert_eq!(printed["sum"][0].as_f64(), Some(value));
+
+    let outside = Room::new(&step, &question.replace("to = 2", "to = 0.3"));
+    assert!(outside.refused().contains("`from`"));
+}
+
+#[test]
+fn a_place_is_where_the_closed_form_has_it() {
+    // The nearest point of the sphere to the light's direction, in perspective: x / (4 − z) · f.
+    let question =
+        "kind = \"point\"\nfind = \"greatest\"\nof = \"probe.lights[0].n_dot_l\"\ntolerance = 0.06";
+    let step = "\"light.0.direction=[-0.6,0,-0.8]\"]";
+    let room = Room::new(step, question);
+    let Solution::Places(places) = room.solve() else {
+        panic!("places");
+    };
+    let scene: &Scene = &room.staged.scene;
+    let half = (scene.camera.fov_y.to_radians() / 2.0).tan();
+    let expected = DVec2::new(0.6 / (4.0 - 0.8) / (2.0 * half), 0.0);
+    assert!(
+        places[0].distance(expected) < 0.02,
+        "{places:?}, {expected}"
+    );
+    let off = |x: f64, y: f64| Answer::Point([places[0].x + x, places[0].y + y]);
+    room.marks(&[off(0.07, 0.0), off(0.0, -0.08), off(-0.3, 0.0)]);
+    assert!(room.grade(&off(0.02, 0.02)).right);
+
+    // The terminator of light from the right is where x = 0, anywhere.
+    let question =
+        "kind = \"point\"\nfind = \"zero\"\nof = \"probe.lights[0].n_dot_l\"\ntolerance = 0.03";
+    let room = Room::new("\"light.0.direction=[-1,0,0]\"]", question);
+    let Solution::Places(places) = room.solve() else {
+        panic!("places");
+    };
+    assert!(
+        places[0].length() < 0.02,
+        "an end stands for all: {}",
+        places[0]
+    );
+    for y in [-0.2, 0.0, 0.25] {
+        assert!(room.grade(&Answer::Point([0.0, y])).right, "{y}");
+    }
+    room.marks(&[Answer::Point([0.1, 0.0]), Answer::Point([0.0, 0.49])]);
+
+    // Light from the eye: no terminator in sight.
+    let room = Room::new(
+        "\"light.0.direction=[0,0,-1]\"]",
+        &question.replace("n_dot_l", "n_dot_l + 1"),
+    );
+    assert!(!room.refused().is_empty());
+}
+
+#[test]
+fn a_curve_is_compared_point_by_point() {
+    let question = "kind = \"curve\"\nx = [0, 90]\ny = [0, 1]\nanswer = \"max(cos(x), 0)^scene.material.n\"\ntolerance = 0.1";
+    let room = Room::new("\"material.n=4\"]", question);
+    let Solution::Curve(curve) = room.solve() else {
+        panic!("a curve");
+    };
+    assert_eq!(curve.len(), CURVE_POINTS);
+    for [x, y] in &curve {
+        assert!((y - x.to_radians().cos().powi(4)).abs() < 1e-12, "{x}");
+    }
+    let moved = |by: f64| Answer::Curve(curve.iter().map(|[_, y]| Some(y + by)).collect());
+    room.marks(&[
+        moved(0.11),
+        moved(-0.5),
+        Answer::Curve(vec![Some(0.0); CURVE_POINTS]),
+        Answer::Curve(vec![Some(1.0); CURVE_POINTS]),
+    ]);
+    assert!(room.grade(&moved(0.09)).right);
+    // Small gaps are forgiven, a curve that is half there is not.
+    let drawn = |count: usize| {
+        let values = curve
+            .iter()
+            .enumerate()
+            .map(|(index, [_, y])| (index < count).then_some(*y));
+        Answer::Curve(values.collect())
+    };
+    assert!(room.grade(&drawn(60)).right);
+    let place = room.lab.place(&room.staged);
+    assert_eq!(drawn(40).grade(&room.question, &room.solve(), place), None);
+
+    let flat = Room::new(
+        "\"material.n=4\"]",
+        &question.replace("^scene.material.n", "*0.01"),
+    );
+    assert!(flat.refused().contains("flat"));
+}
+
+#[test]
+fn a_profile_is_that_of_the_command() {
+    let question = "kind = \"curve\"\ny = [0, 1.5]\nprofile = \"gouraud\"\ntolerance = 0.05";
+    let step = "\"light.0.direction=[-0.6,0,-0.8]\"]\nline = [-0.25, 0, 0.25, 0]";
+    let room = Room::new(step, question);
+    let Solution::Curve(curve) = room.solve() else {
+        panic!("a curve");
+    };
+    let mut command = Command::new(env!("CARGO_BIN_EXE_shading-lab"));
+    command.args([
+        "profile", "sphere", "--from", "48,96", "--to", "144,96", "--modes", "gouraud", "--json",
+    ]);
+    for setting in [
+        "camera.eye=[0,0,4]",
+        "image.size=[192,192]",
+        "light.0.kind=directional",
+        "light.0.color=[1,1,1]",
+        "material.color=[1,1,1]",
+        "light.0.direction=[-0.6,0,-0.8]",
+    ] {
+        command.args(["--set", setting]);
+    }
+    let output = command.output().expect("a run");
+    let printed: serde_json::Value = serde_json::from_slice(&output.stdout).expect("JSON");
+    let samples = printed["samples"].as_array().expect("samples");
+    for sample in samples {
+        let [t, value] = ["t", "gouraud"].map(|key| sample[key].as_f64().unwrap_or(f64::NAN));
+        let at = t * (CURVE_POINTS - 1) as f64;
+        let (below, above) = (
+            curve[at.floor() as usize][1],
+            curve[(at.ceil() as usize).min(CURVE_POINTS - 1)][1],
+        );
+        let expected = below + (above - below) * at.fract();
+        assert!((value - expected).abs() < 0.02, "{t}: {value}, {expected}");
+    }
+}
+
+#[test]
+fn a_setting_is_found_where_the_closed_form_has_it() {
+    // cosⁿφ = 1/2 at φ = 10°.
+    let question = "kind = \"settings\"\ncontrol = \"material.n\"\nreach = \"half_width\"\nequals = \"10\"\ntolerance = 0.5";
+    let room = Room::new("\"material.n=5\"]", question);
+    let Solution::Setting(n) = room.solve() else {
+        panic!("a setting");
+    };
+    let expected = 0.5f64.ln() / 10f64.to_radians().cos().ln();
+    assert!((n - expected).abs() < 0.1, "{n}, {expected}");
+    room.marks(&[Answer::Settings(20.0), Answer::Settings(100.0)]);
+    assert!(room.grade(&Answer::Settings(45.0)).right);
+
+    // x − x² is greatest at one half.
+    let question = "kind = \"settings\"\ncontrol = \"material.kd\"\nreach = \"scene.material.kd - scene.material.kd^2\"\nmost = true\ntolerance = 0.05";
+    let room = Room::new("\"material.kd=0.1\"]", question);
+    let Solution::Setting(kd) = room.solve() else {
+        panic!("a setting");
+    };
+    assert!((kd - 0.5).abs() < 1e-3, "{kd}");
+    room.marks(&[Answer::Settings(0.44), Answer::Settings(1.0)]);
+    let unreachable = Room::new(
+        "\"material.kd=0.1\"]",
+        "kind = \"settings\"\ncontrol = \"material.kd\"\nreach = \"scene.material.kd\"\nequals = \"7\"\ntolerance = 0.1",
+    );
+    assert!(unreachable.refused().contains("no setting"));
+}
+
+#[test]
+fn items_are_sorted_by_the_expression() {
+    let item = |n: u32| format!("[[item]]\ntext = \"{n}\"\nset = [\"material.n={n}\"]\n");
+    let items = [item(50), item(5), item(500), item(15)].concat();
+    let room = Room::new(
+        "\"material.n=1\"]",
+        &format!("kind = \"order\"\nby = \"half_width\"\n{items}"),
+    );
+    assert_eq!(room.solve(), Solution::Order(vec![2, 0, 3, 1]));
+    room.marks(&[
+        Answer::Order(vec![1, 3, 0, 2]),
+        Answer::Order(vec![0, 2, 3, 1]),
+    ]);
+    // One of six pairs is the wrong way round.
+    let grade = room.grade(&Answer::Order(vec![0, 2, 3, 1]));
+    assert!((grade.score - 5.0 / 6.0).abs() < 1e-9, "{grade:?}");
+    for unfit in [vec![0, 1, 2], vec![0, 0, 1, 2], vec![0, 1, 2, 9]] {
+        assert!(!Answer::Order(unfit).fits(&room.question.kind));
+    }
+}
+
+#[test]
+fn a_target_is_met_by_a_picture_that_looks_the_same() {
+    let question = "kind = \"match\"\nset = [\"material.kd=0.3\"]\ncontrols = [\"material.kd\"]\ntolerance = 0.02";
+    let room = Room::new(
+        "\"light.0.direction=[0,0,-1]\", \"material.kd=0.8\", \"material.ks=0\"]",
+        question,
+    );
+    assert_eq!(room.solve(), Solution::Match(vec![0.3]));
+    room.marks(&[Answer::Match(vec![0.8]), Answer::Match(vec![0.1])]);
+    assert!(room.grade(&Answer::Match(vec![0.31])).right);
+    // The root mean square over the picture is proportional to the difference of Kd.
+    let off = |kd: f64| {
+        room.grade(&Answer::Match(vec![kd]))
+            .off
+            .expect("a difference")
+    };
+    assert!((off(0.5) / off(0.4) - 2.0).abs() < 1e-3);
+
+    let random = Room::new(
+        "\"material.kd=0.8\"]",
+        "kind = \"match\"\ncontrols = [\"material.kd\", \"material.ks\"]",
+    );
+    let solved = |seed: u64| {
+        random
+            .question
+            .solve(random.lab.place(&random.staged), seed)
+            .expect("a target")
+    };
+    assert_eq!(solved(3), solved(3));
+    assert_ne!(solved(3), solved(4));
+}
+
+#[test]
+fn a_pane_is_called_as_its_step_says() {
+    let step = "\"compare.name=Cook–Torrance\"]\npanes = [\"reflection.model=blinn; compare.name=Blinn, n = 30\", \"shading.mode=flat\"";
+    let room = Room::new(
+        &format!("{step}]"),
+        "kind = \"value\"\nanswer = \"scene.material.n\"\ntolerance = 1\nfrom = 0\nto = 100",
+    );
+    let names = [0, 1, 2].map(|pane| room.staged.scene.pane_name(pane));
+    assert_eq!(names[..2], ["Cook–Torrance", "Blinn, n = 30"]);
+    assert!(names[2].starts_with("Flat"), "{names:?}");
+    assert_eq!(
+        room.staged.scene.compare.panes[0].set,
+        ["reflection.model=blinn"]
+    );
+}

@@ -1,0 +1,370 @@
+//! The lessons of the course: everything in them is evaluated by the engine, in both languages, and `docs/course.md` leads to steps
+//! that there are.
+
+use rayon::prelude::*;
+use shading_lab::expression::Expression;
+use shading_lab::lesson::{
+    Answer, Budget, BuiltIn, Kind, LESSONS, Lab, Lesson, Question, Solution, Staged, Step, check,
+};
+use shading_lab::text::Language;
+use std::collections::BTreeSet;
+
+fn lessons() -> Vec<(&'static BuiltIn, Language, Lesson)> {
+    let in_language = |language: Language| {
+        LESSONS
+            .iter()
+            .map(move |lesson| (lesson, language, lesson.lesson_in(language)))
+    };
+    Language::ALL.into_iter().flat_map(in_language).collect()
+}
+
+#[test]
+fn every_scene_number_and_question_of_every_lesson_is_sound() {
+    let wrong: Vec<String> = lessons()
+        .into_par_iter()
+        .filter_map(|(built_in, language, lesson)| {
+            assert_eq!(lesson.name, built_in.name);
+            let error = check(&lesson).err()?;
+            Some(format!("{} {}:\n{error}", language.tag(), lesson.name))
+        })
+        .collect();
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// What a worksheet draws of a step: four samples a pixel of each pane.
+fn work_of_pictures(step: &Step, staged: &Staged) -> u64 {
+    let lab = Lab::new(staged);
+    let pixels = Expression::read("picture.pixels").expect("an expression");
+    // A picture without the object counts as well.
+    let _ = pixels.value(&lab.place(staged));
+    4 * (1 + step.stage.panes.as_ref().map_or(0, Vec::len)) as u64 * lab.work()
+}
+
+#[test]
+fn no_lesson_takes_a_tenth_of_the_work_that_it_may() {
+    let work: Vec<(&str, Vec<u64>)> = LESSONS
+        .par_iter()
+        .map(|built_in| {
+            let lesson = built_in.lesson_in(Language::English);
+            let of_step = |step: &Step| {
+                let staged = step.stage.load(None).expect("a scene");
+                let lab = Lab::new(&staged);
+                let place = lab.place(&staged);
+                step.text.filled(&place).expect("a text");
+                if let Some(question) = &step.question {
+                    question.why.filled(&place).expect("a text");
+                    question.solve(place, 7).expect("a solution");
+                }
+                lab.work() + work_of_pictures(step, &staged)
+            };
+            (built_in.name, lesson.steps.iter().map(of_step).collect())
+        })
+        .collect();
+    let mut over = Vec::new();
+    for (name, steps) in &work {
+        let (most, all) = (steps.iter().max().unwrap_or(&0), steps.iter().sum::<u64>());
+        println!(
+            "{name}: {} million, a step {}",
+            all / 1_000_000,
+            most / 1_000_000
+        );
+        if 10 * most >= Budget::STEP || 10 * all >= Budget::FILE {
+            over.push((name, steps));
+        }
+    }
+    assert!(over.is_empty(), "{over:?}");
+    // Nothing would be within any bounds.
+    assert!(
+        work.iter()
+            .flat_map(|(_, steps)| steps)
+            .all(|work| *work > 0)
+    );
+}
+
+/// Answers that are wrong.
+fn wrong_answers(question: &Question, solution: &Solution, staged: &Staged) -> Vec<Answer> {
+    match (&question.kind, solution) {
+        (Kind::Choice { options, .. }, Solution::Choice(right)) => (0..options.len())
+            .filter(|option| option != right)
+            .map(Answer::Choice)
+            .collect(),
+        (Kind::Value { tolerance, .. }, Solution::Value(right)) => [-2.1, 2.1]
+            .map(|times| Answer::Value(right + times * tolerance))
+            .to_vec(),
+        (Kind::Point { tolerance, .. }, Solution::Places(places)) => (0..400)
+            .map(|index| [f64::from(index % 20), f64::from(index / 20)].map(|x| x / 20.0 - 0.475))
+            .filter(|point| {
+                let far = |place: &glam::DVec2| {
+                    place.distance(glam::DVec2::from_array(*point)) > 2.1 * tolerance
+                };
+                places.iter().all(far)
+            })
+            .map(Answer::Point)
+            .collect(),
+        (Kind::Curve { y, .. }, Solution::Curve(points)) => {
+            let mean = points.iter().map(|[_, y]| y).sum::<f64>() / points.len() as f64;
+            let upside_down = points.iter().map(|[_, value]| Some(y[0] + y[1] - value));
+            vec![
+                Answer::Curve(vec![Some(mean); points.len()]),
+                Answer::Curve(upside_down.collect()),
+                Answer::Curve(vec![None; points.len()]),
+            ]
+        }
+        (Kind::Settings { .. }, Solution::Setting(right)) => [0.25, 4.0]
+            .map(|times| Answer::Settings(right * times))
+            .to_vec(),
+        (Kind::Order { .. }, Solution::Order(right)) => {
+            let mut swapped = right.clone();
+            swapped.swap(0, 1);
+            let reversed = right.iter().rev().copied().collect();
+            vec![Answer::Order(swapped), Answer::Order(reversed)]
+        }
+        (Kind::Match { controls, .. }, Solution::Match(_)) => {
+            let parameter = |key: &String| shading_lab::scene::parameter::Parameter::by_word(key);
+            let own = |key: &String| {
+                let value = parameter(key)?.value(&staged.scene, 0)?;
+                let array = value
+                    .as_array()
+                    .and_then(|values| values.first()?.as_float());
+                value.as_float().or(array)
+            };
+            controls
+                .iter()
+                .map(own)
+                .collect::<Option<Vec<f64>>>()
+                .into_iter()
+                .map(Answer::Match)
+                .collect()
+        }
+        _ => unreachable!("a solution of the question's kind"),
+    }
+}
+
+#[test]
+fn the_right_answer_scores_full_marks_and_a_wrong_one_does_not() {
+    let (mut counts, mut questions) = (std::collections::BTreeMap::new(), 0);
+    let lessons: Vec<Lesson> = LESSONS
+        .iter()
+        .map(|lesson| lesson.lesson_in(Language::English))
+        .collect();
+    let graded: Vec<(&'static str, usize)> = lessons
+        .par_iter()
+        .flat_map(|lesson| lesson.steps.par_iter().map(move |step| (lesson, step)))
+        .filter_map(|(lesson, step)| {
+            let question = step.question.as_ref()?;
+            let staged = step.stage.load(None).expect("a scene");
+            let lab = Lab::new(&staged);
+            let place = lab.place(&staged);
+            let solution = question.solve(place, 7).expect("a solution");
+            let what = format!("{}, {}", lesson.name, step.title);
+            let right = Answer::right(&solution);
+            assert!(right.fits(&question.kind), "{what}");
+            let grade = right.grade(question, &solution, place).expect("a grade");
+            assert!(grade.right && grade.score >= 0.999, "{what}: {grade:?}");
+            let wrong = wrong_answers(question, &solution, &staged);
+            for answer in &wrong {
+                let grade = answer.grade(question, &solution, place).unwrap_or_default();
+                assert!(
+                    !grade.right && grade.score < 1.0,
+                    "{what}: {answer:?} counts as right: {solution:?}"
+                );
+            }
+            assert!(!wrong.is_empty(), "{what}: every answer is right");
+            Some((kind(question), wrong.len()))
+        })
+        .collect();
+    for (kind, wrong) in graded {
+        *counts.entry(kind).or_insert(0) += wrong;
+        questions += 1;
+    }
+    assert!(
+        questions >= 2 * LESSONS.len() && counts.len() == 7,
+        "{questions}, {counts:?}"
+    );
+}
+
+/// What is asked for is what counts as right: the place on the scan line, not any of the same intensity.
+#[test]
+fn half_of_the_change_along_the_scan_line_is_in_its_middle() {
+    let lesson = shading_lab::lesson::find("scan-line").expect("a lesson");
+    let lesson = lesson.lesson_in(Language::English);
+    let asked = |step: &&Step| {
+        let question = step.question.as_ref();
+        question.is_some_and(|question| matches!(question.kind, Kind::Point { .. }))
+    };
+    let step = lesson.steps.iter().find(asked).expect("a click");
+    let question = step.question.as_ref().expect("a question");
+    let staged = step.stage.load(None).expect("a scene");
+    let lab = Lab::new(&staged);
+    let place = lab.place(&staged);
+    let solution = question.solve(place, 1).expect("a solution");
+    let Solution::Places(places) = &solution else {
+        panic!("places");
+    };
+    assert!(places[0].length() < 0.01, "{places:?}");
+    for (x, y, right) in [
+        (0.0, 0.0, true),
+        (0.02, -0.02, true),
+        (-0.25, -0.08, false),
+        (0.0, 0.1, false),
+        (0.1, 0.0, false),
+    ] {
+        let grade = Answer::Point([x, y]).grade(question, &solution, place);
+        assert_eq!(grade.map(|grade| grade.right), Some(right), "({x}, {y})");
+    }
+}
+
+fn kind(question: &Question) -> &'static str {
+    match question.kind {
+        Kind::Choice { .. } => "choice",
+        Kind::Value { .. } => "value",
+        Kind::Point { .. } => "point",
+        Kind::Curve { .. } => "curve",
+        Kind::Settings { .. } => "settings",
+        Kind::Order { .. } => "order",
+        Kind::Match { .. } => "match",
+    }
+}
+
+/// A step without its words and without its place in the file.
+fn without_words(step: &Step) -> String {
+    let mut stage = step.stage.clone();
+    stage.line_number = 0;
+    let question = step.question.as_ref().map(|question| {
+        let mut question = question.clone();
+        question.line = 0;
+        (question.ask, question.why) = Default::default();
+        match &mut question.kind {
+            Kind::Choice { options, .. } => {
+                options
+                    .iter_mut()
+                    .for_each(|option| option.text = Default::default());
+            }
+            Kind::Order { items, .. } => {
+                items
+                    .iter_mut()
+                    .for_each(|item| item.text = Default::default());
+            }
+            Kind::Curve { x_name, y_name, .. } => (*x_name, *y_name) = Default::default(),
+            Kind::Value { unit, .. } => unit.clear(),
+            _ => {}
+        }
+        question
+    });
+    format!("{stage:?} {question:?}")
+}
+
+#[test]
+fn both_languages_have_the_same_steps_and_questions() {
+    for lesson in &LESSONS {
+        let [english, chinese] = Language::ALL.map(|language| lesson.lesson_in(language));
+        assert_eq!(english.steps.len(), chinese.steps.len(), "{}", lesson.name);
+        assert_eq!(english.topic, chinese.topic, "{}", lesson.name);
+        assert_eq!(english.minutes, chinese.minutes, "{}", lesson.name);
+        assert_ne!(english.title, chinese.title, "{}", lesson.name);
+        for (a, b) in english.steps.iter().zip(&chinese.steps) {
+            assert_eq!(
+                without_words(a),
+                without_words(b),
+                "{}: {}",
+                lesson.name,
+                a.title
+            );
+            assert_ne!(a.text, b.text, "{}: {}", lesson.name, a.title);
+        }
+    }
+}
+
+#[test]
+fn every_lesson_asks_before_it_tells() {
+    for lesson in &LESSONS {
+        let lesson = lesson.lesson_in(Language::English);
+        let questions: Vec<&Question> = lesson
+            .steps
+            .iter()
+            .filter_map(|step| step.question.as_ref())
+            .collect();
+        let by_hand =
+            |question: &&Question| matches!(question.kind, Kind::Point { .. } | Kind::Curve { .. });
+        assert!(
+            questions.len() >= 2 && questions.iter().any(by_hand),
+            "{}: {} questions",
+            lesson.name,
+            questions.len()
+        );
+        assert!((5..=15).contains(&lesson.minutes), "{}", lesson.name);
+        // The last step, or the one before a match that is gone on with.
+        let last = &lesson.steps[lesson.steps.len() - 2..];
+        assert!(
+            last.iter().any(|step| {
+                let staged = step.stage.load(None).expect("a scene");
+                let lab = Lab::new(&staged);
+                let text = step.text.filled(&lab.place(&staged)).expect("a text");
+                text.contains("Find out for yourself")
+            }),
+            "{} ends without a task",
+            lesson.name
+        );
+    }
+}
+
+#[test]
+fn the_course_covers_every_slide_and_section_by_steps_that_there_are() {
+    let table = include_str!("../../docs/course.md");
+    let rows = table.lines().filter(|line| line.starts_with("| 00"));
+    let mut seen = BTreeSet::new();
+    let mut met = BTreeSet::new();
+    for row in rows {
+        let cells: Vec<&str> = row.trim_matches('|').split('|').map(str::trim).collect();
+        let [source, title, lesson, step] = cells[..] else {
+            panic!("{row}: four cells expected");
+        };
+        // [one](…), [another](…) | 1–3, 5; 2
+        let names: Vec<&str> = lesson
+            .split('[')
+            .skip(1)
+            .filter_map(|link| Some(link.split_once(']')?.0))
+            .collect();
+        let steps: Vec<&str> = step.split(';').collect();
+        assert!(!names.is_empty() && names.len() == steps.len(), "{row}");
+        for (name, steps) in names.into_iter().zip(steps) {
+            let lesson = LESSONS
+                .iter()
+                .find(|lesson| lesson.name == name)
+                .unwrap_or_else(|| panic!("{row}: no such lesson"));
+            let count = lesson.lesson_in(Language::English).steps.len();
+            for step in steps.split([',', '–']) {
+                let step: usize = step
+                    .trim()
+                    .parse()
+                    .unwrap_or_else(|_| panic!("{row}: no step"));
+                assert!((1..=count).contains(&step), "{row}: {count} steps");
+            }
+            met.insert(name.to_owned());
+        }
+        assert!(!title.is_empty(), "{row}");
+        seen.insert(source.to_owned());
+    }
+    for slide in 1..=47 {
+        let named = format!("002, slide {slide}");
+        assert!(seen.contains(&named), "{named} is missing");
+    }
+    for page in 1..=12 {
+        let named = format!("000, page {page}");
+        assert!(
+            seen.iter().any(|source| *source == named),
+            "{named} is missing"
+        );
+    }
+    assert!(
+        seen.iter()
+            .filter(|source| source.starts_with("003"))
+            .count()
+            >= 1
+    );
+    let all: BTreeSet<String> = LESSONS
+        .iter()
+        .map(|lesson| lesson.name.to_owned())
+        .collect();
+    assert_eq!(met, all, "every lesson is in the table");
+}

@@ -1,0 +1,562 @@
+//! Lessons as files: what is read of every kind of question, every error with its line, and that no file and no expression
+//! takes the reader down.
+
+use crate::common::dice::Dice;
+use crate::common::lessons::EVERY_KIND;
+use shading_lab::expression::{Expression, Part, Quantities, Todo, Value, arithmetic};
+use shading_lab::lesson::{
+    CurveOf, Extreme, Find, Goal, Kind, Lesson, LessonError, MatchValues, Term,
+};
+use shading_lab::scene::ShadingMode;
+use std::env;
+
+fn kinds() -> Vec<Kind> {
+    let lesson = Lesson::read(EVERY_KIND, None).expect("a lesson");
+    let questions = lesson.steps.into_iter().filter_map(|step| step.question);
+    questions.map(|question| question.kind).collect()
+}
+
+#[test]
+fn every_kind_of_question_is_read() {
+    let lesson = Lesson::read(EVERY_KIND, None).expect("a lesson");
+    assert_eq!(
+        (&*lesson.name, &*lesson.title, lesson.minutes),
+        ("every-kind", "Every kind", 7)
+    );
+    assert_eq!((&*lesson.topic, &*lesson.about), ("light", "For tests."));
+    let first = &lesson.steps[0];
+    assert_eq!((&*first.title, first.line), ("Choice", 10));
+    assert_eq!(
+        (&*first.stage.scene, first.stage.view),
+        ("sphere", Some("equation"))
+    );
+    assert_eq!(first.stage.overlays, ["vectors"]);
+    assert!(first.stage.hide && !lesson.steps[1].stage.hide);
+    assert_eq!(
+        first.question.as_ref().map(|question| question.term),
+        Some(Some(Term::Specular))
+    );
+    // What a step leaves open it takes over, settings are added.
+    let second = &lesson.steps[1];
+    assert_eq!(second.stage.scene, "sphere");
+    assert_eq!(
+        second.stage.set,
+        ["camera.eye=[0,0,4]", "image.size=[96,96]", "material.n=20"]
+    );
+    assert_eq!(second.stage.line, first.stage.line);
+
+    let kinds = kinds();
+    let names: Vec<&str> = kinds.iter().map(Kind::name).collect();
+    assert_eq!(
+        names,
+        [
+            "choice", "choice", "value", "point", "point", "curve", "curve", "settings",
+            "settings", "order", "match", "match"
+        ]
+    );
+    assert!(matches!(&kinds[0], Kind::Choice { options, by: None } if options.len() == 2));
+    assert!(
+        matches!(&kinds[1], Kind::Choice { by: Some((Extreme::Greatest, _)), options } if options[1].set == ["material.kd=0.9"])
+    );
+    assert!(
+        matches!(&kinds[2], Kind::Value { tolerance, from, to, unit, .. } if (*tolerance, *from, *to, &**unit) == (0.02, -1.0, 1.0, "m"))
+    );
+    assert!(
+        matches!(&kinds[3], Kind::Point { find: Find::Extreme(Extreme::Least, _), tolerance } if *tolerance == 0.06)
+    );
+    assert!(matches!(
+        &kinds[4],
+        Kind::Point {
+            find: Find::Zero(_),
+            ..
+        }
+    ));
+    assert!(
+        matches!(&kinds[5], Kind::Curve { x, y, of: CurveOf::Expression(_), .. } if (*x, *y) == ([0.0, 90.0], [0.0, 1.0]))
+    );
+    assert!(matches!(
+        &kinds[6],
+        Kind::Curve {
+            of: CurveOf::Profile(ShadingMode::Phong),
+            ..
+        }
+    ));
+    assert!(
+        matches!(&kinds[7], Kind::Settings { control, goal: Goal::Equals(_), .. } if control == "material.n")
+    );
+    assert!(matches!(
+        &kinds[8],
+        Kind::Settings {
+            goal: Goal::Extreme(Extreme::Greatest),
+            ..
+        }
+    ));
+    assert!(matches!(&kinds[9], Kind::Order { items, .. } if items.len() == 3));
+    assert!(
+        matches!(&kinds[10], Kind::Match { values: MatchValues::Given, controls, .. } if controls == &["material.kd"])
+    );
+    assert!(matches!(
+        &kinds[11],
+        Kind::Match {
+            values: MatchValues::Random,
+            ..
+        }
+    ));
+}
+
+/// The problems of the lesson with one text replaced by another.
+fn problems(from: &str, to: &str) -> LessonError {
+    assert!(EVERY_KIND.contains(from), "{from}");
+    let changed = EVERY_KIND.replacen(from, to, 1);
+    match Lesson::read(&changed, None) {
+        Err(error) => error,
+        Ok(_) => panic!("{from} → {to} is read"),
+    }
+}
+
+#[test]
+fn a_range_is_one_that_an_axis_can_have() {
+    for (from, to) in [
+        ("x = [0, 90]", "x = [0, 5e-324]"),
+        ("x = [0, 90]", "x = [0, inf]"),
+        ("x = [0, 90]", "x = [0, nan]"),
+        ("x = [0, 90]", "x = [90, 0]"),
+        ("y = [0, 2]", "y = [1, 1.0000000000000002]"),
+        ("y = [0, 2]", "y = [-1.7e308, 1.7e308]"),
+        ("from = -1", "from = 1"),
+        ("from = -1\nto = 1", "from = 1e16\nto = 10000000000000002"),
+    ] {
+        let error = problems(from, to).to_string();
+        assert!(error.contains("far enough apart"), "{to}: {error}");
+    }
+    for (from, to) in [
+        ("x = [0, 90]", "x = [0, 1e-280]"),
+        ("x = [0, 90]", "x = [-1e300, 1e300]"),
+        ("x = [0, 90]", "x = [1000000, 1000001]"),
+    ] {
+        let changed = EVERY_KIND.replacen(from, to, 1);
+        assert!(Lesson::read(&changed, None).is_ok(), "{to}");
+    }
+}
+
+#[test]
+fn every_error_has_its_line() {
+    for (from, to, words) in [
+        ("lesson = 1", "lesson = 2", "version"),
+        ("name = \"every-kind\"", "name = \"Every Kind\"", "`name`"),
+        ("minutes = 7", "minutes = -7", "invalid value"),
+        ("minutes = 7", "length = 7", "unknown field"),
+        ("view = \"equation\"", "view = \"equations\"", "`view`"),
+        (
+            "overlays = [\"vectors\"]",
+            "overlays = [\"arrows\"]",
+            "`overlays`",
+        ),
+        ("probe = [0.1, 0.1]", "probe = [0.1]", "invalid length"),
+        (
+            "{{ scene.material.n | 1 }}",
+            "{{ scene.material.n | 12 }}",
+            "digits",
+        ),
+        (
+            "{{ scene.material.n | 1 }}",
+            "{{ 1 + }}",
+            "number in the text",
+        ),
+        ("kind = \"value\"", "kind = \"values\"", "`kind`"),
+        ("answer = \"cos(60)\"", "answer = \"cos(60\"", "`answer`"),
+        ("find = \"least\"", "find = \"lowest\"", "`find`"),
+        ("profile = \"phong\"", "profile = \"smooth\"", "`profile`"),
+        (
+            "control = \"material.n\"",
+            "control = \"material.m\"",
+            "material.m",
+        ),
+        ("ask = \"Value\"", "asks = \"Value\"", "unknown field"),
+        (
+            "by = \"scene.material.n\"",
+            "by = \"scene.material.\"",
+            "`by`",
+        ),
+        ("holds = \"1 < 2\"", "holds = \"1 <\"", "`holds`"),
+    ] {
+        let error = problems(from, to);
+        let line = 1 + EVERY_KIND[..EVERY_KIND.find(from).expect("there")]
+            .matches('\n')
+            .count() as u64;
+        assert_eq!(error.problems[0].line, line, "{from} → {to}: {error}");
+        assert!(
+            error.problems[0].words.contains(words),
+            "{from} → {to}: {error}"
+        );
+    }
+}
+
+#[test]
+fn an_error_about_a_block_is_in_the_block() {
+    for (from, to, words) in [
+        ("tolerance = 0.02", "", "`tolerance`"),
+        ("tolerance = 0.02", "tolerance = 0.0", "`tolerance`"),
+        ("from = -1", "from = 2", "`from`"),
+        ("ask = \"Value\"", "", "`ask`"),
+        ("answer = \"cos(x)\"", "", "`answer`"),
+        ("y = [0, 1]", "y = [1, 0]", "`y`"),
+        ("equals = \"30\"", "", "`equals`"),
+        (
+            "equals = \"30\"",
+            "equals = \"30\"\nmost = true",
+            "`equals`",
+        ),
+        ("greatest = \"probe.sum[0]\"", "", "options"),
+        (
+            "[[item]]\ntext = \"A\"\nset = [\"material.n=5\"]\n",
+            "",
+            "3 to 6",
+        ),
+        (
+            "[[option]]\ntext = \"No\"\nholds = \"1 > 2\"\n",
+            "",
+            "2 to 8",
+        ),
+        (
+            "holds = \"1 < 2\"",
+            "holds = \"1 < 2\"\nright = true",
+            "both",
+        ),
+        (
+            "controls = [\"material.kd\"]",
+            "controls = []",
+            "`controls`",
+        ),
+        ("probe = [0.1, 0.1]", "probe = [9.0, 0.1]", "−8 to 8"),
+        (
+            "probe = [0.1, 0.1]",
+            "probe = [0.1, 0.1]\nlights = 10000",
+            "`lights`",
+        ),
+    ] {
+        let error = problems(from, to);
+        let changed = EVERY_KIND.replacen(from, to, 1);
+        let at = EVERY_KIND.find(from).expect("there");
+        let step = changed[..at].rfind("\n## ").expect("a step") + 1;
+        let first = 1 + changed[..step].matches('\n').count() as u64;
+        let length = changed[step + 3..].find("\n## ").map_or(99, |end| {
+            changed[step..step + 3 + end].matches('\n').count()
+        });
+        let line = error.problems[0].line;
+        assert!(
+            (first..=first + length as u64).contains(&line),
+            "{from} → {to}: {error}"
+        );
+        assert!(error.to_string().contains(words), "{from} → {to}: {error}");
+    }
+}
+
+#[test]
+fn files_that_are_no_lessons_are_refused() {
+    let head = "+++\nlesson = 1\nname = \"a\"\ntitle = \"A\"\n+++\n";
+    for (source, words) in [
+        (String::new(), "head"),
+        ("# A lesson".to_owned(), "head"),
+        ("+++\nlesson = 1\n".to_owned(), "head"),
+        (head.to_owned(), "no step"),
+        (format!("{head}text\n"), "no step"),
+        (
+            format!("{head}```step\nscene = \"sphere\"\n```\n## A\n"),
+            "before the first step",
+        ),
+        (format!("{head}## A\n"), "`scene`"),
+        (
+            format!("{head}## A\n```step\nscene = \"sphere\"\n```\n```step\n```\n"),
+            "second block",
+        ),
+        (
+            format!("{head}{}", "## A\n\n".repeat(Lesson::MAX_STEPS + 1)),
+            "more than 100",
+        ),
+        ("x".repeat(Lesson::MAX_TEXT + 1), "MiB"),
+        (
+            format!("{head}## A\n{{{{ 1 }}\n```step\nscene = \"sphere\"\n```\n"),
+            "braces",
+        ),
+    ] {
+        let error = Lesson::read(&source, None).expect_err("an error");
+        assert!(error.to_string().contains(words), "{source:.60}: {error}");
+    }
+    // A byte order mark, carriage returns and blank lines before the head do no harm.
+    let source = format!("\u{feff}\r\n{}", EVERY_KIND.replace('\n', "\r\n"));
+    let read = Lesson::read(&source, None).expect("a lesson");
+    assert_eq!(read.steps.len(), 12);
+    assert_eq!(read.steps[0].line, 11);
+}
+
+fn below(dice: &mut Dice, count: usize) -> usize {
+    (dice.between(0.0, count as f64) as usize).min(count - 1)
+}
+
+/// How many lessons are tried: `LESSONS=100000` for more.
+fn tried() -> usize {
+    let count = env::var("LESSONS")
+        .ok()
+        .and_then(|count| count.parse().ok());
+    count.unwrap_or(10_000)
+}
+
+/// What mutations put in.
+const PIECES: [&str; 40] = [
+    "```",
+    "```step\n",
+    "```question\n",
+    "+++\n",
+    "## ",
+    "# ",
+    "{{",
+    "}}",
+    "| 99",
+    "[[option]]\n",
+    "[[item]]\n",
+    "\"",
+    "'",
+    "\\",
+    "[",
+    "]",
+    "=",
+    "\n",
+    "\r",
+    "\0",
+    "$",
+    "`",
+    "<!--",
+    "<div>",
+    "é",
+    "界",
+    "\u{feff}",
+    "\u{202e}",
+    "1e999",
+    "-1",
+    "nan",
+    "true",
+    "inf",
+    "99999999999999999999",
+    "~~~",
+    "    ",
+    "> ",
+    "- ",
+    "|---|\n",
+    "&#x0;",
+];
+
+fn mutated(dice: &mut Dice) -> String {
+    let mut text = EVERY_KIND.to_owned();
+    let place = |dice: &mut Dice, text: &str| {
+        let mut at = below(dice, text.len() + 1);
+        while !text.is_char_boundary(at) {
+            at -= 1;
+        }
+        at
+    };
+    for _ in 0..=below(dice, 6) {
+        let (a, b) = (place(dice, &text), place(dice, &text));
+        let (from, to) = (a.min(b), a.max(b).min(a.min(b) + 400));
+        let to = (to..=text.len())
+            .find(|to| text.is_char_boundary(*to))
+            .unwrap_or(text.len());
+        match below(dice, 6) {
+            0 => text.replace_range(from..to, ""),
+            1 => {
+                let piece = text[from..to].to_owned();
+                let at = place(dice, &text);
+                text.insert_str(at, &piece);
+            }
+            2 if from > 60 => text.truncate(from),
+            _ => text.insert_str(from, dice.of(&PIECES)),
+        }
+    }
+    text
+}
+
+#[test]
+fn mutated_lessons_are_read_or_refused_with_a_line() {
+    let mut dice = Dice(17);
+    let (mut read, mut refused) = (0, 0);
+    for _ in 0..tried() {
+        let text = mutated(&mut dice);
+        match Lesson::read(&text, None) {
+            Ok(lesson) => {
+                assert!(!lesson.steps.is_empty() && lesson.source == text);
+                read += 1;
+            }
+            Err(error) => {
+                assert!(!error.problems.is_empty(), "{text}");
+                let lines = 1 + text.matches('\n').count() as u64;
+                for problem in &error.problems {
+                    assert!((1..=lines).contains(&problem.line), "{error}\n{text}");
+                    assert!(!problem.words.is_empty());
+                }
+                refused += 1;
+            }
+        }
+    }
+    // Both happen often, or the mutations test nothing.
+    assert!(
+        10 * read > tried() / 10 && 10 * refused > tried(),
+        "{read} read, {refused} refused"
+    );
+}
+
+/// Everything is a number but what is not.
+struct Stub;
+
+impl Quantities for Stub {
+    fn quantity(&self, name: &str, parts: &[Part]) -> Result<Value, String> {
+        match (name, parts.len()) {
+            ("probe", 0) => Ok(Value::List(vec![Value::Number(1.0), Value::Truth(true)])),
+            ("scene", _) => Ok(Value::Number(f64::NAN)),
+            ("x", _) => Ok(Value::Number(2.0)),
+            ("nothing", _) => Err("nothing".to_owned()),
+            _ => Ok(Value::List(vec![Value::Number(parts.len() as f64)])),
+        }
+    }
+
+    fn with(&self, _: &str, todo: Todo<'_>) -> Result<Value, String> {
+        todo(self)
+    }
+
+    fn at(&self, _: f64, _: f64, todo: Todo<'_>) -> Result<Value, String> {
+        todo(self)
+    }
+}
+
+const WORDS: [&str; 48] = [
+    "1",
+    "2.5",
+    "1e3",
+    ".5",
+    "0",
+    "1e999",
+    "pi",
+    "inf",
+    "x",
+    "probe",
+    "scene",
+    "nothing",
+    "profile.samples[*].gouraud",
+    "[0]",
+    "[*]",
+    "[\"a b\"]",
+    ".n",
+    "+",
+    "-",
+    "*",
+    "/",
+    "^",
+    "(",
+    ")",
+    "<",
+    "<=",
+    "==",
+    "!=",
+    ">",
+    "and",
+    "or",
+    "not",
+    ",",
+    "abs(",
+    "sqrt(",
+    "min(",
+    "max(",
+    "mean(",
+    "dot(",
+    "luminance(",
+    "length(",
+    "with(\"a=1;b=2\",",
+    "at(0,0,",
+    "log(",
+    "asin(",
+    "\"",
+    "é",
+    " ",
+];
+
+#[test]
+fn no_expression_takes_the_reader_down() {
+    let mut dice = Dice(5);
+    let mut valued = 0;
+    for _ in 0..20 * tried() {
+        let words = 1 + below(&mut dice, 14);
+        let text: String = (0..words).map(|_| dice.of(&WORDS)).collect();
+        if let Ok(expression) = Expression::read(&text) {
+            let number = expression.number(&Stub);
+            assert!(number.as_ref().is_ok_and(|number| number.is_finite()) || number.is_err());
+            let _ = expression.holds(&Stub);
+            valued += usize::from(number.is_ok());
+        }
+    }
+    assert!(valued > tried() / 20, "{valued}");
+}
+
+#[test]
+fn the_longest_and_deepest_expressions_are_read_or_refused() {
+    for text in [
+        "1".to_owned() + &"+1".repeat(2047),
+        "1".to_owned() + &"^1".repeat(2047),
+        "1".to_owned() + &"<1".repeat(2047),
+        "1".to_owned() + &" or 1<0".repeat(580),
+        "-".repeat(4095) + "1",
+        "(".repeat(2000) + "1" + &")".repeat(2000),
+        "abs(".repeat(60) + "1" + &")".repeat(60),
+        "not ".repeat(1000) + "1",
+        "x".to_owned() + &"[0]".repeat(1300),
+        "sum(".to_owned() + &"1,".repeat(2000) + "1)",
+        "1".repeat(4097),
+    ] {
+        if let Ok(expression) = Expression::read(&text) {
+            let _ = expression.value(&Stub);
+        }
+    }
+    assert_eq!(
+        arithmetic(&("1".to_owned() + &"+1".repeat(200))),
+        Some(201.0)
+    );
+    assert_eq!(arithmetic(&("1".to_owned() + &"+1".repeat(2000))), None);
+    assert_eq!(arithmetic("max(-0 == 0, 0)"), Some(1.0));
+}
+
+/// An expression and what Rust makes of it.
+fn random(dice: &mut Dice, depth: usize) -> (String, f64) {
+    if depth == 0 {
+        let number = below(dice, 2000) as f64 / 100.0;
+        return (format!("{number}"), number);
+    }
+    let (a, x) = random(dice, depth - 1);
+    let shallower = below(dice, depth);
+    let (b, y) = random(dice, shallower);
+    match below(dice, 9) {
+        0 => (format!("({a} + {b})"), x + y),
+        1 => (format!("({a} - {b})"), x - y),
+        2 => (format!("({a}) * ({b})"), x * y),
+        3 => (format!("(({a}) / ({b}))"), x / y),
+        4 => (format!("-({a})"), -x),
+        5 => (format!("min({a}, {b})"), x.min(y)),
+        6 => (format!("abs({a})"), x.abs()),
+        7 => (format!("cos({a})"), x.to_radians().cos()),
+        _ => (format!("max(({a}) < ({b}), 0)"), f64::from(u8::from(x < y))),
+    }
+}
+
+#[test]
+fn arithmetic_is_that_of_rust() {
+    let mut dice = Dice(23);
+    for _ in 0..2000 {
+        let depth = 1 + below(&mut dice, 6);
+        let (text, value) = random(&mut dice, depth);
+        match arithmetic(&text) {
+            // A division by 0, or a sum of infinities.
+            None => assert!(!value.is_finite(), "{text} = {value}"),
+            Some(found) => assert!(
+                found == value || (found - value).abs() <= 1e-9 * value.abs().max(1.0),
+                "{text} = {value}, not {found}"
+            ),
+        }
+    }
+}

@@ -1,0 +1,562 @@
+//! The course in the window: a lesson with each kind of question, gone through by mouse and by keyboard alone.
+
+mod fuzz;
+mod handed_in;
+mod left;
+
+use crate::common::hands;
+use crate::common::hands::{picture_place, press, scene, wait};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, Modifiers, OpenUrl, OutputCommand, Pos2, Style, pos2, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT, Queryable};
+use shading_lab::app::{App, Look, ViewName};
+use shading_lab::document::{load, save_scene};
+use shading_lab::lesson::{Answer, Answered, Lesson, find, read_hand_in};
+use std::path::Path;
+
+fn lesson() -> Lesson {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/lessons/kinds.md");
+    Lesson::open_checked(&path).expect("a lesson")
+}
+
+/// A window with the lesson.
+fn window() -> Harness<'static, App> {
+    window_with(lesson())
+}
+
+fn window_with(lesson: Lesson) -> Harness<'static, App> {
+    window_of(lesson, [1280.0, 800.0])
+}
+
+fn window_of(lesson: Lesson, size: [f32; 2]) -> Harness<'static, App> {
+    let look = Look {
+        smooth_edges: false,
+        ..Look::default()
+    };
+    let loaded = hands::built_in("sphere");
+    let mut harness = hands::window_looking(loaded, size, &look, |app| {
+        app.with_lesson(Some(lesson), Some(5))
+    });
+    ready(&mut harness);
+    harness
+}
+
+/// Waits until the step's texts and its answer are known.
+fn ready(harness: &mut Harness<'_, App>) {
+    let known = wait(harness, |harness| {
+        let course = &harness.state().state().course;
+        let known = course.open.as_ref().and_then(|open| open.known());
+        known.is_some_and(|known| {
+            let known = known.as_ref().expect("texts");
+            known.solution.as_ref().is_some_and(|solution| {
+                assert!(solution.is_ok() || known.ask.is_empty(), "{solution:?}");
+                true
+            })
+        })
+    });
+    assert!(known, "the step is not ready");
+    harness.run_ok();
+}
+
+fn step(harness: &Harness<'_, App>) -> usize {
+    let course = &harness.state().state().course;
+    course.open.as_ref().expect("a lesson").step
+}
+
+fn next(harness: &mut Harness<'_, App>) {
+    harness.key_press(Key::PageDown);
+    harness.run_ok();
+    ready(harness);
+}
+
+fn go(harness: &mut Harness<'_, App>, to: usize) {
+    while step(harness) < to {
+        next(harness);
+    }
+}
+
+fn answered(harness: &Harness<'_, App>) -> Option<Answered> {
+    harness.state().state().course.answered().cloned()
+}
+
+fn revealed(harness: &Harness<'_, App>) -> bool {
+    harness.state().state().course.revealed()
+}
+
+/// Presses a key as often as it takes to come to what is called so.
+fn tab_to(harness: &mut Harness<'_, App>, role: Role, name: &str) {
+    for _ in 0..120 {
+        harness.key_press(Key::Tab);
+        harness.run_ok();
+        let node = harness.query_by_role_and_label(role, name);
+        if node.is_some_and(|node| node.is_focused()) {
+            return;
+        }
+    }
+    panic!("no way to {name:?} by Tab");
+}
+
+fn type_text(harness: &mut Harness<'_, App>, text: &str) {
+    harness.event(eframe::egui::Event::Text(text.to_owned()));
+    harness.run_ok();
+}
+
+#[test]
+fn a_step_shows_its_scene_its_text_and_its_controls() {
+    let mut harness = window();
+    assert_eq!(scene(&harness).material.n, 20.0);
+    assert_eq!(harness.state().state().look.view, ViewName::Course);
+    assert!(
+        harness
+            .query_by_label_contains("half-width is 15.0°")
+            .is_some()
+    );
+    harness.get_by_role_and_label(Role::SpinButton, "n specular exponent");
+    assert!(!harness.state().state().look.controls);
+    // What is changed can be put back.
+    hands::enter(&mut harness, "n specular exponent", 55.0);
+    assert_eq!(scene(&harness).material.n, 55.0);
+    harness
+        .get_by_label("Back to the step’s scene")
+        .click_accesskit();
+    harness.run_ok();
+    harness.run_ok();
+    assert_eq!(scene(&harness).material.n, 20.0);
+    press(&mut harness, "Next");
+    assert_eq!(step(&harness), 1);
+    harness.key_press(Key::PageUp);
+    harness.run_ok();
+    harness.run_ok();
+    assert_eq!(step(&harness), 0);
+}
+
+#[test]
+fn the_picture_moves_on_to_the_next_step() {
+    let lesson = find("exponent").expect("a lesson").lesson();
+    let mut harness = hands::window_with("sphere", |app| app.with_lesson(Some(lesson), None));
+    go(&mut harness, 1);
+    let moves = |style: &mut Style| style.animation_time = 0.1;
+    harness.ctx.all_styles_mut(moves);
+    let n = |harness: &Harness<'_, App>| scene(harness).material.n;
+    let before = n(&harness);
+    harness.key_press(Key::PageDown);
+    harness.step();
+    let mut seen = Vec::new();
+    while harness.state().state().gliding.is_some() {
+        harness.step();
+        seen.push(n(&harness));
+        // It is neither a change that could be lost nor a step of undo.
+        assert!(!harness.state().state().modified());
+    }
+    ready(&mut harness);
+    let after = n(&harness);
+    let between = |at: &f64| (before.min(after)..before.max(after)).contains(at) && *at != before;
+    assert!(seen.iter().any(between), "{seen:?}");
+    let open = harness.state().state().course.open.as_ref();
+    let staged = open.and_then(|open| open.staged.clone());
+    assert_eq!(scene(&harness), &staged.expect("a scene").scene);
+    hands::undo(&mut harness);
+    assert_eq!(n(&harness), before);
+}
+
+#[test]
+fn a_lesson_alone_says_what_its_scenes_show() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/lessons/en/diffuse.md");
+    let mut harness = window_with(Lesson::open(&path).expect("a lesson"));
+    let titled = |harness: &Harness<'_, App>| {
+        let document = &harness.state().state().document;
+        harness.query_by_label(&document.title()).is_some()
+    };
+    assert!(!titled(&harness));
+    // The probe is marked where the step speaks of it.
+    let probe = |harness: &Harness<'_, App>| harness.state().state().course.shows_probe();
+    assert!(probe(&harness));
+    next(&mut harness);
+    assert!(!probe(&harness));
+    press(&mut harness, "Lessons");
+    harness.run_ok();
+    assert!(titled(&harness));
+}
+
+#[test]
+fn numbers_are_hidden_until_the_answer_is_shown() {
+    let mut harness = window();
+    go(&mut harness, 1);
+    assert!(harness.state().state().hides_numbers());
+    harness
+        .get_by_label("Show the numbers: Curves")
+        .click_accesskit();
+    harness.run_ok();
+    harness.get_by_label_contains("Numbers are hidden");
+    press(&mut harness, "To the question");
+    // The answer cannot be looked up before one is given.
+    assert!(harness.query_by_label("Show the answer").is_none());
+    harness
+        .get_by_role_and_label(Role::RadioButton, "Wider")
+        .click();
+    harness.run_ok();
+    press(&mut harness, "Check");
+    let first = answered(&harness).expect("an answer");
+    assert_eq!((&first.answer, first.tries), (&Answer::Choice(0), 1));
+    assert!(!revealed(&harness) && harness.state().state().hides_numbers());
+    press(&mut harness, "Show the answer");
+    let shown = answered(&harness).expect("an answer");
+    assert_eq!((shown.looked_up, shown.tries), (1, 1));
+    assert!(revealed(&harness) && !harness.state().state().hides_numbers());
+    assert!(
+        harness
+            .query_by_label_contains("A higher power of")
+            .is_some()
+    );
+    assert!(harness.query_by_label("Check").is_none());
+}
+
+#[test]
+fn every_question_is_answered_by_mouse() {
+    let mut harness = window();
+    // A place.
+    go(&mut harness, 3);
+    let picture = picture_place(&harness);
+    let click = |harness: &mut Harness<'_, App>, at: Pos2| {
+        harness.hover_at(at);
+        harness.run_ok();
+        harness.drag_at(at);
+        harness.run_ok();
+        harness.drop_at(at);
+        harness.run_ok();
+    };
+    click(&mut harness, picture.center() + vec2(-150.0, 100.0));
+    press(&mut harness, "Check");
+    assert!(!revealed(&harness));
+    click(&mut harness, picture.center() + vec2(60.0, -75.0));
+    press(&mut harness, "Check");
+    let given = answered(&harness).expect("an answer");
+    assert!(given.grade.right, "{given:?}");
+    assert_eq!(given.tries, 2);
+    // A curve: from the left to the right at the height of a cosine.
+    next(&mut harness);
+    draw(&mut harness, |share| {
+        (180.0 * share).to_radians().cos().max(0.0)
+    });
+    press(&mut harness, "Check");
+    let given = answered(&harness).expect("an answer");
+    assert!(given.grade.right, "{given:?}");
+    next(&mut harness);
+    draw(&mut harness, |_| 0.05);
+    press(&mut harness, "Check");
+    assert!(!revealed(&harness));
+    // A setting. What was said of one is not said of another.
+    next(&mut harness);
+    press(&mut harness, "Check");
+    assert!(!revealed(&harness));
+    assert!(harness.query_by_label("Not right yet.").is_some());
+    hands::enter(&mut harness, "n specular exponent", 45.3);
+    assert!(harness.query_by_label("Not right yet.").is_none());
+    press(&mut harness, "Check");
+    assert!(revealed(&harness));
+    // An order, in which the last two are the wrong way round.
+    next(&mut harness);
+    for _ in 0..3 {
+        let order = harness
+            .state()
+            .state()
+            .course
+            .open
+            .as_ref()
+            .expect("a lesson")
+            .draft
+            .order
+            .clone();
+        let wrong = (1..3).find(|place| order[place - 1] < order[*place]);
+        if let Some(place) = wrong {
+            let names = ["$n = 10$", "$n = 30$", "$n = 90$"];
+            press(&mut harness, &format!("Move up: {}", names[order[place]]));
+        }
+    }
+    press(&mut harness, "Check");
+    let given = answered(&harness).expect("an answer");
+    assert_eq!(given.answer, Answer::Order(vec![2, 1, 0]));
+    assert!(given.grade.right);
+    // A match.
+    next(&mut harness);
+    press(&mut harness, "Check");
+    assert!(!revealed(&harness));
+    hands::enter(&mut harness, "Kd diffuse coefficient", 0.3);
+    hands::enter(&mut harness, "n specular exponent", 60.0);
+    press(&mut harness, "Check");
+    assert!(revealed(&harness));
+    press(&mut harness, "Finish");
+    harness.run_ok();
+    let course = &harness.state().state().course;
+    assert!(course.open.is_none() && course.kept.done.contains("kinds"));
+    assert_eq!(
+        course
+            .kept
+            .record("kinds")
+            .map(|record| record.answers.len()),
+        Some(6)
+    );
+}
+
+/// Draws a curve of heights from 0 to 1 over the share of the width.
+fn draw(harness: &mut Harness<'_, App>, height: impl Fn(f32) -> f32) {
+    let area = harness.get_by_role(Role::Canvas).rect();
+    // The axes stand at the left and below.
+    let (left, right) = (area.min.x + 22.0, area.max.x - 8.0);
+    let (top, bottom) = (area.min.y + 20.0, area.max.y - 20.0);
+    let at = |share: f32| {
+        pos2(
+            left + share * (right - left),
+            bottom - height(share) * (bottom - top),
+        )
+    };
+    harness.drag_at(at(0.0));
+    harness.run_ok();
+    for index in 1..=20 {
+        harness.hover_at(at(index as f32 / 20.0));
+        harness.run_ok();
+    }
+    harness.drop_at(at(1.0));
+    harness.run_ok();
+}
+
+#[test]
+fn the_keyboard_alone_is_enough() {
+    let mut harness = window();
+    next(&mut harness);
+    tab_to(
+        &mut harness,
+        Role::RadioButton,
+        "Narrower: $(R·V)^n$ falls faster, and that is seen as a smaller spot on the ball",
+    );
+    harness.key_press(Key::Enter);
+    harness.run_ok();
+    tab_to(&mut harness, Role::Button, "Check");
+    harness.key_press(Key::Enter);
+    harness.run_ok();
+    assert!(answered(&harness).is_some_and(|answered| answered.grade.right));
+    // A presenter's remote works whatever has the focus.
+    next(&mut harness);
+    tab_to(&mut harness, Role::TextInput, "Your answer");
+    type_text(&mut harness, "1/3");
+    harness.key_press(Key::Enter);
+    harness.run_ok();
+    assert!(!revealed(&harness));
+    // The next try goes on in the field.
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    type_text(&mut harness, "1/2");
+    harness.key_press(Key::Enter);
+    harness.run_ok();
+    harness.run_ok();
+    assert!(answered(&harness).is_some_and(|answered| answered.grade.right));
+    next(&mut harness);
+    harness.key_press(Key::F3);
+    harness.run_ok();
+    for _ in 0..6 {
+        harness.key_press_modifiers(Modifiers::SHIFT, Key::ArrowRight);
+        harness.key_press_modifiers(Modifiers::SHIFT, Key::ArrowUp);
+        harness.run_ok();
+    }
+    harness.key_press(Key::Enter);
+    harness.run_ok();
+    let given = answered(&harness).expect("an answer");
+    assert!(given.grade.right, "{given:?}");
+    next(&mut harness);
+    tab_to(
+        &mut harness,
+        Role::Canvas,
+        "Drawing of cos θ over θ, degrees",
+    );
+    for _ in 0..20 {
+        harness.key_press(Key::ArrowLeft);
+        harness.run_ok();
+    }
+    for column in 0..17 {
+        let wanted = (column as f64 * 180.0 / 16.0).to_radians().cos().max(0.0);
+        loop {
+            let open = harness
+                .state()
+                .state()
+                .course
+                .open
+                .as_ref()
+                .expect("a lesson");
+            let draft = &open.draft;
+            let value = draft.curve[draft.cursor].unwrap_or(0.5);
+            if (value - wanted).abs() < 0.03 && draft.curve[draft.cursor].is_some() {
+                break;
+            }
+            let key = if value < wanted {
+                Key::ArrowUp
+            } else {
+                Key::ArrowDown
+            };
+            harness.key_press(key);
+            harness.run_ok();
+        }
+        harness.key_press(Key::ArrowRight);
+        harness.run_ok();
+    }
+    harness.key_press(Key::Enter);
+    harness.run_ok();
+    let given = answered(&harness).expect("an answer");
+    assert!(given.grade.right, "{given:?}");
+}
+
+#[test]
+fn answers_are_handed_in_as_a_picture() {
+    let mut harness = window();
+    go(&mut harness, 2);
+    tab_to(&mut harness, Role::TextInput, "Your answer");
+    type_text(&mut harness, "0.9");
+    press(&mut harness, "Check");
+    assert!(!revealed(&harness));
+    press(&mut harness, "File");
+    press(&mut harness, "Hand in answers…");
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("course-answers.png");
+    let _ = std::fs::remove_file(&path);
+    for (field, text) in [
+        ("Your name", "Ada"),
+        ("File", path.to_str().expect("a path")),
+    ] {
+        let field = harness.get_by_role_and_label(Role::TextInput, field);
+        field.focus();
+        harness.run_ok();
+        harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+        type_text(&mut harness, text);
+    }
+    press(&mut harness, "Write");
+    let there = path.clone();
+    assert!(wait(&mut harness, |_| there.exists()));
+    let file = std::io::BufReader::new(std::fs::File::open(&path).expect("a file"));
+    let handed_in = read_hand_in(file).expect("answers");
+    assert_eq!(
+        (&*handed_in.name, &*handed_in.record.lesson),
+        ("Ada", "kinds")
+    );
+    assert_eq!(handed_in.record.seed, 5);
+    let answers: Vec<_> = handed_in
+        .record
+        .answers
+        .iter()
+        .map(|one| &one.answer)
+        .collect();
+    assert_eq!(answers, [&Answer::Value(0.9)]);
+}
+
+/// Makes the scene the target of a match, and finds its Kd again.
+fn meet_target(harness: &mut Harness<'_, App>) {
+    hands::enter(harness, "Kd diffuse coefficient", 0.9);
+    press(harness, "File");
+    press(harness, "Set as target");
+    harness.run_ok();
+    ready(harness);
+    assert_eq!(scene(harness).material.kd.x, 0.5);
+    hands::enter(harness, "Kd diffuse coefficient", 0.9);
+    press(harness, "Check");
+    assert!(revealed(harness));
+}
+
+#[test]
+fn the_scene_in_view_becomes_the_target_of_a_match() {
+    let mut harness = hands::window("sphere");
+    meet_target(&mut harness);
+    go(&mut harness, 3);
+    let open = harness.state().state().course.open.as_ref();
+    assert_eq!(open.expect("a lesson").lesson.steps.len(), 4);
+}
+
+#[test]
+fn so_does_a_scene_from_a_file() {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("target scene.toml");
+    let built_in = hands::built_in("torus");
+    let own = built_in.scene.with_overrides(&["material.n=77"]);
+    save_scene(&path, &own.expect("settings")).expect("a file");
+    let mut harness = hands::window_of(load(&path).expect("a scene"));
+    meet_target(&mut harness);
+    assert_eq!(scene(&harness).material.n, 77.0);
+}
+
+#[test]
+fn a_question_out_of_sight_has_a_way_down_to_it() {
+    let seen = |harness: &Harness<'_, App>| {
+        harness
+            .query_by_role_and_label(Role::Button, "To the question")
+            .is_some()
+    };
+    let mut high = window();
+    go(&mut high, 1);
+    assert!(!seen(&high));
+    let mut low = window_of(lesson(), [1280.0, 260.0]);
+    go(&mut low, 1);
+    assert!(seen(&low));
+    low.get_by_role_and_label(Role::Button, "To the question")
+        .click();
+    for _ in 0..3 {
+        low.run_ok();
+    }
+    assert!(!seen(&low));
+}
+
+/// The addresses that the desktop is asked to open in the next frames.
+fn addresses(harness: &mut Harness<'_, App>) -> Vec<String> {
+    let mut all = Vec::new();
+    for _ in 0..4 {
+        harness.step();
+        let commands = &harness.output().platform_output.commands;
+        all.extend(commands.iter().filter_map(|command| match command {
+            OutputCommand::OpenUrl(open) => Some(open.url.clone()),
+            _ => None,
+        }));
+    }
+    all
+}
+
+#[test]
+fn a_lesson_opens_pages_and_letters_and_nothing_else() {
+    let closed = [
+        ("closed script", "javascript:alert(1)"),
+        ("closed Script", "JaVaScRiPt:alert(1)"),
+        ("closed data", "data:text/html,x"),
+        ("closed file", "file:///etc/passwd"),
+        ("closed share", "smb://host/share"),
+        ("closed login", "ssh://host"),
+        ("closed beside", "other.html"),
+    ];
+    let links: String = closed
+        .iter()
+        .map(|(words, address)| format!("[{words}]({address})\n\n"))
+        .collect();
+    let text = format!(
+        "+++\nlesson = 1\nname = \"links\"\ntitle = \"Links\"\n+++\n\n## Links\n\n\
+         [page](https://example.org/?a=1) [letter](mailto:a@example.org) [[nested](x)](javascript:y)\n\n{links}\
+         ```step\nscene = \"sphere\"\n```\n"
+    );
+    let mut harness = window_with(Lesson::read(&text, None).expect("a lesson"));
+    // One in the status bar leads to a view.
+    let shown = harness.get_all_by_role(Role::Link);
+    let shown = shown.filter_map(|node| node.accesskit_node().label());
+    let shown: Vec<_> = shown
+        .filter(|words| !words.starts_with("left out"))
+        .collect();
+    assert_eq!(shown, ["page", "letter"]);
+    for (words, _) in closed {
+        let mut shown = harness.query_all_by_label_contains(words);
+        assert!(shown.next().is_some(), "{words}");
+    }
+    for (words, address) in [
+        ("page", "https://example.org/?a=1"),
+        ("letter", "mailto:a@example.org"),
+    ] {
+        harness
+            .get_by_role_and_label(Role::Link, words)
+            .click_accesskit();
+        assert_eq!(addresses(&mut harness), [address]);
+    }
+    // Nor does anything else in the window get past.
+    for (_, address) in closed {
+        harness.ctx.open_url(OpenUrl::same_tab(address));
+        assert_eq!(addresses(&mut harness), [""; 0], "{address}");
+    }
+}

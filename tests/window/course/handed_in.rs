@@ -1,0 +1,151 @@
+//! A picture that was handed in, opened in the window: by whom, to which lesson, each answer with its mark.
+
+use super::lesson;
+use crate::common::hands::{self, press, scene, wait};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+use shading_lab::app::{App, Look, ViewName};
+use shading_lab::document::load;
+use shading_lab::lesson::{ANSWERS_KEYWORD, Answer, Answered, Grade, Record, find, hand_in_bytes};
+use shading_lab::picture::{SCENE_KEYWORD, read_texts, write_png};
+use shading_lab::render::Frame;
+use shading_lab::scene::Scene;
+use std::path::{Path, PathBuf};
+
+fn answered(step: usize, prediction: Answer, answer: Answer) -> Answered {
+    let tries = if prediction == answer { 1 } else { 3 };
+    Answered {
+        step,
+        prediction,
+        answer,
+        grade: Grade::default(),
+        looked_up: 0,
+        tries,
+        seconds: 12.4,
+    }
+}
+
+/// A choice that is wrong, a number that is right in the end, and an order that is right.
+fn record() -> Record {
+    let mut record = Record::new("kinds", 5);
+    record.put(answered(1, Answer::Choice(0), Answer::Choice(0)));
+    record.put(answered(2, Answer::Value(0.9), Answer::Value(0.5)));
+    let order = Answer::Order(vec![2, 1, 0]);
+    record.put(answered(7, order.clone(), order));
+    record
+}
+
+fn write(name: &str, bytes: &[u8]) -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    std::fs::write(&path, bytes).expect("a file");
+    path
+}
+
+fn frame() -> Frame {
+    Frame {
+        width: 8,
+        height: 8,
+        pixels: vec![[10, 20, 30, 255]; 64],
+    }
+}
+
+fn picture() -> Vec<u8> {
+    hand_in_bytes(
+        &frame(),
+        &Scene::default(),
+        &lesson(),
+        &record(),
+        "Ada Lovelace",
+    )
+    .expect("a picture")
+}
+
+fn opened(path: &Path) -> Harness<'static, App> {
+    let loaded = load(path).expect("a scene");
+    hands::window_looking(loaded, [1280.0, 800.0], &Look::default(), |app| app)
+}
+
+fn show_course(harness: &mut Harness<'_, App>) {
+    if !harness.state().state().shows(ViewName::Course) {
+        press(harness, "Course");
+    }
+}
+
+fn says(harness: &Harness<'_, App>, words: &str) -> bool {
+    harness.query_all_by_label(words).next().is_some()
+}
+
+#[test]
+fn who_answered_what_stands_beside_the_picture_with_its_marks() {
+    let mut harness = opened(&write("handed-in.png", &picture()));
+    assert!(wait(&mut harness, |harness| says(harness, "2 of 8 right")));
+    for words in ["Ada Lovelace", "Every kind of question", "Question 8"] {
+        assert!(says(&harness, words), "{words}");
+    }
+    assert_eq!(harness.query_all_by_label("right").count(), 2);
+    assert_eq!(harness.query_all_by_label("wrong").count(), 1);
+    // What was given first, what in the end, and what is right.
+    for words in ["0.900 units", "0.500 units", "Wider", "3 tries · 12 s"] {
+        assert!(says(&harness, words), "{words}");
+    }
+    let right = harness.query_all_by_label("Right answer").count();
+    assert_eq!(right, 4, "where the answer is not right, and is no curve");
+
+    // They belong to this picture.
+    press(&mut harness, "Next scene");
+    show_course(&mut harness);
+    assert!(!says(&harness, "Ada Lovelace") && says(&harness, "Ambient light"));
+    hands::undo(&mut harness);
+    show_course(&mut harness);
+    assert!(says(&harness, "Ada Lovelace"));
+    // The lessons are a step away, and so is the way back.
+    press(&mut harness, "Lessons");
+    assert!(!says(&harness, "Ada Lovelace"));
+    harness.get_by_label("Answers handed in").click_accesskit();
+    harness.run_ok();
+    assert!(says(&harness, "Ada Lovelace"));
+    assert_eq!(*scene(&harness), Scene::default());
+}
+
+#[test]
+fn answers_to_a_lesson_of_the_program_are_marked_as_well() {
+    let lesson = find("diffuse").expect("a lesson").lesson();
+    let record = Record::new("diffuse", 1);
+    let bytes = hand_in_bytes(&frame(), &Scene::default(), &lesson, &record, "");
+    let path = write("handed-in-empty.png", &bytes.expect("a picture"));
+    let mut harness = opened(&path);
+    let count = lesson
+        .steps
+        .iter()
+        .filter(|step| step.question.is_some())
+        .count();
+    let right = format!("0 of {count} right");
+    assert!(wait(&mut harness, |harness| says(harness, &right)));
+    assert!(says(&harness, "handed-in-empty.png"), "who gave no name");
+    assert_eq!(harness.query_all_by_label("none").count(), count);
+}
+
+#[test]
+fn answers_that_were_changed_do_not_count() {
+    let path = write("handed-in-changed.png", &changed(&picture()));
+    let harness = opened(&path);
+    let why = "These answers do not count: the answers were changed after they were handed in.";
+    assert!(says(&harness, why));
+    // A picture without answers is one like any other.
+    let mut plain = Vec::new();
+    write_png(&mut plain, &frame(), Some(&Scene::default()), &[]).expect("a picture");
+    let harness = opened(&write("plain.png", &plain));
+    assert!(harness.state().state().course.shown_hand_in().is_none());
+}
+
+/// The same picture with another name in it.
+fn changed(bytes: &[u8]) -> Vec<u8> {
+    let wanted = [(ANSWERS_KEYWORD, 1 << 20), (SCENE_KEYWORD, 1 << 20)];
+    let [answers, scene] = read_texts(std::io::Cursor::new(bytes), wanted).expect("texts");
+    let answers = answers.expect("answers").replace("Ada", "Eve");
+    let scene = scene.expect("a scene");
+    let texts = [(ANSWERS_KEYWORD, &*answers), (SCENE_KEYWORD, &*scene)];
+    let mut bytes = Vec::new();
+    write_png(&mut bytes, &frame(), None, &texts).expect("a picture");
+    bytes
+}

@@ -1,0 +1,159 @@
+//! A lesson whose step is not what is shown: what it hides, locks and draws holds for its own scenes alone.
+
+use super::{go, ready, step, window};
+use crate::common::hands::{self, press, scene};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, Modifiers};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+use shading_lab::app::App;
+use shading_lab::document::{load, save_scene};
+use std::path::Path;
+
+const BACK: &str = "Back to the lesson";
+
+/// Leads to another scene.
+type Way<'w> = dyn Fn(&mut Harness<'_, App>) + 'w;
+
+/// Whether the lesson's locks hold, which must be the same everywhere.
+fn hides(harness: &mut Harness<'_, App>) -> bool {
+    hands::open_view(harness, "Equation");
+    let said = harness
+        .query_by_label_contains("Numbers are hidden")
+        .is_some();
+    let back = harness
+        .query_by_role_and_label(Role::Button, BACK)
+        .is_some();
+    let state = harness.state().state();
+    assert_eq!((state.hides_numbers(), said), (said, said));
+    assert_eq!(back, !said, "there is a way back where the lesson was left");
+    said
+}
+
+/// Opens a scene from the gallery, by its title.
+fn choose_scene(harness: &mut Harness<'_, App>, title: &str) {
+    press(harness, "File");
+    press(harness, "Scenes…");
+    press(harness, title);
+    harness.run_ok();
+}
+
+fn paste(harness: &mut Harness<'_, App>, text: &str) {
+    harness.event(eframe::egui::Event::Paste(text.to_owned()));
+    harness.run_ok();
+    harness.run_ok();
+}
+
+fn open(harness: &mut Harness<'_, App>, path: &Path) {
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::O);
+    harness.run_ok();
+    let field = harness.get_by_role_and_label(Role::TextInput, "File");
+    field.type_text(&path.display().to_string());
+    harness.run_ok();
+    press(harness, "Open");
+    let title = path.file_name().expect("a name").to_string_lossy();
+    assert!(hands::wait(harness, |harness| {
+        harness.state().state().document.origin.name() == title
+    }));
+    harness.run_ok();
+}
+
+/// The steps from 1 on hide numbers until their question is answered.
+fn at_the_choice() -> Harness<'static, App> {
+    let mut harness = window();
+    go(&mut harness, 1);
+    assert!(hides(&mut harness));
+    harness
+}
+
+#[test]
+fn another_scene_shows_its_numbers_and_a_way_back() {
+    let mut harness = at_the_choice();
+    // The scene that the step shows too, as it comes with the program.
+    choose_scene(&mut harness, "One sphere, one lamp");
+    assert_ne!(scene(&harness).material.n, 20.0);
+    assert!(!hides(&mut harness));
+    // What the step asks is about its own scene.
+    press(&mut harness, "Course");
+    assert!(
+        harness
+            .query_by_role_and_label(Role::RadioButton, "Wider")
+            .is_none()
+    );
+    press(&mut harness, BACK);
+    harness.run_ok();
+    assert_eq!((step(&harness), scene(&harness).material.n), (1, 20.0));
+    let wider = harness.get_by_role_and_label(Role::RadioButton, "Wider");
+    wider.click();
+    assert!(hides(&mut harness));
+}
+
+#[test]
+fn every_way_to_another_scene_leaves_the_lesson_and_undo_returns_to_it() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("course-left");
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let file = folder.join("own.toml");
+    save_scene(&file, &load(Path::new("sphere")).expect("a scene").scene).expect("a file");
+    let gallery = |harness: &mut Harness<'_, App>| choose_scene(harness, "Measured gold");
+    let opened = |harness: &mut Harness<'_, App>| open(harness, &file);
+    let link = |harness: &mut Harness<'_, App>| paste(harness, "?scene=gold&set=material.n=5");
+    let ways: [(&str, &Way); 3] = [
+        ("the gallery", &gallery),
+        ("a file", &opened),
+        ("a link", &link),
+    ];
+    for (way, go) in ways {
+        let mut harness = at_the_choice();
+        go(&mut harness);
+        assert!(!hides(&mut harness), "{way}");
+        hands::undo(&mut harness);
+        assert!(hides(&mut harness), "undo of {way}");
+        harness.key_press_modifiers(Modifiers::COMMAND, Key::Y);
+        harness.run();
+        assert!(!hides(&mut harness), "redo of {way}");
+        // The lesson goes on.
+        harness.key_press(Key::PageDown);
+        harness.run_ok();
+        ready(&mut harness);
+        assert_eq!(step(&harness), 2, "{way}");
+        assert!(harness.state().state().shows_step(), "{way}");
+    }
+}
+
+#[test]
+fn what_a_step_draws_and_locks_stays_with_its_scene() {
+    let mut harness = window();
+    go(&mut harness, 3);
+    let state = |harness: &Harness<'_, App>| {
+        let state = harness.state().state();
+        let overlay = &state.look.overlay;
+        let drawn = state.course.mark().is_some();
+        (state.course.asks_point(), drawn, overlay.vectors)
+    };
+    let place = hands::picture_place(&harness).center();
+    harness.hover_at(place);
+    harness.drag_at(place);
+    harness.drop_at(place);
+    harness.run_ok();
+    assert_eq!(state(&harness), (true, true, false));
+    choose_scene(&mut harness, "Measured gold");
+    assert_eq!(
+        state(&harness),
+        (false, false, true),
+        "vectors as before the lesson"
+    );
+    let eye = scene(&harness).camera.eye;
+    harness.key_press(Key::D);
+    harness.run();
+    assert_ne!(scene(&harness).camera.eye, eye, "the camera is free");
+    let link = harness.state().state().link().expect("a link").link;
+    assert!(!link.contains("lesson="), "{link}");
+    press(&mut harness, BACK);
+    harness.run_ok();
+    assert_eq!(
+        state(&harness),
+        (true, true, false),
+        "the mark is there again"
+    );
+}

@@ -1,0 +1,79 @@
+//! The window as a figure in another page: the picture and the controls that its link names.
+
+use crate::common::hands::{built_in, scene, window_looking};
+use eframe::egui::accesskit::Role;
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+use shading_lab::app::{App, Look};
+use shading_lab::link::read;
+
+fn figure(name: &str, size: [f32; 2], controls: &[&str]) -> Harness<'static, App> {
+    let controls: Vec<String> = controls.iter().map(|&word| word.to_owned()).collect();
+    // What is remembered of the window itself does not reach the figure.
+    let look = Look {
+        projector: true,
+        controls: false,
+        ..Look::default()
+    };
+    window_looking(built_in(name), size, &look, |app| app.embedded(&controls))
+}
+
+#[test]
+fn a_figure_has_its_picture_and_the_controls_named() {
+    for size in [[340.0, 360.0], [480.0, 420.0], [900.0, 600.0]] {
+        let words = ["n", "material.ks", "light", "mode", "nothing"];
+        let mut harness = figure("sphere", size, &words);
+        let fields =
+            |name: &str, role: Role| harness.query_all_by_role_and_label(role, name).count();
+        assert_eq!(fields("n specular exponent", Role::Slider), 1, "{size:?}");
+        assert_eq!(fields("Ks specular coefficient", Role::Slider), 1);
+        assert_eq!(fields("Kd diffuse coefficient", Role::Slider), 0);
+        assert_eq!(harness.query_all_by_role(Role::Tab).count(), 0, "no rail");
+        assert!(
+            harness
+                .query_by_label("no control is called nothing")
+                .is_some()
+        );
+        let picture = harness.get_by_role(Role::Image).rect();
+        assert!(picture.width() >= size[0] - 1.0, "{picture:?}");
+        assert!(picture.height() >= 0.3 * size[1], "{picture:?}");
+        harness
+            .get_by_role_and_label(Role::Slider, "n specular exponent")
+            .set_value_accesskit(5.0);
+        harness.run_ok();
+        assert_eq!(scene(&harness).material.n, 5.0);
+    }
+}
+
+#[test]
+fn a_figure_without_controls_is_its_picture() {
+    let harness = figure("torus", [400.0, 300.0], &[]);
+    let picture = harness.get_by_role(Role::Image).rect();
+    assert!(picture.height() > 230.0, "{picture:?}");
+    assert_eq!(harness.query_all_by_role(Role::Slider).count(), 0);
+}
+
+#[test]
+fn the_figures_of_the_example_work() {
+    let notes = include_str!("../../docs/embedding.html");
+    let links: Vec<String> = notes
+        .split("src=\"./")
+        .skip(1)
+        .filter_map(|rest| rest.split('"').next())
+        .map(|link| link.replace("&amp;", "&"))
+        .collect();
+    assert_eq!(links.len(), 3);
+    for link in links {
+        let shown = read(&link).expect("a link").shown;
+        assert!(shown.embed && !shown.controls.is_empty());
+        let words: Vec<&str> = shown.controls.iter().map(String::as_str).collect();
+        let harness = figure(&link, [600.0, 432.0], &words);
+        for word in words {
+            let missing = format!("no control is called {word}");
+            assert!(harness.query_by_label(&missing).is_none(), "{link}: {word}");
+        }
+        let rows = [Role::Slider, Role::ComboBox, Role::SpinButton];
+        let rows = rows.map(|role| harness.query_all_by_role(role).count());
+        assert!(rows.into_iter().sum::<usize>() > 0, "{link}");
+    }
+}

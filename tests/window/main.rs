@@ -1,0 +1,26 @@
+//! The window, without a screen where possible.
+
+#[path = "../common/fixtures.rs"]
+#[allow(dead_code, reason = "each program takes what it needs")]
+mod common;
+
+mod conditions_panel;
+mod controls;
+mod course;
+mod desktop;
+mod embed;
+mod film;
+mod keyboard;
+mod layout;
+mod light_handles;
+mod links;
+mod monkey;
+mod panels;
+mod point;
+mod saving;
+mod scanline;
+mod slider_time;
+mod smooth_edges;
+mod study_panel;
+mod textures;
+mod touch;

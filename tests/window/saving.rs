@@ -1,0 +1,542 @@
+//! What is saved and what is not lost: questions before files are replaced and before a changed scene is closed, and work
+//! that is kept for the next start.
+
+use crate::common::hands;
+use crate::common::hands::{enter, open_view, press, scene, undo, wait, window, window_with};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, Modifiers, ViewportCommand, ViewportEvent, ViewportId};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
+use shading_lab::app::{App, Origin, ViewName};
+use shading_lab::document::{load, save_scene};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+type Window = Harness<'static, App>;
+
+/// A folder of a test's own, removed at its end.
+struct Folder(PathBuf);
+
+impl Folder {
+    fn new(name: &str) -> Self {
+        let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("saving-{name}"));
+        let _ = fs::remove_dir_all(&path);
+        fs::create_dir_all(&path).expect("a folder");
+        Self(path)
+    }
+
+    fn path(&self, name: &str) -> String {
+        self.0.join(name).display().to_string()
+    }
+
+    fn names(&self) -> Vec<String> {
+        let entries = fs::read_dir(&self.0)
+            .expect("a folder")
+            .map(|entry| entry.expect("an entry").file_name());
+        let mut names: Vec<String> = entries
+            .map(|name| name.to_string_lossy().into_owned())
+            .collect();
+        names.sort();
+        names
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = fs::remove_dir_all(&self.0);
+    }
+}
+
+fn change(window: &mut Window, n: f64) {
+    window
+        .get_by_role_and_label(Role::Slider, "n specular exponent")
+        .set_value_accesskit(n);
+    window.run();
+}
+
+/// Opens a dialog by its keys, puts a path in its field and presses its button.
+fn save_as(window: &mut Window, (modifiers, key): (Modifiers, Key), path: &str, button: &str) {
+    window.key_press_modifiers(modifiers, key);
+    window.run();
+    fill_in(window, path, button);
+}
+
+fn fill_in(window: &mut Window, path: &str, button: &str) {
+    // What the field suggests goes.
+    window.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    window.run();
+    window
+        .get_by_role_and_label(Role::TextInput, "File")
+        .type_text(path);
+    window.run();
+    press(window, button);
+}
+
+const SAVE_AS: (Modifiers, Key) = (
+    Modifiers {
+        shift: true,
+        ..Modifiers::COMMAND
+    },
+    Key::S,
+);
+const EXPORT: (Modifiers, Key) = (Modifiers::COMMAND, Key::E);
+
+fn asks(window: &Harness<'_, App>, question: &str) -> bool {
+    window.query_by_label_contains(question).is_some()
+}
+
+#[test]
+fn a_name_without_an_ending_is_given_one_that_opens() {
+    let folder = Folder::new("ending");
+    let mut window = window("sphere");
+    save_as(&mut window, SAVE_AS, &folder.path("myscene"), "Save");
+    save_as(&mut window, SAVE_AS, &folder.path("version.2"), "Save");
+    save_as(&mut window, EXPORT, &folder.path("picture"), "Export");
+    assert!(wait(&mut window, |window| asks(window, "Exported")));
+    assert_eq!(
+        folder.names(),
+        ["myscene.toml", "picture.png", "version.2.toml"]
+    );
+    for name in folder.names() {
+        assert_eq!(
+            load(&folder.0.join(&name)).expect(&name).scene.material,
+            scene(&window).material
+        );
+    }
+    assert_eq!(
+        window.state().state().document.origin,
+        Origin::File(folder.0.join("version.2.toml"))
+    );
+}
+
+#[test]
+fn no_file_is_replaced_without_a_question() {
+    let folder = Folder::new("replace");
+    fs::write(folder.0.join("old.toml"), "old").expect("a file");
+    fs::write(folder.0.join("old.png"), "old").expect("a file");
+    let old = |name: &str| fs::read(folder.0.join(name)).expect("a file") == b"old";
+    let mut window = window("sphere");
+    save_as(&mut window, SAVE_AS, &folder.path("old"), "Save");
+    assert!(asks(&window, "Replace the file?") && old("old.toml"));
+    press(&mut window, "Back");
+    fill_in(&mut window, &folder.path("new.toml"), "Save");
+    assert!(old("old.toml") && folder.0.join("new.toml").is_file());
+    // The document's own file is no other one's.
+    save_as(&mut window, SAVE_AS, &folder.path("new.toml"), "Save");
+    assert!(!asks(&window, "Replace the file?"));
+    save_as(&mut window, EXPORT, &folder.path("old.png"), "Export");
+    assert!(asks(&window, "Replace the file?"));
+    press(&mut window, "Replace");
+    assert!(wait(&mut window, |window| asks(window, "Exported")) && !old("old.png"));
+    save_as(&mut window, SAVE_AS, &folder.path("old"), "Save");
+    press(&mut window, "Replace");
+    assert!(!old("old.toml"));
+    // Shaders go to two files; either may be there already.
+    fs::write(folder.0.join("old.frag"), "old").expect("a file");
+    window.key_press_modifiers(Modifiers::COMMAND, Key::U);
+    window.run();
+    window
+        .get_by_role_and_label(Role::Tab, "GLSL 330")
+        .click_accesskit();
+    window.run();
+    assert!(wait(&mut window, |window| asks(window, "lines")));
+    press(&mut window, "Save…");
+    fill_in(&mut window, &folder.path("old.vert"), "Save");
+    assert!(asks(&window, "old.frag already exists") && old("old.frag"));
+    press(&mut window, "Replace");
+    assert!(!old("old.frag"));
+}
+
+#[test]
+fn an_export_that_is_cancelled_writes_nothing() {
+    let folder = Folder::new("cancelled");
+    let mut window = window("sphere");
+    window.key_press_modifiers(EXPORT.0, EXPORT.1);
+    window.run();
+    enter(&mut window, "Samples per pixel", 1024.0);
+    fill_in(&mut window, &folder.path("picture.png"), "Export");
+    assert!(asks(&window, "Drawing "));
+    window
+        .get_by_role_and_label(Role::Button, "Cancel")
+        .click_accesskit();
+    window.run();
+    assert!(!asks(&window, "Drawing "));
+    std::thread::sleep(std::time::Duration::from_secs(2));
+    window.run();
+    assert!(folder.names().is_empty() && !asks(&window, "Exported"));
+}
+
+#[test]
+fn no_shortcut_acts_while_a_file_is_opened() {
+    let folder = Folder::new("opening");
+    // A model that takes long enough to read for a few frames.
+    let large = "v 0 0 0\nv 1 0 0\nv 0 1 0\n".repeat(300_000) + "f 1 2 3\n";
+    fs::write(folder.0.join("large.obj"), large).expect("a model");
+    let mut window = window("sphere");
+    change(&mut window, 7.0);
+    let before = scene(&window).clone();
+    window.key_press_modifiers(Modifiers::COMMAND, Key::O);
+    window.run();
+    window
+        .get_by_role_and_label(Role::TextInput, "File")
+        .type_text(&folder.path("large.obj"));
+    window.run();
+    window
+        .get_by_role_and_label(Role::Button, "Open")
+        .click_accesskit();
+    let opening = |window: &mut Window| {
+        window.step();
+        asks(window, "Opening ")
+    };
+    assert!((0..9).any(|_| opening(&mut window)));
+    for (modifiers, key) in [
+        (Modifiers::NONE, Key::Num1),
+        (Modifiers::COMMAND, Key::Z),
+        SAVE_AS,
+    ] {
+        window.key_press_modifiers(modifiers, key);
+        window.step();
+    }
+    assert!(opening(&mut window));
+    assert_eq!(scene(&window), &before, "a shortcut has acted");
+    assert!(
+        !asks(&window, "Save the scene"),
+        "a shortcut has opened a dialog"
+    );
+    window
+        .get_by_role_and_label(Role::Button, "Cancel")
+        .click_accesskit();
+    window.run();
+    assert!(!asks(&window, "Opening "));
+    assert_eq!(scene(&window), &before);
+}
+
+/// What the window does when its close button is pressed: whether it stays.
+fn stays_when_closed(window: &mut Window) -> bool {
+    let viewport = window
+        .input_mut()
+        .viewports
+        .entry(ViewportId::ROOT)
+        .or_default();
+    viewport.events.push(ViewportEvent::Close);
+    window.step();
+    let stays = commands(window).contains(&ViewportCommand::CancelClose);
+    window
+        .input_mut()
+        .viewports
+        .entry(ViewportId::ROOT)
+        .or_default()
+        .events
+        .clear();
+    window.run();
+    stays
+}
+
+fn commands(window: &Window) -> Vec<ViewportCommand> {
+    window.output().viewport_output[&ViewportId::ROOT]
+        .commands
+        .clone()
+}
+
+/// Presses a button and looks whether the window closes for it.
+fn closes_by(window: &mut Window, button: &str) -> bool {
+    window
+        .get_by_role_and_label(Role::Button, button)
+        .click_accesskit();
+    (0..4).any(|_| {
+        window.step();
+        commands(window).contains(&ViewportCommand::Close)
+    })
+}
+
+#[test]
+fn a_changed_scene_is_not_closed_without_a_question() {
+    let folder = Folder::new("close");
+    let mut window = window("sphere");
+    assert!(!stays_when_closed(&mut window), "nothing is lost by it");
+    change(&mut window, 7.0);
+    assert!(stays_when_closed(&mut window) && asks(&window, "Save the changes to sphere?"));
+    press(&mut window, "Cancel");
+    assert!(!asks(&window, "Save the changes") && scene(&window).material.n == 7.0);
+    window.key_press_modifiers(Modifiers::COMMAND, Key::Q);
+    window.run();
+    assert!(asks(&window, "Save the changes to sphere?"));
+    // Saving asks for a name; leaving that question stays, too.
+    press(&mut window, "Save");
+    press(&mut window, "Cancel");
+    save_as(&mut window, SAVE_AS, &folder.path("first"), "Save");
+    assert!(
+        !commands(&window).contains(&ViewportCommand::Close),
+        "saving alone does not close"
+    );
+    change(&mut window, 8.0);
+    assert!(stays_when_closed(&mut window));
+    assert!(closes_by(&mut window, "Save"), "it has a file by now");
+    assert_eq!(
+        load(&folder.0.join("first.toml"))
+            .expect("a scene")
+            .scene
+            .material
+            .n,
+        8.0
+    );
+    assert!(!stays_when_closed(&mut window));
+}
+
+#[test]
+fn a_changed_scene_can_be_closed_without_saving() {
+    let mut window = window("sphere");
+    change(&mut window, 7.0);
+    assert!(stays_when_closed(&mut window));
+    assert!(closes_by(&mut window, "Close without saving"));
+    assert!(!stays_when_closed(&mut window));
+}
+
+/// A window that keeps its work in `folder`.
+fn keeping(source: &str, folder: &Path) -> Window {
+    window_with(source, |app| app.with_recovery(folder))
+}
+
+/// The kept scenes, once none is being written.
+fn kept(window: &mut Window, folder: &Folder) -> Vec<String> {
+    // Five seconds of the window's time.
+    window.run_steps(20);
+    std::thread::sleep(std::time::Duration::from_millis(300));
+    window.run();
+    folder
+        .names()
+        .into_iter()
+        .filter(|name| name.ends_with(".toml"))
+        .collect()
+}
+
+#[test]
+fn work_is_offered_again_after_a_window_that_was_not_closed() {
+    let folder = Folder::new("crash");
+    let mut first = keeping("torus", &folder.0);
+    assert!(kept(&mut first, &folder).is_empty(), "nothing has changed");
+    change(&mut first, 7.0);
+    open_view(&mut first, "Profile");
+    // Where the probe stands and which pane is worked on are kept with it.
+    first.key_press_modifiers(Modifiers::SHIFT, Key::ArrowLeft);
+    first.key_press(Key::K);
+    first.run();
+    first.key_press(Key::N);
+    first.run();
+    let looked_at = |window: &Window| {
+        let state = window.state().state();
+        (state.probe, state.line, state.panes.active, state.look.view)
+    };
+    let before = looked_at(&first);
+    assert_eq!((before.2, before.3), (1, ViewName::Profile));
+    assert_eq!(kept(&mut first, &folder), ["0.toml"]);
+    // Another window has its own file and leaves this one's alone.
+    let mut second = keeping("sphere", &folder.0);
+    assert!(!asks(&second, "Restore unsaved work?"));
+    change(&mut second, 9.0);
+    assert_eq!(kept(&mut second, &folder), ["0.toml", "1.toml"]);
+    drop(first);
+    let mut third = keeping("cube", &folder.0);
+    assert!(asks(&third, "unsaved changes to torus"));
+    press(&mut third, "Restore");
+    assert!(wait(&mut third, |window| scene(window).material.n == 7.0));
+    assert_eq!(looked_at(&third), before);
+    let state = third.state().state();
+    assert!(state.modified() && state.document.origin == Origin::BuiltIn("torus".to_owned()));
+    assert_eq!(
+        kept(&mut third, &folder),
+        ["0.toml", "1.toml"],
+        "what is restored is as unsaved as before"
+    );
+    assert!(stays_when_closed(&mut third) && closes_by(&mut third, "Close without saving"));
+    assert!(!stays_when_closed(&mut third));
+    assert_eq!(
+        kept(&mut third, &folder),
+        ["1.toml"],
+        "who closes does not want it back"
+    );
+    drop((second, third));
+    let mut fourth = keeping("cube", &folder.0);
+    press(&mut fourth, "Later");
+    drop(fourth);
+    let mut fifth = keeping("cube", &folder.0);
+    press(&mut fifth, "Delete");
+    assert!(kept(&mut fifth, &folder).is_empty());
+}
+
+#[test]
+fn what_is_saved_is_not_kept_and_rest_costs_nothing() {
+    let folder = Folder::new("rest");
+    let mut window = keeping("sphere", &folder.0);
+    change(&mut window, 7.0);
+    assert_eq!(kept(&mut window, &folder), ["0.toml"]);
+    let waits = |window: &Window| window.output().viewport_output[&ViewportId::ROOT].repaint_delay;
+    assert!(
+        waits(&window).as_secs() > 60,
+        "no frame is asked for once it is kept: {:?}",
+        waits(&window)
+    );
+    save_as(&mut window, SAVE_AS, &folder.path("saved"), "Save");
+    assert_eq!(kept(&mut window, &folder), ["saved.toml"]);
+}
+
+#[test]
+fn a_model_is_restored_from_its_place_or_named_as_missing() {
+    let folder = Folder::new("model");
+    let model = folder.0.join("triangle.obj");
+    fs::write(&model, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").expect("a model");
+    let mut first = keeping(&folder.path("triangle.obj"), &folder.0);
+    change(&mut first, 7.0);
+    open_view(&mut first, "Profile");
+    // Where the probe stands and which pane is worked on are kept with it.
+    first.key_press_modifiers(Modifiers::SHIFT, Key::ArrowLeft);
+    first.key_press(Key::K);
+    first.run();
+    first.key_press(Key::N);
+    first.run();
+    let looked_at = |window: &Window| {
+        let state = window.state().state();
+        (state.probe, state.line, state.panes.active, state.look.view)
+    };
+    let before = looked_at(&first);
+    assert_eq!((before.2, before.3), (1, ViewName::Profile));
+    assert_eq!(kept(&mut first, &folder), ["0.toml"]);
+    drop(first);
+    fs::rename(&model, folder.0.join("elsewhere.obj")).expect("renamed");
+    let mut second = keeping("sphere", &folder.0);
+    press(&mut second, "Restore");
+    assert!(wait(&mut second, |window| asks(
+        window,
+        "triangle.obj: no such file"
+    )));
+    assert_eq!(
+        kept(&mut second, &folder),
+        ["0.toml"],
+        "it stays where it is"
+    );
+    drop(second);
+    fs::rename(folder.0.join("elsewhere.obj"), &model).expect("renamed");
+    let mut third = keeping("sphere", &folder.0);
+    press(&mut third, "Restore");
+    assert!(wait(&mut third, |window| scene(window).material.n == 7.0));
+    assert!(third.state().state().document.model.is_some());
+}
+
+#[test]
+fn undo_reaches_across_opening_another_scene() {
+    let folder = Folder::new("undo");
+    let mut window = window("sphere");
+    change(&mut window, 7.0);
+    save_as(&mut window, SAVE_AS, &folder.path("ball.toml"), "Save");
+    change(&mut window, 8.0);
+    press(&mut window, "Next scene");
+    let state = |window: &Window| {
+        let state = window.state().state();
+        (
+            state.document.origin.name(),
+            state.modified(),
+            state.opened.material.n,
+        )
+    };
+    let next = state(&window);
+    assert!(next.0 != "ball.toml" && !next.1);
+    undo(&mut window);
+    assert_eq!(scene(&window).material.n, 8.0);
+    assert_eq!(state(&window), ("ball.toml".to_owned(), true, 7.0));
+    undo(&mut window);
+    assert_eq!(
+        state(&window),
+        ("ball.toml".to_owned(), false, 7.0),
+        "as saved"
+    );
+    for _ in 0..2 {
+        window.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::Z);
+        window.run();
+    }
+    assert_eq!(state(&window), next);
+    let recent = &window.state().state().look.recent;
+    assert_eq!(
+        recent,
+        &[folder.0.join("ball.toml")],
+        "the file can be opened again"
+    );
+}
+
+#[test]
+fn the_form_of_an_export_has_usual_sizes_and_keeps_proportions() {
+    let mut window = window("sphere");
+    window.key_press_modifiers(EXPORT.0, EXPORT.1);
+    window.run();
+    let sides = |window: &Window| {
+        ["Width", "Height"].map(|side| {
+            let field = window.get_by_role_and_label(Role::SpinButton, side);
+            field.value().expect("a number")
+        })
+    };
+    assert_eq!(sides(&window), ["1920", "1080"]);
+    press(&mut window, "4K");
+    assert_eq!(sides(&window), ["3840", "2160"]);
+    window
+        .get_by_role_and_label(Role::CheckBox, "Keep proportions")
+        .click_accesskit();
+    window.run();
+    enter(&mut window, "Width", 1600.0);
+    assert_eq!(sides(&window), ["1600", "900"]);
+    enter(&mut window, "Height", 1.0);
+    assert_eq!(sides(&window), ["2", "1"]);
+    press(&mut window, "Window");
+    let [width, height] = sides(&window).map(|side| side.parse::<u32>().expect("a number"));
+    assert_eq!([width, height], window.state().state().room);
+}
+
+/// Set for the run of this program without a desktop.
+#[cfg(target_os = "linux")]
+const ALONE: &str = "SHADING_LAB_WITHOUT_DESKTOP";
+
+/// The desktop is found by the environment, so that the test runs once more in one without any.
+#[cfg(target_os = "linux")]
+#[test]
+fn browsing_without_a_desktop_says_what_is_missing_and_a_path_can_be_typed() {
+    if std::env::var_os(ALONE).is_some() {
+        return browse_without_a_desktop();
+    }
+    let own = std::env::current_exe().expect("this program");
+    let name = "saving::browsing_without_a_desktop_says_what_is_missing_and_a_path_can_be_typed";
+    let output = std::process::Command::new(own)
+        .args(["--exact", name])
+        .env(ALONE, "1")
+        .env("DBUS_SESSION_BUS_ADDRESS", "unix:path=/nowhere")
+        .env("PATH", "/nowhere")
+        .output()
+        .expect("this program");
+    let said = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(
+        output.status.success() && said.contains("1 passed"),
+        "{said}"
+    );
+}
+
+#[cfg(target_os = "linux")]
+fn browse_without_a_desktop() {
+    let folder = Folder::new("browsing");
+    let none = "This desktop has no file dialog for programs";
+    let mut window = window("sphere");
+    window.key_press_modifiers(Modifiers::COMMAND, Key::O);
+    window.run();
+    assert!(!asks(&window, none));
+    window
+        .get_by_role_and_label(Role::Button, "Browse…")
+        .click_accesskit();
+    assert!(wait(&mut window, |window| asks(window, none)));
+    // The dialog is still there, for a path.
+    save_scene(&folder.0.join("cube.toml"), &hands::built_in("cube").scene).expect("a file");
+    fill_in(&mut window, &folder.path("cube.toml"), "Open");
+    let opened = Origin::File(folder.0.join("cube.toml"));
+    assert!(wait(&mut window, |window| {
+        window.state().state().document.origin == opened
+    }));
+    // Wherever a path is asked for.
+    window.key_press_modifiers(SAVE_AS.0, SAVE_AS.1);
+    window.run();
+    assert!(asks(&window, none));
+}
