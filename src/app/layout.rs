@@ -103,12 +103,18 @@ impl Layout {
         shown.inner
     }
 
-    /// Closes a panel where there is no room for both: the one that was opened first.
+    /// Closes a panel where there is no room for both: the one that was opened first, or at once the controls beside a lesson or
+    /// answers that were handed in.
     fn make_room(&mut self, state: &mut AppState, size: Vec2) {
         let open = [state.look.controls, state.look.views];
         let beside = size.x < NARROW || !views::stands_below(state);
         if open == [true, true] && beside && panel_room(size) < 2.0 * PANEL {
-            let controls_first = self.open[0] && !self.open[1];
+            let reads = state.shows(ViewName::Course) && state.course.heading().is_some();
+            let controls_first = match self.open {
+                [true, false] => true,
+                [false, true] => false,
+                _ => reads,
+            };
             (state.look.controls, state.look.views) = (!controls_first, controls_first);
         }
         self.open = [state.look.controls, state.look.views];

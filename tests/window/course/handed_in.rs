@@ -2,6 +2,7 @@
 
 use super::lesson;
 use crate::common::hands::{self, press, scene, wait};
+use eframe::egui::Key;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use shading_lab::app::{App, Look, ViewName};
@@ -105,6 +106,19 @@ fn who_answered_what_stands_beside_the_picture_with_its_marks() {
     harness.run_ok();
     assert!(says(&harness, "Ada Lovelace"));
     assert_eq!(*scene(&harness), Scene::default());
+}
+
+#[test]
+fn in_a_small_window_the_answers_are_in_sight_and_the_controls_a_step_away() {
+    let loaded = load(&write("handed-in-small.png", &picture())).expect("a scene");
+    let look = Look::default();
+    let mut harness = hands::window_looking(loaded, [1024.0, 768.0], &look, |app| app);
+    assert!(wait(&mut harness, |harness| says(harness, "2 of 8 right")));
+    assert!(!harness.state().state().look.controls);
+    harness.key_press(Key::F4);
+    harness.run_ok();
+    let look = &harness.state().state().look;
+    assert!(look.controls && !look.views);
 }
 
 #[test]
