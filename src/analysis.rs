@@ -4,6 +4,7 @@
 //! and the window show any answer by its [`Report`].
 
 mod bench;
+mod codec;
 mod comparison;
 mod conditions;
 pub mod curves;
@@ -11,7 +12,6 @@ mod defects;
 mod lobe;
 mod normals;
 mod overlay;
-mod parcel;
 mod perception;
 mod plan;
 mod plan_words;
@@ -26,6 +26,7 @@ mod study;
 
 pub use crate::figure::{Axis, Curve, Dash, Direction, Ink, Mark, Plot, PlotKind, Point, Tag};
 pub use bench::{Bench, BenchQuestion, CHANGES, Growth};
+pub use codec::{Codec, from_bytes, to_bytes};
 pub use comparison::{
     Brightest, Comparison, ComparisonQuestion, DrawnPane, ErrorFigures, ErrorRegion, LinearPicture,
     PaneArea, PaneFigures, RegionErrors, brightest, caption, comparison_sheet, difference_picture,
@@ -47,7 +48,6 @@ pub use normals::{
     SeenNormals, VertexFace, VertexNormal, draw_normals,
 };
 pub use overlay::{Halo, OverlayLayer, OverlayOptions, overlay_letters};
-pub use parcel::{Parcel, pack, unpack};
 pub use perception::{Perception, ResponseModel, Viewing, blur_line, blur_picture, luminance};
 pub use plan::{FramePlan, PlanQuestion};
 pub use plan_words::stage_words;

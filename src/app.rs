@@ -4,6 +4,7 @@
 //! actions, which are done in one place at the end of the frame. Nothing is drawn again unless something has changed.
 
 mod action;
+mod appearance;
 mod background;
 mod bars;
 mod code;
@@ -30,7 +31,6 @@ mod layout;
 mod letter;
 mod lines;
 mod links;
-mod look;
 mod material;
 mod menu;
 mod named;
@@ -66,12 +66,12 @@ mod typeset;
 mod views;
 mod welcome;
 
-pub use course::{Course, Kept};
+pub use appearance::{Appearance, Overlays, ViewName};
+pub use course::{Course, SavedProgress};
 pub use document::{CoursePart, Document, Origin};
-pub use look::{Look, OverlayLook, ViewName};
 pub use place::{ProbePoint, ProfileLine};
 pub use profile::Profiles;
-pub use profile::look::ProfileLook;
+pub use profile::appearance::ProfileAppearance;
 pub use scan::ScanView;
 #[cfg(not(target_arch = "wasm32"))]
 pub use start::Start;
@@ -94,7 +94,7 @@ use layout::Layout;
 use picture::Room;
 use recovery::Recovery;
 use serde::{Deserialize, Serialize};
-use state::{Leaving, Own};
+use state::{Leaving, ViewStates};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use theme::ThemeChoice;
@@ -106,8 +106,9 @@ const STORAGE_KEY: &str = "look";
 #[derive(Default, Serialize, Deserialize)]
 #[serde(default)]
 struct Stored {
-    look: Look,
-    course: Kept,
+    #[serde(rename = "look")]
+    appearance: Appearance,
+    course: SavedProgress,
 }
 
 /// The window.
@@ -135,15 +136,15 @@ impl App {
             .storage
             .and_then(|storage| eframe::get_value(storage, STORAGE_KEY));
         // Anybody may have written what was stored.
-        let Stored { look, course } = stored.unwrap_or_default();
+        let Stored { appearance, course } = stored.unwrap_or_default();
         let mut state = AppState {
-            look: look.sound(),
+            appearance: appearance.sound(),
             course: Course::with(course),
             ..AppState::default()
         };
         // The toolkit stores a scale of its own, which nobody has checked. Set in this way it holds from the first frame on.
         cc.egui_ctx
-            .options_mut(|options| options.zoom_factor = state.look.scale);
+            .options_mut(|options| options.zoom_factor = state.appearance.scale);
         let shown = loaded.shown.clone();
         state.open(Document::from(loaded));
         state.show(&shown);
@@ -199,7 +200,8 @@ impl App {
     #[must_use]
     pub fn with_welcome(mut self) -> Self {
         let default = Origin::BuiltIn(presets::DEFAULT.to_owned());
-        self.state.welcome = !self.state.look.welcomed && self.state.document.origin == default;
+        self.state.welcome =
+            !self.state.appearance.welcomed && self.state.document.origin == default;
         // A link may have said where.
         self.state.seek_highlight = self.state.welcome && self.state.probe == ProbePoint::default();
         self
@@ -219,14 +221,14 @@ impl App {
     /// The same window, whose links begin with `page` from now on, where one is named.
     #[must_use]
     pub fn with_page(mut self, page: Option<String>) -> Self {
-        self.state.look.page = page.unwrap_or(self.state.look.page);
+        self.state.appearance.page = page.unwrap_or(self.state.appearance.page);
         self
     }
 
     /// The same window in `language`, where there is one, until another is chosen in its menu; it is not remembered.
     #[must_use]
     pub fn in_language(mut self, language: Option<Language>) -> Self {
-        self.started_in = language.map(|language| (language, self.state.look.language));
+        self.started_in = language.map(|language| (language, self.state.appearance.language));
         self
     }
 
@@ -300,18 +302,18 @@ impl App {
     }
 
     fn show_look(&mut self, ctx: &Context) {
-        ctx.set_theme(match self.state.look.theme {
+        ctx.set_theme(match self.state.appearance.theme {
             ThemeChoice::System => ThemePreference::System,
             ThemeChoice::Dark => ThemePreference::Dark,
             ThemeChoice::Light => ThemePreference::Light,
         });
         // In points of the screen, rounded: what is shown must not depend on the last digit.
         let size = (ctx.content_rect().size() * ctx.zoom_factor()).round();
-        ctx.set_zoom_factor(self.state.look.zoom(size.y));
+        ctx.set_zoom_factor(self.state.appearance.zoom(size.y));
         theme::forget_letters(ctx, &mut self.letters);
         let fingers = system::fingers(ctx);
         theme::touch(ctx, fingers || size.x < theme::NARROW);
-        let chosen = self.state.look.language;
+        let chosen = self.state.appearance.language;
         self.started_in = self.started_in.filter(|(_, before)| *before == chosen);
         let wanted = self
             .started_in
@@ -321,7 +323,7 @@ impl App {
         if wanted != language() {
             set_language(wanted);
             // What views have worked out holds text.
-            self.state.own = Own::default();
+            self.state.own = ViewStates::default();
             self.state.translate_lesson();
             ctx.request_repaint();
         }
@@ -441,7 +443,7 @@ impl App {
                 let origin = Origin::File(path.clone());
                 if self.state.document.origin != origin {
                     self.state.opened = self.state.document.scene.clone();
-                    self.state.look.remember(&path);
+                    self.state.appearance.remember(&path);
                     self.state.activate(self.state.panes.active);
                 }
                 self.state.document.origin = origin;
@@ -533,7 +535,7 @@ impl eframe::App for App {
             storage,
             STORAGE_KEY,
             &Stored {
-                look: self.state.look.clone(),
+                appearance: self.state.appearance.clone(),
                 course: self.state.course.kept.clone(),
             },
         );

@@ -1,5 +1,5 @@
 //! Work in the background: plain data is given to a thread, which brings an answer back. Nothing else starts threads.
-//! A web page has none: there a worker does what [travels](Work::TRAVELS), and the rest is done between two frames.
+//! A web page has none: there a worker does what has [codecs](Work::CODECS), and the rest is done between two frames.
 //!
 //! A [`Job`] is one piece of work with its progress; [`Background`] asks one question after the other and keeps the latest
 //! answer.
@@ -9,7 +9,7 @@ mod page;
 #[cfg(target_arch = "wasm32")]
 mod worker;
 
-use crate::analysis::{Parcel, Question, Subject, Watch};
+use crate::analysis::{Codec, Question, Subject, Watch};
 use crate::geometry::Mesh;
 use crate::scene::Scene;
 use crate::text::{in_language, language, text};
@@ -23,6 +23,20 @@ use web_time::Instant;
 
 #[cfg(target_arch = "wasm32")]
 pub use worker::{Served, serve, served};
+
+/// What a worker's message is about; on the way it is a number.
+#[cfg(target_arch = "wasm32")]
+#[derive(Clone, Copy)]
+enum MessageKind {
+    /// How far the work is.
+    Share,
+    /// What is known so far.
+    SoFar,
+    /// The answer.
+    Answer,
+    /// Why there is none.
+    Failure,
+}
 
 /// Progress is shown this often at most: to draw the window disturbs what is measured.
 const PAUSE: Duration = Duration::from_millis(200);
@@ -39,7 +53,7 @@ pub trait Work: Send + Sync + Sized + 'static {
     type Answer: Clone + Send + Sync + 'static;
 
     /// How the work goes to a worker of a web page, and its answer comes back. What does not travel is done on the page.
-    const TRAVELS: Option<(Parcel<Self>, Parcel<Self::Answer>)> = None;
+    const CODECS: Option<(Codec<Self>, Codec<Self::Answer>)> = None;
 
     /// Does it.
     ///
@@ -99,13 +113,13 @@ impl<A> Progress<A> {
 type Wake = Arc<dyn Fn(Duration) + Send + Sync>;
 
 /// The job's side of it.
-struct Teller<A> {
+struct Reporter<A> {
     progress: Arc<Progress<A>>,
     over: Sender<Result<A, String>>,
     wake: Wake,
 }
 
-impl<A: Clone + Send + Sync> Watch<A> for Teller<A> {
+impl<A: Clone + Send + Sync> Watch<A> for Reporter<A> {
     fn at(&self, share: f32) -> bool {
         self.progress
             .share
@@ -119,7 +133,7 @@ impl<A: Clone + Send + Sync> Watch<A> for Teller<A> {
     }
 }
 
-impl<A> Drop for Teller<A> {
+impl<A> Drop for Reporter<A> {
     /// The end of the work is noticed even if it panics: then the channel is closed without an answer.
     fn drop(&mut self) {
         (self.wake)(Duration::ZERO);
@@ -133,28 +147,33 @@ struct Listener<W: Work> {
     over: Sender<Result<W::Answer, String>>,
     /// What is known when the worker is stopped.
     latest: Option<W::Answer>,
-    answers: Parcel<W::Answer>,
+    answers: Codec<W::Answer>,
 }
 
 #[cfg(target_arch = "wasm32")]
 impl<W: Work> Listener<W> {
-    fn listen(mut self, wake: impl Fn(Duration) + 'static) -> impl FnMut(page::Said<'_>) + 'static {
+    fn listen(
+        mut self,
+        wake: impl Fn(Duration) + 'static,
+    ) -> impl FnMut(page::WorkerMessage<'_>) + 'static {
         let ended = || text!("render-job-ended").to_owned();
         move |said| {
             let over = match said {
-                page::Said::At(share) => {
+                page::WorkerMessage::At(share) => {
                     let thousandths = (1000.0 * share) as u32;
                     self.progress.share.store(thousandths, Ordering::Relaxed);
                     None
                 }
-                page::Said::SoFar(answer) => {
-                    self.latest = (self.answers.unpack)(answer).or(self.latest.take());
+                page::WorkerMessage::SoFar(answer) => {
+                    self.latest = (self.answers.from_bytes)(answer).or(self.latest.take());
                     self.progress.so_far().clone_from(&self.latest);
                     None
                 }
-                page::Said::Over(answer) => Some((self.answers.unpack)(answer).ok_or_else(ended)),
-                page::Said::Failed(why) => Some(Err(why)),
-                page::Said::Stopped => Some(self.latest.take().ok_or_else(ended)),
+                page::WorkerMessage::Over(answer) => {
+                    Some((self.answers.from_bytes)(answer).ok_or_else(ended))
+                }
+                page::WorkerMessage::Failed(why) => Some(Err(why)),
+                page::WorkerMessage::Stopped => Some(self.latest.take().ok_or_else(ended)),
             };
             // The receiver may be gone; dropping the answer is fine.
             let _ = over.map(|answer| self.over.send(answer));
@@ -169,7 +188,7 @@ impl<W: Work> Job<W> {
         let (sender, over) = channel();
         let (work, progress) = (Arc::new(work), Arc::new(Progress::default()));
         #[cfg(target_arch = "wasm32")]
-        if let Some((parcel, answers)) = W::TRAVELS {
+        if let Some((codec, answers)) = W::CODECS {
             let listener = Listener::<W> {
                 progress: Arc::clone(&progress),
                 over: sender,
@@ -177,7 +196,7 @@ impl<W: Work> Job<W> {
                 answers,
             };
             let name = std::any::type_name::<W>();
-            let sent = page::send(name, (parcel.pack)(&work), listener.listen(wake));
+            let sent = page::send(name, (codec.to_bytes)(&work), listener.listen(wake));
             return Self {
                 work,
                 progress,
@@ -192,17 +211,17 @@ impl<W: Work> Job<W> {
             #[cfg(target_arch = "wasm32")]
             sent: None,
         };
-        let teller = Teller {
+        let reporter = Reporter {
             progress,
             over: sender,
             wake: Arc::new(wake),
         };
         let language = language();
         let run = move || {
-            if !teller.progress.cancel.load(Ordering::Relaxed) {
-                let answer = in_language(language, || work.run(&teller));
+            if !reporter.progress.cancel.load(Ordering::Relaxed) {
+                let answer = in_language(language, || work.run(&reporter));
                 // The receiver may be gone; dropping the answer is fine.
-                let _ = teller.over.send(answer);
+                let _ = reporter.over.send(answer);
             }
         };
         #[cfg(not(target_arch = "wasm32"))]
@@ -377,18 +396,21 @@ impl<W: Work> Background<W> {
 
 /// A question about a scene in a picture of some size.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub struct Asked<Q> {
+pub struct Request<Q> {
     /// The question.
     pub question: Q,
     /// The scene.
     pub scene: Scene,
     /// The mesh of an object of kind `obj`.
-    #[serde(serialize_with = "pack_model", deserialize_with = "unpack_model")]
+    #[serde(
+        serialize_with = "model_to_bytes",
+        deserialize_with = "model_from_bytes"
+    )]
     pub model: Option<Arc<Mesh>>,
     size: [u32; 2],
 }
 
-impl<Q: PartialEq> Asked<Q> {
+impl<Q: PartialEq> Request<Q> {
     /// Of a scene whose picture is to be of `size` pixels.
     pub fn new(question: Q, scene: &Scene, model: Option<&Arc<Mesh>>, size: [u32; 2]) -> Self {
         Self {
@@ -426,25 +448,25 @@ impl<Q: PartialEq> Asked<Q> {
 }
 
 /// A model travels with the question.
-pub(crate) fn pack_model<S: Serializer>(
+pub(crate) fn model_to_bytes<S: Serializer>(
     model: &Option<Arc<Mesh>>,
     into: S,
 ) -> Result<S::Ok, S::Error> {
     model.as_deref().serialize(into)
 }
 
-pub(crate) fn unpack_model<'de, D: Deserializer<'de>>(
+pub(crate) fn model_from_bytes<'de, D: Deserializer<'de>>(
     from: D,
 ) -> Result<Option<Arc<Mesh>>, D::Error> {
     let model: Option<Mesh> = Deserialize::deserialize(from)?;
     Ok(model.map(Arc::new))
 }
 
-impl<Q: Question> Work for Asked<Q> {
+impl<Q: Question> Work for Request<Q> {
     type Answer = Q::Answer;
 
-    const TRAVELS: Option<(Parcel<Self>, Parcel<Q::Answer>)> = match Q::PARCEL {
-        Some(answers) => Some((Parcel::plain(), answers)),
+    const CODECS: Option<(Codec<Self>, Codec<Q::Answer>)> = match Q::CODEC {
+        Some(answers) => Some((Codec::plain(), answers)),
         None => None,
     };
 

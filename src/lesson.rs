@@ -29,8 +29,8 @@ pub use builtin::take_texts;
 pub use builtin::{BuiltIn, LESSONS, are_there, find};
 pub use check::check;
 pub use class::{
-    Asked, Class, Given, Group, Handed, Student, Unreadable, collect, lesson_of, letter, mark,
-    short_answer, short_solution, spread,
+    Class, ClassQuestion, Given, Group, Handed, Student, Unreadable, collect, lesson_of, letter,
+    mark, short_answer, short_solution, spread,
 };
 pub use class_sheet::class_sheet;
 pub use hand_in::{

@@ -163,13 +163,14 @@ files! {
     #[cfg(not(target_arch = "wasm32"))] "cli"
 }
 
-/// The fonts of all text but Chinese, by name. On a web page they are cut down by `.ci/font`, and the browser draws other letters.
+/// The fonts of all text but Chinese, by name.
 #[cfg(not(target_arch = "wasm32"))]
 pub const FONTS: [(&str, &[u8]); 2] = [
     ("Ubuntu-Light", epaint_default_fonts::UBUNTU_LIGHT),
     ("Hack", epaint_default_fonts::HACK_REGULAR),
 ];
 
+/// The fonts of all text but Chinese, by name, cut down by `.ci/font`: the browser draws other letters.
 #[cfg(target_arch = "wasm32")]
 pub const FONTS: [(&str, &[u8]); 2] = [
     (

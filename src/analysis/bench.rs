@@ -11,7 +11,7 @@ pub use growth::Growth;
 use super::panes_on_sheet;
 use super::plan_words::stage_words;
 use super::report::{About, Answer, Column, Part, Report, Table, as_it_is, cells, fixed, word};
-use super::{Parcel, Question, Subject, Watch, median_and_spread};
+use super::{Codec, Question, Subject, Watch, median_and_spread};
 use crate::render::{
     Memory, Renderer, Report as Drawn, SimdLevel, Stage, coarseness, coarser_size,
 };
@@ -73,7 +73,7 @@ struct Changed {
 impl Question for BenchQuestion {
     type Answer = Bench;
 
-    const PARCEL: Option<Parcel<Bench>> = Some(Parcel::plain());
+    const CODEC: Option<Codec<Bench>> = Some(Codec::plain());
 
     fn answer(&self, subject: &Subject, watch: &dyn Watch<Bench>) -> Result<Bench, String> {
         let (simd, level) = self.level()?;

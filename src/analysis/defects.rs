@@ -12,7 +12,7 @@ pub use drawing::{DefectMark, defect_marks, defect_plots, draw_defects};
 pub use edges::{SharedVertices, Silhouette};
 pub use inside::{Orientation, PerspectiveDistortion, VertexNormals};
 
-use super::parcel::Parcel;
+use super::codec::Codec;
 use super::question::{Watch, unwatched};
 use super::report::{About, Answer, Column, Part, Report, Table, cells};
 use super::{PlotKind, Question, Subject, clearest_pixel};
@@ -137,7 +137,7 @@ pub struct MeasuredDefects {
 impl Question for DefectsQuestion {
     type Answer = MeasuredDefects;
 
-    const PARCEL: Option<Parcel<MeasuredDefects>> = Some(Parcel::plain());
+    const CODEC: Option<Codec<MeasuredDefects>> = Some(Codec::plain());
 
     fn answer(
         &self,

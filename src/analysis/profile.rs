@@ -20,7 +20,7 @@ pub use plots::{Abscissa, Compared, compared_plots, mode_dash, profile_plots};
 
 use super::perception::{Perception, Viewing, blur_line};
 use super::report::{About, Answer, Cell, Column, Part, Report, Table};
-use super::{Parcel, Question, Subject, Watch};
+use super::{Codec, Question, Subject, Watch};
 use crate::render::{Piece, Renderer};
 use crate::scene::{Choice, Scene, ShadingMode};
 use crate::text::text;
@@ -246,7 +246,7 @@ pub struct TakenProfile {
 impl Question for ProfileQuestion {
     type Answer = TakenProfile;
 
-    const PARCEL: Option<Parcel<TakenProfile>> = Some(Parcel::plain());
+    const CODEC: Option<Codec<TakenProfile>> = Some(Codec::plain());
 
     fn answer(
         &self,

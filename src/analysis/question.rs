@@ -1,6 +1,6 @@
 //! How an analysis is asked, and the list of all analyses.
 
-use super::parcel::Parcel;
+use super::codec::Codec;
 use super::report::Answer;
 use crate::geometry::Mesh;
 use crate::render::Renderer;
@@ -35,7 +35,7 @@ pub trait Question:
     type Answer: Answer + Clone + 'static;
 
     /// How the answer comes back from a worker of a web page; without it the page finds it itself.
-    const PARCEL: Option<Parcel<Self::Answer>> = None;
+    const CODEC: Option<Codec<Self::Answer>> = None;
 
     /// Finds the answer.
     ///

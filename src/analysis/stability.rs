@@ -4,8 +4,8 @@
 //! is no number counts as an error of the whole range.
 
 mod cases;
+mod codec;
 mod naive;
-mod parcel;
 mod precise;
 mod reference;
 mod report;

@@ -1,6 +1,6 @@
 //! What can be asked of the window. Menus, buttons and keys all ask here, so that each does the same by every way.
 
-use super::look::{Look, ViewName};
+use super::appearance::{Appearance, ViewName};
 use crate::analysis::{Format, ScanLevel};
 use crate::scene::{CompareView, Light, ShadingMode};
 use std::path::PathBuf;
@@ -58,9 +58,9 @@ pub enum Action {
     /// Multiplies the distance from the target.
     Zoom(f64),
     /// Shows or hides what a switch of the look stands for.
-    Show(fn(&mut Look) -> &mut bool),
+    Show(fn(&mut Appearance) -> &mut bool),
     /// Changes how the window looks in another way.
-    ChangeLook(fn(&mut Look)),
+    ChangeLook(fn(&mut Appearance)),
     /// Shows nothing but the picture, on the whole screen, and back.
     PictureAlone,
     /// Shows panes in this way.

@@ -1,6 +1,6 @@
 //! Background work for the window: it is drawn again when an answer comes.
 
-use crate::analysis::{Parcel, Watch, pack, unpack};
+use crate::analysis::{Codec, Watch, from_bytes, to_bytes};
 use crate::jobs::{Background, Work};
 use crate::text::text;
 use eframe::egui::{Button, ColorImage, Context, ProgressBar, TextureHandle, TextureOptions, Ui};
@@ -32,13 +32,13 @@ impl<A: Clone + Send + Sync + 'static> Work for Task<A> {
 }
 
 /// Pictures as they travel to the page and back.
-pub const PICTURES: Parcel<Vec<ColorImage>> = Parcel {
-    pack: |pictures| {
+pub const PICTURES: Codec<Vec<ColorImage>> = Codec {
+    to_bytes: |pictures| {
         let plain = |picture: &ColorImage| (picture.size, picture.as_raw().to_vec());
-        pack(&pictures.iter().map(plain).collect::<Vec<_>>())
+        to_bytes(&pictures.iter().map(plain).collect::<Vec<_>>())
     },
-    unpack: |bytes| {
-        let pictures: Vec<([usize; 2], Vec<u8>)> = unpack(bytes)?;
+    from_bytes: |bytes| {
+        let pictures: Vec<([usize; 2], Vec<u8>)> = from_bytes(bytes)?;
         let picture = |(size, pixels): ([usize; 2], Vec<u8>)| {
             let whole = pixels.len() == 4 * size[0] * size[1];
             whole.then(|| ColorImage::from_rgba_premultiplied(size, &pixels))

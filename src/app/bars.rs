@@ -2,13 +2,13 @@
 //! what was left out.
 
 use super::action::Action;
+use super::appearance::ViewName;
 use super::commands::{MENUS, SECTIONS};
 use super::compare::VIEWS;
 use super::course::back_ui;
 use super::engine::Engine;
 use super::equation;
 use super::focus::{named, one_stop};
-use super::look::ViewName;
 use super::menu::commands_ui;
 use super::notice::said_ui;
 use super::plan::{grouped, left_out};
@@ -75,7 +75,7 @@ fn menu_ui(ui: &mut Ui, state: &mut AppState, menu: &str) {
     commands_ui(ui, state, menu);
     if menu == "file" && !system::PAGE {
         ui.separator();
-        ui.add_enabled_ui(!state.look.recent.is_empty(), |ui| {
+        ui.add_enabled_ui(!state.appearance.recent.is_empty(), |ui| {
             ui.menu_button(text!("recent"), |ui| recent_ui(ui, state));
         });
     }
@@ -102,14 +102,18 @@ fn menu_ui(ui: &mut Ui, state: &mut AppState, menu: &str) {
             (text!("theme-light"), ThemeChoice::Light),
         ];
         for (text, theme) in themes {
-            ui.radio_value(&mut state.look.theme, theme, text);
+            ui.radio_value(&mut state.appearance.theme, theme, text);
         }
     });
     ui.menu_button(text!("language"), |ui| {
-        ui.radio_value(&mut state.look.language, None, text!("language-system"));
+        ui.radio_value(
+            &mut state.appearance.language,
+            None,
+            text!("language-system"),
+        );
         for language in Language::ALL {
             let chosen = Some(language);
-            ui.radio_value(&mut state.look.language, chosen, language.name());
+            ui.radio_value(&mut state.appearance.language, chosen, language.name());
         }
     });
 }
@@ -186,7 +190,7 @@ fn scene_buttons_ui(ui: &mut Ui, state: &mut AppState) {
 
 /// The files opened or saved last.
 fn recent_ui(ui: &mut Ui, state: &mut AppState) {
-    for path in state.look.recent.clone() {
+    for path in state.appearance.recent.clone() {
         let name = path.file_name().unwrap_or(path.as_os_str());
         let button = ui.button(name.to_string_lossy());
         if button.on_hover_text(path.display().to_string()).clicked() {
@@ -196,7 +200,7 @@ fn recent_ui(ui: &mut Ui, state: &mut AppState) {
     }
     ui.separator();
     if ui.button(text!("recent-clear")).clicked() {
-        state.look.recent.clear();
+        state.appearance.recent.clear();
         ui.close();
     }
 }
@@ -285,7 +289,7 @@ pub fn stages_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
             ui.label(text!("overflowing", count = grouped(report.overflowing)));
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let omitted = left_out(engine, &state.look);
+            let omitted = left_out(engine, &state.appearance);
             let tip = text!("left-out-tip");
             if ui
                 .link(text!("left-out", count = omitted))

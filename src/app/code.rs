@@ -11,7 +11,7 @@ use crate::analysis::Watch;
 use crate::document::save_code;
 use crate::export::{Export, Limit, Part, glsl_330, opengl_c, opengl_c_snippet};
 use crate::geometry::{Mesh, tessellate};
-use crate::jobs::{Asked, Background, Work};
+use crate::jobs::{Background, Request, Work};
 use crate::scene::Scene;
 use crate::text::text;
 use eframe::egui::accesskit::Role;
@@ -112,7 +112,7 @@ impl Shown {
     }
 }
 
-impl Work for Asked<Language> {
+impl Work for Request<Language> {
     type Answer = Arc<Written>;
 
     fn run(&self, _: &dyn Watch<Self::Answer>) -> Result<Self::Answer, String> {
@@ -135,7 +135,7 @@ impl Work for Asked<Language> {
 type Answer = Result<Arc<Written>, String>;
 
 /// Writes one text at a time.
-pub type Writer = Background<Asked<Language>>;
+pub type Writer = Background<Request<Language>>;
 
 /// The text of `document`, or why there is none; nothing as long as it is being written.
 fn ask<'a>(
@@ -146,10 +146,10 @@ fn ask<'a>(
 ) -> Option<&'a Answer> {
     let Document { scene, model, .. } = document;
     let same =
-        |asked: &Asked<Language>| asked.is(&language, scene, model.as_ref(), scene.image.size);
+        |asked: &Request<Language>| asked.is(&language, scene, model.as_ref(), scene.image.size);
     writer.keep_only(same);
     writer.ask(wake(ctx), same, || {
-        Asked::new(language, scene, model.as_ref(), scene.image.size)
+        Request::new(language, scene, model.as_ref(), scene.image.size)
     });
     writer.known()
 }

@@ -1,9 +1,9 @@
 //! The commands of the window: one table that the keys, the menus and Help read, and what each does to the state.
 
 use super::action::{Action, Turn, Walk};
+use super::appearance::{Appearance, ViewName};
 use super::focus;
 use super::handles;
-use super::look::{Look, ViewName};
 use super::orbit;
 use super::place::ProbePoint;
 use super::scan::ScanView;
@@ -222,46 +222,74 @@ fn edit() -> Section {
 fn view() -> Section {
     let (show, change) = (Action::Show, Action::ChangeLook);
     Section::new("view")
-        .item("controls", "F4", show(|look| &mut look.controls))
-        .item("views", "F5", show(|look| &mut look.views))
-        .item("stages", "F6", show(|look| &mut look.stages))
+        .item(
+            "controls",
+            "F4",
+            show(|appearance| &mut appearance.controls),
+        )
+        .item("views", "F5", show(|appearance| &mut appearance.views))
+        .item("stages", "F6", show(|appearance| &mut appearance.stages))
         .item("next-view", "C", change(next_view))
         .line()
-        .item("vectors", "V", show(|look| &mut look.overlay.vectors))
-        .item("angles", "", show(|look| &mut look.overlay.angles))
+        .item(
+            "vectors",
+            "V",
+            show(|appearance| &mut appearance.overlay.vectors),
+        )
+        .item(
+            "angles",
+            "",
+            show(|appearance| &mut appearance.overlay.angles),
+        )
         .item(
             "construction",
             "",
-            show(|look| &mut look.overlay.construction),
+            show(|appearance| &mut appearance.overlay.construction),
         )
-        .item("side-view", "", show(|look| &mut look.overlay.side_view))
-        .item("lobe", "B", show(|look| &mut look.overlay.lobe))
+        .item(
+            "side-view",
+            "",
+            show(|appearance| &mut appearance.overlay.side_view),
+        )
+        .item("lobe", "B", show(|appearance| &mut appearance.overlay.lobe))
         .item(
             "half-vector",
             "",
-            show(|look| &mut look.overlay.half_vector),
+            show(|appearance| &mut appearance.overlay.half_vector),
         )
-        .item("handles", "L", show(|look| &mut look.overlay.handles))
-        .item("normals", "M", change(Look::switch_normals))
+        .item(
+            "handles",
+            "L",
+            show(|appearance| &mut appearance.overlay.handles),
+        )
+        .item("normals", "M", change(Appearance::switch_normals))
         .item(
             "face-normals",
             "",
-            show(|look| &mut look.overlay.face_normals),
+            show(|appearance| &mut appearance.overlay.face_normals),
         )
         .item(
             "vertex-normals",
             "",
-            show(|look| &mut look.overlay.vertex_normals),
+            show(|appearance| &mut appearance.overlay.vertex_normals),
         )
-        .item("channels", "", show(|look| &mut look.channels))
-        .item("smooth-edges", "", show(|look| &mut look.smooth_edges))
+        .item("channels", "", show(|appearance| &mut appearance.channels))
+        .item(
+            "smooth-edges",
+            "",
+            show(|appearance| &mut appearance.smooth_edges),
+        )
         .line()
         .item("picture-alone", "F11", Action::PictureAlone)
-        .item("projector", "F9", change(Look::projector))
+        .item("projector", "F9", change(Appearance::projector))
         .item("link-code", "Q", Action::ShowCode)
-        .item("larger", "Ctrl + +", change(Look::larger))
-        .item("smaller", "Ctrl + −", change(Look::smaller))
-        .item("ordinary-size", "Ctrl + 0", change(Look::ordinary_size))
+        .item("larger", "Ctrl + +", change(Appearance::larger))
+        .item("smaller", "Ctrl + −", change(Appearance::smaller))
+        .item(
+            "ordinary-size",
+            "Ctrl + 0",
+            change(Appearance::ordinary_size),
+        )
 }
 
 fn compare() -> Section {
@@ -331,13 +359,13 @@ fn help() -> Section {
 }
 
 /// The next view of the rail; the curves where the panel is closed.
-fn next_view(look: &mut Look) {
-    look.view = if look.views {
-        after(look.view)
+fn next_view(appearance: &mut Appearance) {
+    appearance.view = if appearance.views {
+        after(appearance.view)
     } else {
         ViewName::Curves
     };
-    look.views = true;
+    appearance.views = true;
 }
 
 /// Turns the keys pressed in this frame into actions. What has the focus keeps its keys, digits as well, unless it is the
@@ -478,10 +506,10 @@ impl AppState {
             Action::Pan([right, up]) => orbit::pan(camera, right, up),
             Action::Zoom(factor) => orbit::zoom(camera, factor),
             Action::Show(switch) => {
-                let shown = switch(&mut self.look);
+                let shown = switch(&mut self.appearance);
                 *shown = !*shown;
             }
-            Action::ChangeLook(change) => change(&mut self.look),
+            Action::ChangeLook(change) => change(&mut self.appearance),
             Action::Scan(walk) => self.own.change(|view: &mut ScanView| view.walk(walk)),
             Action::View(view) => self.show_view(view),
             Action::Course(turn) => self.turn(turn),

@@ -351,7 +351,10 @@ fn section_ui(
 
 fn item_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, item: &Item) {
     let AppState {
-        shown, lit, look, ..
+        shown,
+        lit,
+        appearance,
+        ..
     } = state;
     let scene = &mut shown.scene;
     let rows = match item {
@@ -361,7 +364,7 @@ fn item_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, item: &Item) {
         Own(control) => return control(ui, state, engine),
     };
     let view = View {
-        channels: look.channels,
+        channels: appearance.channels,
         ..View::default()
     };
     for row in rows {

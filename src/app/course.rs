@@ -19,7 +19,7 @@ mod target;
 mod work;
 
 use data::Open;
-pub use data::{Course, Kept};
+pub use data::{Course, SavedProgress};
 pub use edges::{paint as paint_edges, watch as watch_edges};
 pub use glide::Glide;
 use handed_in::handed_in_ui;
@@ -33,9 +33,9 @@ pub use step::{back_ui, head_ui};
 pub use work::Prepare;
 
 use super::action::{Action, Turn};
+use super::appearance::ViewName;
 use super::document::{CoursePart, Document, Origin};
 use super::engine::Engine;
-use super::look::ViewName;
 use super::place::{ProbePoint, ProfileLine};
 use super::state::AppState;
 use crate::jobs::Background;
@@ -62,11 +62,11 @@ impl AppState {
     /// Opens a lesson at the step that it was left at.
     pub fn open_lesson(&mut self, lesson: Arc<Lesson>, built_in: bool) {
         self.welcome = false;
-        self.look.welcomed = true;
+        self.appearance.welcomed = true;
         self.leave_view();
         let step = self.course.begin(lesson, built_in);
         // The step's own controls stand beside its text.
-        self.look.controls = false;
+        self.appearance.controls = false;
         self.picture_alone = false;
         self.turn_to(step);
     }
@@ -161,7 +161,7 @@ impl AppState {
 
     /// Shows a step's scene; with the answer's, where that may be seen and is `answered`.
     fn show_stage(&mut self, staged: &Staged, answered: bool) {
-        let view = (self.look.views, self.look.view);
+        let view = (self.appearance.views, self.appearance.view);
         let before = self.document.scene.clone();
         let lesson = self
             .course
@@ -177,7 +177,7 @@ impl AppState {
             },
             part: lesson.map_or(CoursePart::None, CoursePart::Step),
         });
-        (self.look.views, self.look.view) = view;
+        (self.appearance.views, self.appearance.view) = view;
         self.seek_highlight = false;
         self.probe = staged.shown.probe.map_or(self.probe, ProbePoint);
         self.line = staged.shown.line.map_or(self.line, ProfileLine);
@@ -197,7 +197,7 @@ impl AppState {
             debug_assert!(OVERLAYS.contains(&name));
             open.current().stage.overlays.contains(&name)
         };
-        let overlay = &mut self.look.overlay;
+        let overlay = &mut self.appearance.overlay;
         overlay.vectors = shown("vectors");
         overlay.angles = open.overlay.angles && !self.course.hides();
         overlay.face_normals = shown("normals");
@@ -215,7 +215,7 @@ impl AppState {
         let in_view = matches!(part, CoursePart::Step(lesson) if *lesson == open.lesson.name);
         if in_view && !open.in_view {
             open.in_view = true;
-            open.overlay = self.look.overlay.clone();
+            open.overlay = self.appearance.overlay.clone();
             self.show_overlays();
         } else if !in_view {
             self.leave_view();
@@ -227,7 +227,7 @@ impl AppState {
         if let Some(open) = &mut self.course.open
             && std::mem::take(&mut open.in_view)
         {
-            self.look.overlay = open.overlay.clone();
+            self.appearance.overlay = open.overlay.clone();
         }
     }
 
@@ -256,7 +256,7 @@ impl AppState {
         let (Some(question), Some(staged)) = (open.question(), &open.staged) else {
             return;
         };
-        self.look.overlay.angles = open.overlay.angles;
+        self.appearance.overlay.angles = open.overlay.angles;
         if let Kind::Settings { .. } | Kind::Match { .. } = question.kind {
             return;
         }

@@ -2,14 +2,14 @@
 //! and where they are in the picture.
 
 use super::action::Action;
+use super::appearance::ViewName;
 use super::background::progress_ui;
 use super::engine::Engine;
 use super::letter::letter;
 use super::lines;
-use super::look::ViewName;
 use super::palette::vector_text;
 use super::place::Place;
-use super::report::{Asking, export_ui};
+use super::report::{Pending, export_ui};
 use super::state::AppState;
 use super::{Origin, focus};
 use crate::analysis::{
@@ -34,9 +34,9 @@ const CARD: f32 = 380.0;
 /// What the tab has measured, and what of it is shown in the picture.
 #[derive(Default)]
 pub struct DefectsView {
-    measured: Asking<DefectsQuestion>,
-    normal: Asking<NormalsQuestion>,
-    conditions: Asking<ConditionsQuestion>,
+    measured: Pending<DefectsQuestion>,
+    normal: Pending<NormalsQuestion>,
+    conditions: Pending<ConditionsQuestion>,
     /// The defect that is marked, chosen while this scene was open.
     marked: Option<(Origin, &'static str)>,
     /// What the buttons of the conditions have changed, to go back to.
@@ -312,7 +312,7 @@ fn turn_viewer(scene: &mut Scene, far: bool) {
 /// The normal of the vertex that is lit up, or of the one next to the probe, with its faces and their weights.
 fn normal_ui(
     ui: &mut Ui,
-    normal: &mut Asking<NormalsQuestion>,
+    normal: &mut Pending<NormalsQuestion>,
     state: &mut AppState,
     size: [u32; 2],
 ) {

@@ -2,9 +2,9 @@
 
 use super::App;
 use super::action::Action;
+use super::appearance::Appearance;
 use super::engine::Engine;
 use super::focus::keep_in_sight;
-use super::look::Look;
 use super::named::{Named, rows_ui};
 use super::picture::{self, Room};
 use super::state::AppState;
@@ -19,14 +19,14 @@ impl App {
     /// The same window as a figure in another page: with the look of a new one, which is not remembered.
     #[must_use]
     pub fn embedded(mut self, controls: &[String]) -> Self {
-        let Look {
+        let Appearance {
             theme, language, ..
-        } = self.state.look;
-        self.state.look = Look {
+        } = self.state.appearance;
+        self.state.appearance = Appearance {
             theme,
             language,
             welcomed: true,
-            ..Look::default()
+            ..Appearance::default()
         };
         self.state.welcome = false;
         self.state.embedded = Some(controls.to_vec());

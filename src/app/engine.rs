@@ -4,7 +4,7 @@ mod normals;
 mod pane;
 mod refined;
 
-use super::look::{OverlayLook, ViewName};
+use super::appearance::{Overlays, ViewName};
 use super::place::ProbePoint;
 use super::state::AppState;
 use crate::analysis::{
@@ -59,7 +59,7 @@ struct DrawnOverlay {
     overlay: Overlay,
     size: [u32; 2],
     /// With the light's index, whether the background is dark, the scale of the interface, and what handles cover.
-    look: (OverlayLook, usize, bool, f64, Vec<Area>),
+    appearance: (Overlays, usize, bool, f64, Vec<Area>),
 }
 
 impl Engine {
@@ -141,7 +141,7 @@ impl Engine {
 
     /// Smooths the edges of the pictures once they rest, unless something over them shows pixels.
     fn refine(&mut self, ctx: &Context, state: &AppState, redrawn: bool, smooth: bool) {
-        let pixels = state.look.overlay.normals()
+        let pixels = state.appearance.overlay.normals()
             || self.difference.is_some()
             || state.shows(ViewName::ScanLine);
         let shown = || self.shown.iter().map(|&pane| &self.panes[pane]);
@@ -235,12 +235,12 @@ impl Engine {
             self.difference = None;
             return;
         };
-        let look = (compare.difference, compare.gain, state.look.scale);
+        let appearance = (compare.difference, compare.gain, state.appearance.scale);
         if !redrawn
             && self
                 .difference
                 .as_ref()
-                .is_some_and(|(_, drawn)| *drawn == look)
+                .is_some_and(|(_, drawn)| *drawn == appearance)
         {
             return;
         }
@@ -265,14 +265,14 @@ impl Engine {
             image_of(&frame),
             TextureOptions::NEAREST,
         );
-        self.difference = texture.map(|texture| (texture, look));
+        self.difference = texture.map(|texture| (texture, appearance));
     }
 
     fn draw_overlay(&mut self, ctx: &Context, state: &AppState, reprobed: bool) {
         let scene = &state.shown.scene;
-        let scale = lettering(ctx, &state.look, self.size, 1);
-        let look = (
-            state.look.overlay.clone(),
+        let scale = lettering(ctx, &state.appearance, self.size, 1);
+        let appearance = (
+            state.appearance.overlay.clone(),
             state.light,
             is_dark(scene),
             scale,
@@ -282,14 +282,14 @@ impl Engine {
             && self
                 .overlay
                 .as_ref()
-                .is_some_and(|overlay| overlay.look == look)
+                .is_some_and(|overlay| overlay.appearance == appearance)
         {
             return;
         }
         let options = OverlayOptions {
             scale,
-            covered: look.4.clone(),
-            ..overlay_options(&look.0, state.light, scene)
+            covered: appearance.4.clone(),
+            ..overlay_options(&appearance.0, state.light, scene)
         };
         let (size, pane) = (self.size, self.active());
         let (Some((_, probe)), Some(scene)) = (&pane.probed, pane.drawn()) else {
@@ -312,7 +312,7 @@ impl Engine {
             texture,
             overlay,
             size,
-            look,
+            appearance,
         });
     }
 
@@ -334,7 +334,7 @@ impl Engine {
         let overlay = self
             .overlay
             .as_ref()
-            .filter(|overlay| overlay.look.0.vectors)
+            .filter(|overlay| overlay.appearance.0.vectors)
             .map(|overlay| &overlay.texture);
         [needles, overlay, lit]
     }

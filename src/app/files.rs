@@ -1,25 +1,25 @@
 //! Files, in the background: the window stays alive while a model is read or a picture is drawn.
 
 use super::action::Action;
+use super::appearance::{Overlays, ViewName};
 use super::background::{Task, wake};
 use super::dialog::{Dialog, ExportForm, FileTask, Picked};
 use super::document::Document;
 use super::engine::overlay_options;
 use super::film::FilmForm;
-use super::look::{OverlayLook, ViewName};
 use super::place::{ProbePoint, ProfileLine};
-use super::profile::look::ProfileLook;
+use super::profile::appearance::ProfileAppearance;
 use super::recovery;
 use super::state::AppState;
 use super::system;
 use crate::analysis::{
-    NormalField, Parcel, ProfileQuestion, Watch, comparison_sheet, draw_normals, draw_overlay,
+    Codec, NormalField, ProfileQuestion, Watch, comparison_sheet, draw_normals, draw_overlay,
     draw_panes, draw_profile, panes_on_sheet, probe, profile,
 };
 use crate::animation::write_film;
 use crate::document::{load_with, save_film, save_picture, write_whole};
 use crate::geometry::Mesh;
-use crate::jobs::{Job, Work, pack_model, unpack_model};
+use crate::jobs::{Job, Work, model_from_bytes, model_to_bytes};
 use crate::lesson::{Lesson, hand_in};
 use crate::render::{Frame, Renderer, check_memory_for};
 use crate::scene::Scene;
@@ -52,8 +52,8 @@ pub struct Files {
 /// What is drawn over a picture, as the window has it.
 #[derive(Serialize, Deserialize)]
 pub struct Over {
-    overlay: OverlayLook,
-    profile: ProfileLook,
+    overlay: Overlays,
+    profile: ProfileAppearance,
     light: usize,
     point: ProbePoint,
     vertex: Option<u32>,
@@ -63,8 +63,8 @@ pub struct Over {
 impl Over {
     pub fn new(state: &AppState) -> Self {
         Self {
-            overlay: state.look.overlay.clone(),
-            profile: state.look.profile.clone(),
+            overlay: state.appearance.overlay.clone(),
+            profile: state.appearance.profile.clone(),
             light: state.light,
             point: state.probe,
             vertex: state.pointed.kept,
@@ -109,7 +109,10 @@ impl Over {
 #[derive(Serialize, Deserialize)]
 pub struct Exported {
     scene: Scene,
-    #[serde(serialize_with = "pack_model", deserialize_with = "unpack_model")]
+    #[serde(
+        serialize_with = "model_to_bytes",
+        deserialize_with = "model_from_bytes"
+    )]
     model: Option<Arc<Mesh>>,
     samples: u32,
     over: Option<Over>,
@@ -119,7 +122,7 @@ pub struct Exported {
 impl Work for Exported {
     type Answer = Frame;
 
-    const TRAVELS: Option<(Parcel<Self>, Parcel<Frame>)> = Some((Parcel::plain(), Parcel::plain()));
+    const CODECS: Option<(Codec<Self>, Codec<Frame>)> = Some((Codec::plain(), Codec::plain()));
 
     fn run(&self, watch: &dyn Watch<Frame>) -> Result<Frame, String> {
         let model = self.model.as_deref();
@@ -152,8 +155,8 @@ impl Work for Filmed {
     /// On a page the file, which only the page itself can save; elsewhere it is written already.
     type Answer = Option<Vec<u8>>;
 
-    const TRAVELS: Option<(Parcel<Self>, Parcel<Self::Answer>)> =
-        Some((Parcel::plain(), Parcel::plain()));
+    const CODECS: Option<(Codec<Self>, Codec<Self::Answer>)> =
+        Some((Codec::plain(), Codec::plain()));
 
     fn run(&self, watch: &dyn Watch<Self::Answer>) -> Result<Self::Answer, String> {
         let Exported {
@@ -280,7 +283,7 @@ impl Files {
             let lesson = Lesson::open(&path).map_err(|error| error.to_string())?;
             let (lesson, path) = (Arc::new(lesson), path.clone());
             Ok(move |state: &mut AppState| {
-                state.look.remember(&path);
+                state.appearance.remember(&path);
                 state.open_lesson(Arc::clone(&lesson), false);
             })
         });

@@ -27,7 +27,7 @@ struct Passed {
 
 /// What is kept from one frame to the next.
 #[derive(Clone, Debug, Default)]
-struct Kept {
+struct FocusMemory {
     last: Passed,
     now: Passed,
     /// Whether the focus was last moved by a key, which is when the picture has its ring.
@@ -49,7 +49,7 @@ pub fn picture_id() -> Id {
     Id::unique("picture")
 }
 
-fn kept<R>(ctx: &Context, change: impl FnOnce(&mut Kept) -> R) -> R {
+fn kept<R>(ctx: &Context, change: impl FnOnce(&mut FocusMemory) -> R) -> R {
     ctx.data_mut(|data| change(data.get_temp_mut_or_default(Id::unique("focus"))))
 }
 

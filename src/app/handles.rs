@@ -12,8 +12,8 @@ pub use beam::{aim_at, cursor, open_to};
 pub use light::{REACH, apart, drag_light, scale_light, start};
 pub use vertex::{MOST, drag_to as drag_vertex, go, paint as paint_vertices, push as push_vertex};
 
+use super::appearance::ViewName;
 use super::defects::shows_ring;
-use super::look::ViewName;
 use super::place::{Place, ProbePoint};
 use super::profile;
 use super::state::{AppState, Grip};
@@ -39,7 +39,7 @@ pub fn grips(state: &AppState, view: &View, place: Place) -> Vec<(Grip, Pos2)> {
     if shows_ring(state) {
         grips.push((Grip::Roll, knob(state, place)));
     }
-    if state.look.overlay.handles {
+    if state.appearance.overlay.handles {
         let lights = light::places(&state.shown.scene, view, place).into_iter();
         grips.extend(lights.zip(0..).map(|(at, index)| (Grip::Light(index), at)));
         grips.extend(
@@ -64,10 +64,10 @@ pub fn grips(state: &AppState, view: &View, place: Place) -> Vec<(Grip, Pos2)> {
 /// What the lights' handles with their numbers and the captions of panes cover, in the picture's pixels.
 pub fn covered(state: &AppState, view: &View, place: Place) -> Vec<Area> {
     let mut covered = light::captions(state, place);
-    if state.look.overlay.handles {
+    if state.appearance.overlay.handles {
         covered.extend(light::covered(&state.shown.scene, view, place));
     }
-    if state.look.overlay.vectors {
+    if state.appearance.overlay.vectors {
         let probe = place.point(state.probe.centre(place.size));
         covered.push(light::area(Rect::from_center_size(
             probe,
@@ -90,7 +90,7 @@ pub fn visible(ctx: &Context, state: &AppState, place: Place) -> bool {
             input.has_touch_screen() || over.is_some_and(|at| place.rect.contains(at))
         })
     };
-    state.look.overlay.handles && (state.drag.is_some() || near())
+    state.appearance.overlay.handles && (state.drag.is_some() || near())
 }
 
 /// Draws what is below the lights' handles: beams, outlines and stems, the profile's line, the ring.

@@ -14,10 +14,10 @@
 //! The picture keeps half of the window's width: where there is no room for both panels, the one opened last is shown. The drawer
 //! of a narrow window holds the controls or a view.
 
+use super::appearance::ViewName;
 use super::bars;
 use super::controls;
 use super::engine::Engine;
-use super::look::ViewName;
 use super::picture::{self, Room};
 use super::state::AppState;
 use super::views::{self, RAIL};
@@ -65,7 +65,7 @@ impl Layout {
             self.tall = size.y > size.x;
         }
         Panel::top("menus").show(ui, |ui| bars::menus_ui(ui, state, low));
-        if state.enlarged && state.look.views {
+        if state.enlarged && state.appearance.views {
             CentralPanel::default().show(ui, |ui| views::view_ui(ui, state, engine, narrow));
             state.commit();
             return None;
@@ -73,12 +73,12 @@ impl Layout {
         state.enlarged = false;
         self.make_room(state, size);
         // A narrow window with a lesson has room for picture and question only.
-        if state.look.equation && size.y >= LOWEST && !(narrow && reads_lesson(state)) {
+        if state.appearance.equation && size.y >= LOWEST && !(narrow && reads_lesson(state)) {
             Panel::top("equation").show(ui, |ui| bars::equation_ui(ui, state));
         }
         // A card over the picture leaves no room for a drawer.
         if narrow && state.welcome {
-            (state.look.controls, state.look.views) = (false, false);
+            (state.appearance.controls, state.appearance.views) = (false, false);
         }
         if narrow {
             drawer_ui(ui, state, engine, size, self.tall);
@@ -106,7 +106,7 @@ impl Layout {
     /// Closes a panel where there is no room for both: the one that was opened first, or at once the controls beside a lesson or
     /// answers that were handed in.
     fn make_room(&mut self, state: &mut AppState, size: Vec2) {
-        let open = [state.look.controls, state.look.views];
+        let open = [state.appearance.controls, state.appearance.views];
         let beside = size.x < NARROW || !views::stands_below(state);
         if open == [true, true] && beside && panel_room(size) < 2.0 * PANEL {
             let reads = state.shows(ViewName::Course) && state.course.heading().is_some();
@@ -115,9 +115,9 @@ impl Layout {
                 [false, true] => false,
                 _ => reads,
             };
-            (state.look.controls, state.look.views) = (!controls_first, controls_first);
+            (state.appearance.controls, state.appearance.views) = (!controls_first, controls_first);
         }
-        self.open = [state.look.controls, state.look.views];
+        self.open = [state.appearance.controls, state.appearance.views];
     }
 }
 
@@ -137,7 +137,7 @@ fn panel_room(size: Vec2) -> f32 {
 
 /// Controls at the left, the view at the right or below the picture, the rail.
 fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2) {
-    if state.look.stages {
+    if state.appearance.stages {
         Panel::bottom("stages").show(ui, |ui| bars::stages_ui(ui, state, engine));
     }
     Panel::right("rail")
@@ -149,10 +149,10 @@ fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2)
             views::rail_ui(ui, state, false, size);
         });
     let room = panel_room(size);
-    let below = state.look.views && views::stands_below(state);
-    let beside = state.look.views && !below;
+    let below = state.appearance.views && views::stands_below(state);
+    let beside = state.appearance.views && !below;
     let mut left = room;
-    if state.look.controls {
+    if state.appearance.controls {
         let most = if beside { room - PANEL } else { room };
         let panel = Panel::left("controls")
             .resizable(true)
@@ -164,7 +164,7 @@ fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2)
     }
     if beside {
         // A lesson is read, and has questions to be answered.
-        let course = state.look.view == ViewName::Course;
+        let course = state.appearance.view == ViewName::Course;
         let (name, share, most) = if course {
             ("course", 0.34, 520.0)
         } else {
@@ -201,8 +201,8 @@ fn drawer_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2,
                 views::rail_ui(ui, state, true, size);
             });
     }
-    let controls = state.look.controls;
-    if !controls && !state.look.views {
+    let controls = state.appearance.controls;
+    if !controls && !state.appearance.views {
         return;
     }
     let lesson = !controls && reads_lesson(state);

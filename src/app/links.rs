@@ -1,10 +1,10 @@
 //! Links: copying that of what is seen, opening one, and showing it to a room as a QR code.
 
 use super::action::{Action, Turn};
+use super::appearance::ViewName;
 use super::dialog::{Choice, Dialog, LinkCode, PageForm};
 use super::document::{Document, Origin};
 use super::focus::named;
-use super::look::ViewName;
 use super::place::{ProbePoint, ProfileLine};
 use super::state::AppState;
 use super::system;
@@ -35,14 +35,14 @@ const GREY: Color32 = Color32::from_gray(88);
 impl AppState {
     /// What a link says of the window.
     fn shown_in_links(&self) -> Shown {
-        let name = serde_json::to_value(self.look.view);
+        let name = serde_json::to_value(self.appearance.view);
         let is_open = |view: &&str| name.as_ref().is_ok_and(|name| name == view);
         let view = VIEWS.into_iter().find(|view| is_open(view));
         // A lecturer's own lesson is a file, which does not travel.
         let lesson = self.course.open.as_ref().filter(|open| open.built_in);
         let lesson = lesson.filter(|open| open.in_view && self.shows(ViewName::Course));
         Shown {
-            view: view.filter(|_| self.look.views),
+            view: view.filter(|_| self.appearance.views),
             probe: Some(self.probe.0),
             line: self.shows(ViewName::Profile).then_some(self.line.0),
             lesson: lesson.map(|open| open.lesson.name.clone()),
@@ -58,7 +58,7 @@ impl AppState {
             Origin::New | Origin::File(_) => None,
         };
         write(
-            &self.look.page,
+            &self.appearance.page,
             &self.document.scene,
             origin,
             &self.shown_in_links(),
@@ -129,7 +129,7 @@ impl AppState {
 
     /// Shows the link as a QR code; asks for the page that phones will open where none is known.
     pub fn show_code(&mut self) {
-        if self.look.page.is_empty() {
+        if self.appearance.page.is_empty() {
             return self.ask_page(true);
         }
         let Written { link, left_out } = match self.link() {
@@ -152,7 +152,7 @@ impl AppState {
     /// Asks for the address of the page that links begin with.
     pub fn ask_page(&mut self, then_code: bool) {
         self.dialog = Some(Dialog::Page(PageForm {
-            address: self.look.page.clone(),
+            address: self.appearance.page.clone(),
             wrong: None,
             then_code,
         }));
@@ -167,7 +167,7 @@ impl AppState {
         };
         match address {
             Ok(address) => {
-                self.look.page = address;
+                self.appearance.page = address;
                 if form.then_code {
                     self.ask(Action::ShowCode);
                 }

@@ -5,7 +5,7 @@ use super::background::{PICTURES, Pictures};
 use super::focus::{named, switch_named};
 use super::row::{About, display, row, value_row};
 use super::symbol::{Lit, Symbol};
-use crate::analysis::{Parcel, Watch};
+use crate::analysis::{Codec, Watch};
 use crate::illumination::{blinn_from_phong, phong_from_blinn, roughness_from_exponent};
 use crate::jobs::Work;
 use crate::render::Renderer;
@@ -42,7 +42,7 @@ pub struct Spheres(u32);
 impl Work for Spheres {
     type Answer = Vec<ColorImage>;
 
-    const TRAVELS: Option<(Parcel<Self>, Parcel<Self::Answer>)> = Some((Parcel::plain(), PICTURES));
+    const CODECS: Option<(Codec<Self>, Codec<Self::Answer>)> = Some((Codec::plain(), PICTURES));
 
     fn run(&self, watch: &dyn Watch<Self::Answer>) -> Result<Self::Answer, String> {
         let (mut renderer, mut pictures) = (Renderer::default(), Vec::new());

@@ -80,7 +80,7 @@ fn item_ui(ui: &mut Ui, state: &mut AppState, command: &Command, ticked: bool) {
 fn is_on(command: &Command, state: &mut AppState) -> Option<bool> {
     let shading = &state.shown.scene.shading;
     match command.actions.first()? {
-        Action::Show(switch) => Some(*switch(&mut state.look)),
+        Action::Show(switch) => Some(*switch(&mut state.appearance)),
         Action::Shade { mode, renormalise } => {
             let kept = *mode != ShadingMode::Phong || shading.renormalise == *renormalise;
             Some(shading.mode == *mode && kept)

@@ -11,7 +11,7 @@ const SECONDS: f64 = 4.0;
 
 /// The notice that is said, and since when.
 #[derive(Debug, Default)]
-struct Told {
+struct ShownNotice {
     text: Option<String>,
     since: f64,
 }
@@ -19,21 +19,21 @@ struct Told {
 /// Takes the notice away when it has been said long enough; asks for that one frame and for none after it.
 pub fn expire(ctx: &Context, state: &mut AppState) {
     let now = ctx.input(|input| input.time);
-    let mut told: Told = state.own.take();
-    if told.text != state.notice {
-        told.text.clone_from(&state.notice);
-        told.since = now;
+    let mut shown: ShownNotice = state.own.take();
+    if shown.text != state.notice {
+        shown.text.clone_from(&state.notice);
+        shown.since = now;
     }
-    if told.text.is_some() {
-        let left = told.since + SECONDS - now;
+    if shown.text.is_some() {
+        let left = shown.since + SECONDS - now;
         if left > 0.0 {
             ctx.request_repaint_after(Duration::from_secs_f64(left));
         } else {
-            (state.notice, told.text) = (None, None);
+            (state.notice, shown.text) = (None, None);
             ctx.request_repaint();
         }
     }
-    state.own.put(told);
+    state.own.put(shown);
 }
 
 /// What there is to say, on lines that wrap or on one; what is wrong can be dismissed.

@@ -65,7 +65,7 @@ pub fn picture_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine) -> Roo
     );
     state.commit();
     state.covered = handles::covered(state, &view, place);
-    let smooth = state.look.smooth_edges && !profile::shows_perceived(state);
+    let smooth = state.appearance.smooth_edges && !profile::shows_perceived(state);
     engine.update(ui.ctx(), state, place.size, smooth);
     // Lights up the faces of the vertex that the pointer is on, where normals are shown.
     let pointer = response
@@ -405,7 +405,7 @@ fn paint_over(ui: &Ui, state: &AppState, engine: &Engine, place: Place, pane: us
         painter.image(texture.id(), place.rect, WHOLE, Color32::WHITE);
     }
     let view = View::new(&state.shown.scene.camera, place.size);
-    if state.look.overlay.vectors || state.course.shows_probe() {
+    if state.appearance.overlay.vectors || state.course.shows_probe() {
         // A ring round the probed pixel, light on dark, so that it shows on any picture.
         let at = place.point(state.probe.centre(place.size));
         let held = state.drag.is_some_and(|drag| drag.grip == Grip::Probe);

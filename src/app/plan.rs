@@ -1,9 +1,9 @@
 //! The view of the plan: every stage and term of the frame, how often it is evaluated, what the last change ran, and what is
 //! left out and why.
 
+use super::appearance::Appearance;
 use super::engine::Engine;
-use super::look::Look;
-use super::report::{Asking, Offer, ReportView, export_ui};
+use super::report::{Offer, Pending, ReportView, export_ui};
 use super::state::AppState;
 use super::study::duration;
 use crate::analysis::{About, Answer, BenchQuestion, FramePlan};
@@ -20,8 +20,8 @@ const ROUNDS: f64 = 5.0;
 #[derive(Default)]
 pub struct PlanView {
     view: ReportView,
-    made: Option<(u64, Look)>,
-    times: Asking<BenchQuestion>,
+    made: Option<(u64, Appearance)>,
+    times: Pending<BenchQuestion>,
 }
 
 /// The view.
@@ -32,17 +32,17 @@ pub fn plan_ui(ui: &mut Ui, own: &mut PlanView, state: &mut AppState, engine: &E
         measured: None,
     };
     let made = own.made.as_ref();
-    let same = made.is_some_and(|(revision, look)| {
-        *revision == engine.revision && *look == state.look && own.view.is_current()
+    let same = made.is_some_and(|(revision, appearance)| {
+        *revision == engine.revision && *appearance == state.appearance && own.view.is_current()
     });
     if !same {
-        own.made = Some((engine.revision, state.look.clone()));
+        own.made = Some((engine.revision, state.appearance.clone()));
         let mut report = frame_plan().report(&About {
             name: "",
             scene: &state.document.scene,
         });
         let section = report.section(text!("engine-window"));
-        for (what, why) in not_shown(&state.look) {
+        for (what, why) in not_shown(&state.appearance) {
             section.note(text!(
                 "engine-left-out",
                 names = text!(what),
@@ -56,7 +56,7 @@ pub fn plan_ui(ui: &mut Ui, own: &mut PlanView, state: &mut AppState, engine: &E
         RichText::new(text!(
             "engine-plan-summary",
             total = own.view.title(),
-            count = left_out(engine, &state.look)
+            count = left_out(engine, &state.appearance)
         ))
         .strong(),
     );
@@ -72,7 +72,12 @@ pub fn plan_ui(ui: &mut Ui, own: &mut PlanView, state: &mut AppState, engine: &E
 }
 
 /// The times of a frame and of its stages, measured when asked for.
-fn times_ui(ui: &mut Ui, times: &mut Asking<BenchQuestion>, state: &mut AppState, engine: &Engine) {
+fn times_ui(
+    ui: &mut Ui,
+    times: &mut Pending<BenchQuestion>,
+    state: &mut AppState,
+    engine: &Engine,
+) {
     times.receive();
     ui.label(RichText::new(text!("engine-times")).strong());
     let seconds = engine.nanoseconds() as f64 * 1e-9 * f64::from(FRAMES) * ROUNDS;
@@ -103,19 +108,19 @@ fn times_ui(ui: &mut Ui, times: &mut Asking<BenchQuestion>, state: &mut AppState
 }
 
 /// How much does not run: terms of the plan, and what of the window is not shown.
-pub fn left_out(engine: &Engine, look: &Look) -> usize {
+pub fn left_out(engine: &Engine, appearance: &Appearance) -> usize {
     engine
         .terms()
         .iter()
         .filter(|term| term.omitted.is_some())
         .count()
-        + not_shown(look).len()
+        + not_shown(appearance).len()
 }
 
 /// Panels that are closed and layers over the picture that are off: none of them is computed. The keys of their names and
 /// of the reasons.
-fn not_shown(look: &Look) -> Vec<(&'static str, &'static str)> {
-    let over = &look.overlay;
+fn not_shown(appearance: &Appearance) -> Vec<(&'static str, &'static str)> {
+    let over = &appearance.overlay;
     let (closed, off) = ("engine-closed", "engine-off");
     let layer = |on: bool| {
         let why = if over.vectors {
@@ -126,12 +131,12 @@ fn not_shown(look: &Look) -> Vec<(&'static str, &'static str)> {
         (!on || !over.vectors).then_some(why)
     };
     [
-        ("engine-controls", (!look.controls).then_some(closed)),
-        ("engine-views", (!look.views).then_some(closed)),
-        ("engine-stages", (!look.stages).then_some(closed)),
+        ("engine-controls", (!appearance.controls).then_some(closed)),
+        ("engine-views", (!appearance.views).then_some(closed)),
+        ("engine-stages", (!appearance.stages).then_some(closed)),
         (
             "engine-other-views",
-            look.views.then_some("engine-not-in-sight"),
+            appearance.views.then_some("engine-not-in-sight"),
         ),
         ("engine-vectors", (!over.vectors).then_some(off)),
         ("engine-angles", layer(over.angles)),
@@ -151,20 +156,23 @@ mod tests {
 
     #[test]
     fn what_is_closed_or_off_is_named() {
-        let mut look = Look::default();
-        let names = |look: &Look| {
-            not_shown(look)
+        let mut appearance = Appearance::default();
+        let names = |appearance: &Appearance| {
+            not_shown(appearance)
                 .iter()
                 .map(|(what, _)| *what)
                 .collect::<Vec<_>>()
         };
-        assert!(names(&look).contains(&"engine-lobe") && !names(&look).contains(&"engine-vectors"));
-        look.overlay.vectors = false;
-        look.views = false;
+        assert!(
+            names(&appearance).contains(&"engine-lobe")
+                && !names(&appearance).contains(&"engine-vectors")
+        );
+        appearance.overlay.vectors = false;
+        appearance.views = false;
         assert!(
             ["engine-vectors", "engine-angles", "engine-views"]
                 .iter()
-                .all(|what| names(&look).contains(what))
+                .all(|what| names(&appearance).contains(what))
         );
     }
 }

@@ -1,39 +1,39 @@
 //! The profile along the line in the picture: what is compared, how it is looked at, and the plots. It stands in a side panel or,
 //! wide, under the picture, where each place of the plot lies right below its place in the picture.
 
-pub mod look;
+pub mod appearance;
 mod over;
 mod plots;
 
 pub use over::{paint, watch};
 
+use super::appearance::ViewName;
 use super::background::wake;
 use super::document::Document;
 use super::drawing::{colour_of, plot_style};
 use super::engine::{Engine, image_of, upload};
 use super::focus::switch_named;
-use super::look::ViewName;
 use super::place::Place;
 use super::report::export_ui;
 use super::row::{About, NumberRow, SliderRange, number};
 use super::state::AppState;
 use super::symbol::Lit;
 use crate::analysis::{
-    Answer, Compared, PERCEIVED_WIDTH, Parcel, Perception, Profile, ProfileQuestion, ResponseModel,
+    Answer, Codec, Compared, PERCEIVED_WIDTH, Perception, Profile, ProfileQuestion, ResponseModel,
     TakenProfile, Viewing, Watch, mode_dash, perceived_picture,
 };
 use crate::figure::{Dash, Ink, dashes};
-use crate::jobs::{Asked, Background, Work};
+use crate::jobs::{Background, Request, Work};
 use crate::render::Frame;
 use crate::scene::{Choice, Scene, ShadingMode};
 use crate::text::text;
+use appearance::ProfileAppearance;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Align, Atom, Button, Context, Layout, Popup, PopupCloseBehavior, RichText, Shape, Stroke,
     TextureHandle, TextureOptions, Ui, vec2,
 };
 use glam::DVec2;
-use look::ProfileLook;
 use plots::{Plots, Room};
 use serde::{Deserialize, Serialize};
 
@@ -61,12 +61,12 @@ pub fn profile_ui(ui: &mut Ui, profiles: &mut Profiles, state: &mut AppState, en
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 popup_ui(ui, text!("line-save"), |ui| profiles.export_ui(ui, state));
                 popup_ui(ui, text!("line-viewing"), |ui| eye_ui(ui, state));
-                perceived_ui(ui, &mut state.look.profile);
+                perceived_ui(ui, &mut state.appearance.profile);
             });
         });
     } else {
         ui.horizontal_wrapped(|ui| {
-            perceived_ui(ui, &mut state.look.profile);
+            perceived_ui(ui, &mut state.appearance.profile);
             popup_ui(ui, text!("line-viewing"), |ui| eye_ui(ui, state));
             popup_ui(ui, text!("line-save"), |ui| profiles.export_ui(ui, state));
         });
@@ -76,21 +76,24 @@ pub fn profile_ui(ui: &mut Ui, profiles: &mut Profiles, state: &mut AppState, en
         return;
     }
     let own = state.shown.scene.shading.mode;
-    let question = state.look.profile.request(state.line.pixels(size), own);
-    if state.look.profile.perceived {
+    let question = state
+        .appearance
+        .profile
+        .request(state.line.pixels(size), own);
+    if state.appearance.profile.perceived {
         profiles.ask_perceived(ui.ctx(), &state.shown, size, &question);
         if let Some(Err(why)) = profiles.seen.known() {
             ui.label(RichText::new(why).weak());
         }
     }
     profiles.ask(ui.ctx(), &state.shown, size, &question);
-    profiles.plots_ui(ui, &state.look.profile, own, wide);
+    profiles.plots_ui(ui, &state.appearance.profile, own, wide);
 }
 
 /// The profile last taken with its plots, and the picture as it is perceived.
 #[derive(Default)]
 pub struct Profiles {
-    taken: Background<Asked<ProfileQuestion>>,
+    taken: Background<Request<ProfileQuestion>>,
     plots: Plots,
     seen: Background<Perceived>,
     /// The whole picture as it is perceived.
@@ -104,12 +107,12 @@ pub struct Profiles {
 }
 
 #[derive(Serialize, Deserialize)]
-pub struct Perceived(Asked<ProfileQuestion>);
+pub struct Perceived(Request<ProfileQuestion>);
 
 impl Work for Perceived {
     type Answer = Frame;
 
-    const TRAVELS: Option<(Parcel<Self>, Parcel<Frame>)> = Some((Parcel::plain(), Parcel::plain()));
+    const CODECS: Option<(Codec<Self>, Codec<Frame>)> = Some((Codec::plain(), Codec::plain()));
 
     fn run(&self, _: &dyn Watch<Frame>) -> Result<Frame, String> {
         let ProfileQuestion {
@@ -145,9 +148,9 @@ impl Profiles {
         question: &ProfileQuestion,
     ) {
         let (scene, model) = (&document.scene, document.model.as_ref());
-        let same = |asked: &Asked<ProfileQuestion>| asked.is(question, scene, model, size);
+        let same = |asked: &Request<ProfileQuestion>| asked.is(question, scene, model, size);
         let new = self.taken.ask(wake(ctx), same, || {
-            Asked::new(question.clone(), scene, model, size)
+            Request::new(question.clone(), scene, model, size)
         });
         if new {
             self.plots.forget();
@@ -171,7 +174,7 @@ impl Profiles {
         };
         let (scene, model) = (&document.scene, document.model.as_ref());
         let same = |seen: &Perceived| seen.0.is(&question, scene, model, size);
-        let work = || Perceived(Asked::new(question.clone(), scene, model, size));
+        let work = || Perceived(Request::new(question.clone(), scene, model, size));
         if self.seen.ask(wake(ctx), same, work) {
             match self.seen.answer().map(image_of) {
                 Some(image) => upload(
@@ -211,7 +214,13 @@ impl Profiles {
         export_ui(ui, state, "profile", || self.latest());
     }
 
-    fn plots_ui(&mut self, ui: &mut Ui, look: &ProfileLook, own: ShadingMode, wide: bool) {
+    fn plots_ui(
+        &mut self,
+        ui: &mut Ui,
+        appearance: &ProfileAppearance,
+        own: ShadingMode,
+        wide: bool,
+    ) {
         let taken: &TakenProfile = match self.taken.known() {
             Some(Ok(taken)) => taken,
             Some(Err(why)) => {
@@ -226,8 +235,8 @@ impl Profiles {
         let view = |abscissa| Compared {
             own,
             abscissa,
-            edges: look.edges,
-            perceived: look.brightness,
+            edges: appearance.edges,
+            perceived: appearance.brightness,
         };
         let room = Room {
             picture: self.picture,
@@ -246,9 +255,9 @@ impl Profiles {
 /// A switch for each curve and for the marks of edges. They are the plots' legend.
 fn switches_ui(ui: &mut Ui, state: &mut AppState) {
     let own = state.shown.scene.shading.mode;
-    let look = &mut state.look.profile;
+    let appearance = &mut state.appearance.profile;
     for &mode in ShadingMode::VALUES {
-        let (is_own, added) = (mode == own, look.added.contains(&mode));
+        let (is_own, added) = (mode == own, appearance.added.contains(&mode));
         let tip = if is_own {
             text!("line-mode-own")
         } else {
@@ -262,9 +271,9 @@ fn switches_ui(ui: &mut Ui, state: &mut AppState) {
         let clicked = switch_ui(ui, mode.label(), tip, is_own || added, sample);
         if clicked && !is_own {
             if added {
-                look.added.retain(|other| *other != mode);
+                appearance.added.retain(|other| *other != mode);
             } else {
-                look.added.push(mode);
+                appearance.added.push(mode);
             }
         }
     }
@@ -274,11 +283,11 @@ fn switches_ui(ui: &mut Ui, state: &mut AppState) {
         width: 1.7,
     };
     let tip = text!("line-perceived-switch.tip");
-    look.brightness ^= switch_ui(
+    appearance.brightness ^= switch_ui(
         ui,
         text!("line-perceived-switch"),
         tip,
-        look.brightness,
+        appearance.brightness,
         perceived,
     );
     let edges = Sample {
@@ -287,7 +296,7 @@ fn switches_ui(ui: &mut Ui, state: &mut AppState) {
         width: 1.2,
     };
     let tip = text!("line-edges-switch.tip");
-    look.edges ^= switch_ui(ui, text!("line-edges-switch"), tip, look.edges, edges);
+    appearance.edges ^= switch_ui(ui, text!("line-edges-switch"), tip, appearance.edges, edges);
 }
 
 /// How a curve looks.
@@ -331,8 +340,8 @@ fn switch_ui(ui: &mut Ui, name: &str, tip: &str, on: bool, sample: Sample) -> bo
     switch_named(response, Role::CheckBox, on, name).clicked()
 }
 
-fn perceived_ui(ui: &mut Ui, look: &mut ProfileLook) {
-    ui.checkbox(&mut look.perceived, text!("line-picture-perceived"))
+fn perceived_ui(ui: &mut Ui, appearance: &mut ProfileAppearance) {
+    ui.checkbox(&mut appearance.perceived, text!("line-picture-perceived"))
         .on_hover_text(text!("line-picture-perceived.tip"));
 }
 
@@ -349,8 +358,13 @@ fn popup_ui(ui: &mut Ui, name: &str, controls: impl FnOnce(&mut Ui)) {
 
 /// How far away the screen is, how fine it is, and the numbers of the eye.
 fn eye_ui(ui: &mut Ui, state: &mut AppState) {
-    let AppState { look, lit, .. } = state;
-    let (viewing, perception) = (&mut look.profile.viewing, &mut look.profile.perception);
+    let AppState {
+        appearance, lit, ..
+    } = state;
+    let (viewing, perception) = (
+        &mut appearance.profile.viewing,
+        &mut appearance.profile.perception,
+    );
     ui.horizontal_wrapped(|ui| {
         let names = [
             text!("line-model-inhibition"),
@@ -430,5 +444,5 @@ fn row_ui(
 
 /// Whether the picture is to be shown as it is perceived.
 pub fn shows_perceived(state: &AppState) -> bool {
-    state.shows(ViewName::Profile) && state.look.profile.perceived
+    state.shows(ViewName::Profile) && state.appearance.profile.perceived
 }

@@ -5,9 +5,9 @@
 #[cfg_attr(target_arch = "wasm32", path = "recovery/page.rs")]
 mod slot;
 
+use super::appearance::ViewName;
 use super::background::Task;
 use super::document::{Document, Origin};
-use super::look::ViewName;
 use super::place::{ProbePoint, ProfileLine};
 use super::state::{AppState, Leaving};
 use crate::analysis::Watch;
@@ -44,7 +44,7 @@ impl Around {
             origin: state.document.origin.clone(),
             probe: state.probe,
             line: state.line,
-            view: state.look.view,
+            view: state.appearance.view,
             pane: state.panes.active,
         }
     }

@@ -11,7 +11,7 @@ use super::theme::TEXT;
 use crate::analysis::{About, Analysis, Answer, Format, Part, Question, Report, Section};
 use crate::document::save_answer;
 use crate::figure::{Drawing, Paper, PlotStyle, lay_out};
-use crate::jobs::{Asked, Background};
+use crate::jobs::{Background, Request};
 use crate::scene::{Choice, Scene};
 use crate::text::{Language, language, text};
 use eframe::egui::accesskit::Role;
@@ -295,12 +295,12 @@ pub struct Offer<'a> {
 }
 
 /// A question about the document, answered in the background, and the report of its latest answer.
-pub struct Asking<Q: Question> {
-    pub work: Background<Asked<Q>>,
+pub struct Pending<Q: Question> {
+    pub work: Background<Request<Q>>,
     pub view: ReportView,
 }
 
-impl<Q: Question> Default for Asking<Q> {
+impl<Q: Question> Default for Pending<Q> {
     fn default() -> Self {
         Self {
             work: Background::default(),
@@ -309,13 +309,13 @@ impl<Q: Question> Default for Asking<Q> {
     }
 }
 
-impl<Q: Question> Asking<Q> {
+impl<Q: Question> Pending<Q> {
     /// Asks it about the document in a picture of `size`; until the answer comes, the last one stays.
     pub fn ask(&mut self, ctx: &Context, document: &Document, size: [u32; 2], question: &Q) {
         let Document { scene, model, .. } = document;
-        let same = |asked: &Asked<Q>| asked.is(question, scene, model.as_ref(), size);
+        let same = |asked: &Request<Q>| asked.is(question, scene, model.as_ref(), size);
         let new = self.work.ask(wake(ctx), same, || {
-            Asked::new(question.clone(), scene, model.as_ref(), size)
+            Request::new(question.clone(), scene, model.as_ref(), size)
         });
         let again = new || !self.view.is_current();
         if let Some(answer) = self.work.answer().filter(|_| again) {
@@ -326,7 +326,7 @@ impl<Q: Question> Asking<Q> {
     /// Asks it once; [`Self::receive`] takes the answer.
     pub fn start(&mut self, ctx: &Context, document: &Document, size: [u32; 2], question: Q) {
         self.work.start(
-            Asked::new(question, &document.scene, document.model.as_ref(), size),
+            Request::new(question, &document.scene, document.model.as_ref(), size),
             wake(ctx),
         );
     }

@@ -2,8 +2,8 @@
 
 use super::background::wake;
 use super::document::{Document, same_model};
-use crate::analysis::{Parcel, SamplingError, Watch, sampling_error_with};
-use crate::jobs::{Asked, Background, Work};
+use crate::analysis::{Codec, SamplingError, Watch, sampling_error_with};
+use crate::jobs::{Background, Request, Work};
 use eframe::egui::Context;
 use serde::{Deserialize, Serialize};
 
@@ -21,11 +21,11 @@ pub enum Finding {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct AreaLight(usize);
 
-impl Work for Asked<AreaLight> {
+impl Work for Request<AreaLight> {
     type Answer = Option<SamplingError>;
 
-    const TRAVELS: Option<(Parcel<Self>, Parcel<Self::Answer>)> =
-        Some((Parcel::plain(), Parcel::plain()));
+    const CODECS: Option<(Codec<Self>, Codec<Self::Answer>)> =
+        Some((Codec::plain(), Codec::plain()));
 
     fn run(&self, _: &dyn Watch<Self::Answer>) -> Result<Self::Answer, String> {
         let subject = self.subject();
@@ -41,8 +41,8 @@ impl Work for Asked<AreaLight> {
 #[derive(Debug, Default)]
 pub struct Sampling {
     /// What was asked for in the last frame: what rests is the same again.
-    last: Option<Asked<AreaLight>>,
-    found: Background<Asked<AreaLight>>,
+    last: Option<Request<AreaLight>>,
+    found: Background<Request<AreaLight>>,
 }
 
 impl Sampling {
@@ -53,7 +53,7 @@ impl Sampling {
         let Document { scene, model, .. } = document;
         let light = AreaLight(light);
         // The error does not depend on the display and on names.
-        let same = |asked: &Asked<AreaLight>| {
+        let same = |asked: &Request<AreaLight>| {
             let mut differences = asked.scene.differences(scene);
             asked.question == light
                 && same_model(asked.model.as_ref(), model.as_ref())
@@ -69,7 +69,7 @@ impl Sampling {
                 .flatten()
                 .map_or(Finding::Nothing, Finding::Error);
         }
-        let asked = || Asked::new(light, scene, model.as_ref(), scene.image.size);
+        let asked = || Request::new(light, scene, model.as_ref(), scene.image.size);
         if ctx.input(|input| input.pointer.any_down()) {
             return Finding::Waiting;
         }

@@ -5,12 +5,12 @@ mod view;
 pub use view::ScanView;
 
 use super::action::{Action, Walk};
+use super::appearance::ViewName;
 use super::drawing::{colour_of, drawing_ui, plot_style};
 use super::engine::Engine;
 use super::heading::heading_ui;
 use super::letter::lettered;
 use super::lines::{line, outline};
-use super::look::ViewName;
 use super::palette::{readable, vector_text};
 use super::place::Place;
 use super::report::{export_ui, table_ui};

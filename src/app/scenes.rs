@@ -6,7 +6,7 @@ use super::dialog::Choice;
 use super::focus::named;
 use super::state::AppState;
 use super::theme::text_field;
-use crate::analysis::{Parcel, Watch};
+use crate::analysis::{Codec, Watch};
 use crate::jobs::Work;
 use crate::render::Renderer;
 use crate::scene::presets::{self, Preset};
@@ -44,7 +44,7 @@ pub struct Thumbnails([u32; 2]);
 impl Work for Thumbnails {
     type Answer = Vec<ColorImage>;
 
-    const TRAVELS: Option<(Parcel<Self>, Parcel<Self::Answer>)> = Some((Parcel::plain(), PICTURES));
+    const CODECS: Option<(Codec<Self>, Codec<Self::Answer>)> = Some((Codec::plain(), PICTURES));
 
     fn run(&self, watch: &dyn Watch<Self::Answer>) -> Result<Self::Answer, String> {
         let mut pictures = Vec::new();

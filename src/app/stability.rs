@@ -3,12 +3,12 @@
 
 use super::background::wake;
 use super::engine::Engine;
-use super::report::{Asking, Offer, Picked, WIDE, export_ui, words_ui};
+use super::report::{Offer, Pending, Picked, WIDE, export_ui, words_ui};
 use super::state::AppState;
 use crate::analysis::{
     CaseResult, HALF_A_CODE_VALUE, Section, StabilityQuestion, case_pictures, stability_cases,
 };
-use crate::jobs::Asked;
+use crate::jobs::Request;
 use crate::scene::Scene;
 use crate::text::text;
 use eframe::egui::{
@@ -21,7 +21,7 @@ use std::sync::Arc;
 /// The view's state.
 #[derive(Default)]
 pub struct StabilityView {
-    asking: Asking<StabilityQuestion>,
+    asking: Pending<StabilityQuestion>,
     /// The case that is shown.
     chosen: usize,
     /// Whether it was chosen in the frame before, so that it is to be brought into sight.
@@ -42,7 +42,7 @@ impl fmt::Debug for StabilityView {
 impl StabilityView {
     fn start(&mut self, ctx: &Context) {
         let (question, scene) = (StabilityQuestion::default(), Scene::default());
-        let asked = Asked::new(question, &scene, None, [1, 1]);
+        let asked = Request::new(question, &scene, None, [1, 1]);
         self.asking.work.start(asked, wake(ctx));
     }
 

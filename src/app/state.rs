@@ -10,10 +10,10 @@
 //! ```
 
 use super::action::Action;
+use super::appearance::{Appearance, ViewName};
 use super::course::{Course, Glide};
 use super::dialog::Dialog;
 use super::document::{CoursePart, Document, History, Origin};
-use super::look::{Look, ViewName};
 use super::material::Gallery;
 use super::place::{ProbePoint, ProfileLine};
 use super::sampling::Sampling;
@@ -33,7 +33,7 @@ use std::path::PathBuf;
 #[derive(Default)]
 pub struct AppState {
     /// How the window looks.
-    pub look: Look,
+    pub appearance: Appearance,
     /// The scene that is open.
     pub document: Document,
     /// The document as the active pane shows it; the controls edit its scene, see [`AppState::commit`].
@@ -95,7 +95,7 @@ pub struct AppState {
     /// The way to the scene of a lesson's step.
     pub gliding: Option<Glide>,
     /// What views and dialogs remember for themselves.
-    pub own: Own,
+    pub own: ViewStates,
     /// What was last done, said for a few seconds; another document that is opened takes it away.
     pub notice: Option<String>,
     /// What is wrong with what is open, said until it is dismissed or another document is opened.
@@ -107,12 +107,12 @@ pub struct AppState {
 impl AppState {
     /// Whether a view is in sight.
     pub fn shows(&self, view: ViewName) -> bool {
-        self.look.views && !self.picture_alone && self.look.view == view
+        self.appearance.views && !self.picture_alone && self.appearance.view == view
     }
 
     /// Opens a view, and the panel.
     pub fn show_view(&mut self, view: ViewName) {
-        (self.look.views, self.look.view) = (true, view);
+        (self.appearance.views, self.appearance.view) = (true, view);
     }
 
     /// Asks for an action, done at the end of the frame.
@@ -129,7 +129,7 @@ impl AppState {
             self.show_view(ViewName::Course);
         }
         if let Origin::File(path) = &document.origin {
-            self.look.remember(path);
+            self.appearance.remember(path);
         }
         self.replace(document);
     }
@@ -146,7 +146,7 @@ impl AppState {
         self.saved = self.document.clone();
         self.opened = self.document.scene.clone();
         self.just_opened = true;
-        self.look.profile.begin();
+        self.appearance.profile.begin();
         self.begin();
         (self.light, self.vertex) = (0, 0);
         self.panes.active = 0;
@@ -439,9 +439,9 @@ impl Panes {
 
 /// What each view and dialog remembers, kept by its type, so that the window's state need not know them.
 #[derive(Debug, Default)]
-pub struct Own(HashMap<TypeId, Box<dyn Any>>);
+pub struct ViewStates(HashMap<TypeId, Box<dyn Any>>);
 
-impl Own {
+impl ViewStates {
     /// The value, if there is one yet.
     pub fn get<T: 'static>(&self) -> Option<&T> {
         self.0.get(&TypeId::of::<T>())?.downcast_ref()
@@ -482,7 +482,7 @@ mod tests {
         {
             let mut state = AppState::default();
             state.open(Document::built_in(preset.name).expect("a built-in scene"));
-            let opened = serde_json::to_value(state.look.view).expect("a word");
+            let opened = serde_json::to_value(state.appearance.view).expect("a word");
             assert_eq!(opened, preset.view(), "{}", preset.name);
         }
     }

@@ -1,7 +1,7 @@
 //! The view of error against run time: what to measure, the plot while points come in, and the table.
 
 use super::engine::Engine;
-use super::report::{Asking, Offer, Picked, export_ui};
+use super::report::{Offer, Pending, Picked, export_ui};
 use super::state::AppState;
 use super::theme::text_field;
 use crate::analysis::{Method, Setting, Study, StudyQuestion, study_point};
@@ -20,7 +20,7 @@ pub struct StudyView {
     choices: Choices,
     /// What became of the point that was chosen last.
     message: Option<String>,
-    asking: Asking<StudyQuestion>,
+    asking: Pending<StudyQuestion>,
 }
 
 impl StudyView {

@@ -11,7 +11,7 @@ use eframe::egui::{RichText, Ui};
 
 /// The coefficients of the terms that are off.
 #[derive(Debug, Default)]
-struct Kept([Option<Rgb>; 3]);
+struct SwitchedOff([Option<Rgb>; 3]);
 
 fn coefficients(material: &mut Material) -> [&mut Rgb; 3] {
     [&mut material.ka, &mut material.kd, &mut material.ks]
@@ -21,7 +21,7 @@ fn coefficients(material: &mut Material) -> [&mut Rgb; 3] {
 pub fn switch(state: &mut AppState, term: usize) {
     let opened = coefficients(&mut state.opened.material.clone()).map(|value| *value)[term];
     let usual = coefficients(&mut Material::default()).map(|value| *value)[term];
-    let mut kept: Kept = state.own.take();
+    let mut kept: SwitchedOff = state.own.take();
     let value = &mut coefficients(&mut state.shown.scene.material)[term];
     if **value == Rgb::ZERO {
         let known = kept.0[term]

@@ -13,7 +13,7 @@ pub fn toast_ui(ctx: &Context, state: &mut AppState) {
     expire(ctx, state);
     let width = ctx.content_rect().width();
     let alone = state.picture_alone || state.enlarged || state.embedded.is_some();
-    let barred = !alone && state.look.stages && width >= NARROW;
+    let barred = !alone && state.appearance.stages && width >= NARROW;
     if barred || state.dialog.is_some() || state.said().is_none() {
         return;
     }

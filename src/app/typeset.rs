@@ -306,7 +306,7 @@ fn symbol_ui(
         ui.ctx().set_cursor_icon(CursorIcon::PointingHand);
     }
     if response.clicked() {
-        state.look.controls = true;
+        state.appearance.controls = true;
         state.lit.seek = Some(symbol);
     }
     if state.lit.now == Some(symbol) {

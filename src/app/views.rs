@@ -1,12 +1,12 @@
 //! The views: ways of reading the picture, in groups that the rail at the right shows.
 
+use super::appearance::ViewName;
 use super::compare::compare_ui;
 use super::course::{course_ui, head_ui, hidden_ui};
 use super::curves::curves_ui;
 use super::defects::defects_ui;
 use super::engine::Engine;
 use super::focus::{keep_in_sight, one_stop, switch_named};
-use super::look::ViewName;
 use super::plan::plan_ui;
 use super::point::point_ui;
 use super::profile::profile_ui;
@@ -189,7 +189,7 @@ struct Habits {
 
 /// Whether the present view stands below the picture, where there is room on both sides.
 pub fn stands_below(state: &AppState) -> bool {
-    let view = view(state.look.view);
+    let view = view(state.appearance.view);
     let moved = state
         .own
         .get()
@@ -200,15 +200,17 @@ pub fn stands_below(state: &AppState) -> bool {
 /// Shows the group's view that was shown last, or closes it if it is in sight.
 fn choose(state: &mut AppState, index: usize) {
     let group = &GROUPS[index];
-    if group.has(state.look.view) && state.look.views {
-        state.look.views = false;
+    if group.has(state.appearance.view) && state.appearance.views {
+        state.appearance.views = false;
         return;
     }
     let last = state
         .own
         .get()
         .and_then(|habits: &Habits| habits.last[index]);
-    let present = group.has(state.look.view).then_some(state.look.view);
+    let present = group
+        .has(state.appearance.view)
+        .then_some(state.appearance.view);
     state.show_view(present.or(last).unwrap_or(group.views[0].key));
 }
 
@@ -221,18 +223,18 @@ pub fn rail_ui(ui: &mut Ui, state: &mut AppState, narrow: bool, size: Vec2) {
             ui,
             Sign::Controls,
             text!("view-controls"),
-            state.look.controls,
+            state.appearance.controls,
             size,
         )
     {
-        state.look.controls = !state.look.controls;
-        state.look.views = false;
+        state.appearance.controls = !state.appearance.controls;
+        state.appearance.views = false;
     }
     for (index, group) in GROUPS.iter().enumerate() {
-        let shown = state.look.views && group.has(state.look.view);
+        let shown = state.appearance.views && group.has(state.appearance.view);
         if sign_ui(ui, group.sign, group.title(), shown, size) {
             choose(state, index);
-            state.look.controls &= !narrow;
+            state.appearance.controls &= !narrow;
         }
     }
     one_stop(ui, ui.min_rect());
@@ -263,12 +265,12 @@ fn sign_ui(ui: &mut Ui, sign: Sign, name: &str, on: bool, size: Vec2) -> bool {
 
 /// The view that is open, under the names of its group.
 pub fn view_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, narrow: bool) {
-    let group = group(state.look.view);
+    let group = group(state.appearance.view);
     ui.add_space(4.0);
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         // A lesson has its own head, and is alone in its group.
-        if state.look.view == ViewName::Course && state.course.heading().is_some() {
+        if state.appearance.view == ViewName::Course && state.course.heading().is_some() {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 place_ui(ui, state, narrow);
                 ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
@@ -278,18 +280,18 @@ pub fn view_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, narrow: bool)
             return;
         }
         for view in group.views {
-            let on = view.key == state.look.view;
+            let on = view.key == state.appearance.view;
             let button = ui.add(Button::selectable(on, view.title()));
             if switch_named(button, Role::Tab, on, view.title()).clicked() {
-                state.look.view = view.key;
+                state.appearance.view = view.key;
             }
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             place_ui(ui, state, narrow);
         });
     });
-    let index = GROUPS.iter().position(|one| one.has(state.look.view));
-    let name = state.look.view;
+    let index = GROUPS.iter().position(|one| one.has(state.appearance.view));
+    let name = state.appearance.view;
     state
         .own
         .change(|habits: &mut Habits| habits.last[index.unwrap_or(0)] = Some(name));
@@ -321,7 +323,7 @@ pub fn view_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, narrow: bool)
 fn place_ui(ui: &mut Ui, state: &mut AppState, narrow: bool) {
     ui.spacing_mut().item_spacing.x = 2.0;
     if sign_button(ui, Sign::Close, text!("view-close")) {
-        (state.look.views, state.enlarged) = (false, false);
+        (state.appearance.views, state.enlarged) = (false, false);
     }
     let (sign, name) = if state.enlarged {
         (Sign::Shrink, text!("view-shrink"))
@@ -340,7 +342,7 @@ fn place_ui(ui: &mut Ui, state: &mut AppState, narrow: bool) {
         (Sign::Below, text!("view-below"))
     };
     if sign_button(ui, sign, name) {
-        let view = state.look.view;
+        let view = state.appearance.view;
         state.own.change(|habits: &mut Habits| {
             if habits.moved.contains(&view) {
                 habits.moved.retain(|moved| *moved != view);

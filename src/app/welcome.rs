@@ -43,7 +43,7 @@ fn card_ui(ui: &mut Ui, state: &mut AppState, low: bool) {
         for (button, action) in ways {
             if ui.add(button).clicked() {
                 state.welcome = false;
-                state.look.welcomed = true;
+                state.appearance.welcomed = true;
                 state.asked.extend(action);
             }
         }

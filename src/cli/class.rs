@@ -7,8 +7,8 @@ use serde_json::{Value, json};
 use shading_lab::analysis::{Cell, Column, Table};
 use shading_lab::document::{check_target, write_whole};
 use shading_lab::lesson::{
-    Asked, Class, Given, Group, Handed, Student, Unreadable, answer_parts, class_sheet, collect,
-    short_answer, short_solution, spread, without_marks,
+    Class, ClassQuestion, Given, Group, Handed, Student, Unreadable, answer_parts, class_sheet,
+    collect, short_answer, short_solution, spread, without_marks,
 };
 use shading_lab::text::{escaped, excerpt, text};
 use std::path::{Path, PathBuf};
@@ -89,7 +89,7 @@ fn write_text(target: &Path, text: &str) -> Result<(), Failure> {
 
 /// Returns the questions that have no right answer, each with its line in the lesson's file, or in the first picture with that lesson inside.
 fn failures(group: &Group, lesson: Option<&Path>) -> impl Iterator<Item = String> {
-    let line = |asked: &Asked| {
+    let line = |asked: &ClassQuestion| {
         let step = group.lesson.steps.get(asked.step);
         step.map_or(0, |step| step.line)
     };

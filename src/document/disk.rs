@@ -130,7 +130,7 @@ fn fill(
     target: impl Write,
     content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
 ) -> io::Result<()> {
-    let mut target = Told {
+    let mut target = ErrorKeeper {
         target,
         failed: None,
     };
@@ -145,13 +145,13 @@ fn fill(
 }
 
 /// A target that keeps why it has failed: encoders wrap it in errors of their own.
-struct Told<W> {
+struct ErrorKeeper<W> {
     target: W,
     failed: Option<io::ErrorKind>,
 }
 
-impl<W: Write> Told<W> {
-    fn told<T>(&mut self, result: io::Result<T>) -> io::Result<T> {
+impl<W: Write> ErrorKeeper<W> {
+    fn keep_error<T>(&mut self, result: io::Result<T>) -> io::Result<T> {
         result.inspect_err(|error| {
             let again = error.kind() == io::ErrorKind::Interrupted;
             self.failed = (!again).then(|| error.kind());
@@ -159,15 +159,15 @@ impl<W: Write> Told<W> {
     }
 }
 
-impl<W: Write> Write for Told<W> {
+impl<W: Write> Write for ErrorKeeper<W> {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         let written = self.target.write(bytes);
-        self.told(written)
+        self.keep_error(written)
     }
 
     fn flush(&mut self) -> io::Result<()> {
         let flushed = self.target.flush();
-        self.told(flushed)
+        self.keep_error(flushed)
     }
 }
 

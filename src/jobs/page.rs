@@ -1,5 +1,6 @@
 //! Work on a web page: sent to workers, which load the same program, or done on the page itself, between frames.
 
+use super::MessageKind;
 use crate::text::{Language, chinese_font, language};
 use js_sys::{Array, Object, Reflect, Uint8Array};
 use std::cell::RefCell;
@@ -15,7 +16,7 @@ const SCRIPT: &str = "worker.js";
 const OF_PAGE: [&str; 2] = ["shadingLab", "module"];
 
 /// What a worker says about its work. The last three are the end of it.
-pub enum Said<'a> {
+pub enum WorkerMessage<'a> {
     /// How far it is, from 0 to 1.
     At(f32),
     /// What is known so far.
@@ -26,7 +27,7 @@ pub enum Said<'a> {
     Stopped,
 }
 
-type Hear = Box<dyn FnMut(Said<'_>)>;
+type Hear = Box<dyn FnMut(WorkerMessage<'_>)>;
 
 /// Work that was sent.
 struct Order {
@@ -64,7 +65,7 @@ pub fn later(work: impl FnOnce() + 'static) {
 }
 
 /// Sends work of this name to a worker; `hear` is told what it says.
-pub fn send(name: &str, content: Vec<u8>, hear: impl FnMut(Said<'_>) + 'static) -> u64 {
+pub fn send(name: &str, content: Vec<u8>, hear: impl FnMut(WorkerMessage<'_>) + 'static) -> u64 {
     let place = Language::ALL.iter().position(|known| *known == language());
     let message = Array::of4(
         &name.into(),
@@ -98,7 +99,7 @@ pub fn cancel(number: u64) {
         Some(busy.hear)
     });
     if let Some(mut hear) = hear {
-        hear(Said::Stopped);
+        hear(WorkerMessage::Stopped);
         begin();
     }
 }
@@ -127,7 +128,7 @@ fn begin() {
         None
     });
     if let Some(mut hear) = refused {
-        hear(Said::Stopped);
+        hear(WorkerMessage::Stopped);
     }
 }
 
@@ -160,16 +161,19 @@ fn is(one: &Worker, other: &Worker) -> bool {
 fn hear(worker: &Worker, message: &JsValue) {
     let message: &Array = message.unchecked_ref();
     let kind = message.get(0).as_f64().unwrap_or(0.0) as u32;
+    let is_kind = |known: MessageKind| kind == known as u32;
     let content = message.get(1);
     let bytes = content
         .dyn_ref::<Uint8Array>()
         .map(Uint8Array::to_vec)
         .unwrap_or_default();
-    let said = match kind {
-        0 => Said::At(content.as_f64().unwrap_or(0.0) as f32),
-        1 => Said::SoFar(&bytes),
-        2 => Said::Over(&bytes),
-        _ => Said::Failed(content.as_string().unwrap_or_default()),
+    let said = match () {
+        () if is_kind(MessageKind::Share) => {
+            WorkerMessage::At(content.as_f64().unwrap_or(0.0) as f32)
+        }
+        () if is_kind(MessageKind::SoFar) => WorkerMessage::SoFar(&bytes),
+        () if is_kind(MessageKind::Answer) => WorkerMessage::Over(&bytes),
+        () => WorkerMessage::Failed(content.as_string().unwrap_or_default()),
     };
     let place = |pool: &Pool| pool.busy.iter().position(|busy| is(&busy.worker, worker));
     let Some(mut busy) =
@@ -177,10 +181,14 @@ fn hear(worker: &Worker, message: &JsValue) {
     else {
         return;
     };
+    let goes_on = matches!(said, WorkerMessage::At(_) | WorkerMessage::SoFar(_));
     (busy.hear)(said);
-    POOL.with_borrow_mut(|pool| match kind {
-        0 | 1 => pool.busy.push(busy),
-        _ => pool.idle.push(busy.worker),
+    POOL.with_borrow_mut(|pool| {
+        if goes_on {
+            pool.busy.push(busy);
+        } else {
+            pool.idle.push(busy.worker);
+        }
     });
     begin();
 }

@@ -1,6 +1,6 @@
 //! The other side of a worker: does what the page has sent, and tells it.
 
-use super::{Work, nanoseconds};
+use super::{MessageKind, Work, nanoseconds};
 use crate::analysis::Watch;
 use crate::text::{Language, set_chinese_font, set_language};
 use js_sys::{Array, Reflect, Uint8Array};
@@ -42,7 +42,7 @@ pub fn serve(kinds: Vec<Served>) -> bool {
             .find(|(known, _)| name.as_deref() == Some(*known));
         match kind {
             Some((_, work)) => work(&content),
-            None => tell(3, &JsValue::NULL),
+            None => tell(MessageKind::Failure, &JsValue::NULL),
         }
     });
     // A script that cannot be given this says so itself.
@@ -51,39 +51,39 @@ pub fn serve(kinds: Vec<Served>) -> bool {
 }
 
 /// Sends the page what it hears.
-fn tell(kind: u32, content: &JsValue) {
+fn tell(kind: MessageKind, content: &JsValue) {
     let scope: DedicatedWorkerGlobalScope = js_sys::global().unchecked_into();
     // A page that is gone hears nothing.
-    let _ = scope.post_message(&Array::of2(&kind.into(), content));
+    let _ = scope.post_message(&Array::of2(&(kind as u32).into(), content));
 }
 
-fn tell_bytes(kind: u32, content: &[u8]) {
+fn tell_bytes(kind: MessageKind, content: &[u8]) {
     tell(kind, &Uint8Array::from(content));
 }
 
 fn work<W: Work>(content: &[u8]) {
     let travels =
-        W::TRAVELS.and_then(|(parcel, answers)| Some(((parcel.unpack)(content)?, answers)));
+        W::CODECS.and_then(|(codec, answers)| Some(((codec.from_bytes)(content)?, answers)));
     let Some((work, answers)) = travels else {
-        return tell(3, &JsValue::NULL);
+        return tell(MessageKind::Failure, &JsValue::NULL);
     };
-    let teller = Teller::<W> {
+    let reporter = Reporter::<W> {
         told: [AtomicU64::new(0), AtomicU64::new(0)],
         work: PhantomData,
     };
-    match work.run(&teller) {
-        Ok(answer) => tell_bytes(2, &(answers.pack)(&answer)),
-        Err(why) => tell(3, &why.into()),
+    match work.run(&reporter) {
+        Ok(answer) => tell_bytes(MessageKind::Answer, &(answers.to_bytes)(&answer)),
+        Err(why) => tell(MessageKind::Failure, &why.into()),
     }
 }
 
-struct Teller<W> {
+struct Reporter<W> {
     /// When the page was last told how far the work is, and what is known, nanoseconds.
     told: [AtomicU64; 2],
     work: PhantomData<fn(W)>,
 }
 
-impl<W> Teller<W> {
+impl<W> Reporter<W> {
     fn is_due(&self, what: usize) -> bool {
         let (now, last) = (nanoseconds(), &self.told[what]);
         let due = now >= last.load(Ordering::Relaxed) + PAUSE;
@@ -94,20 +94,20 @@ impl<W> Teller<W> {
     }
 }
 
-impl<W: Work> Watch<W::Answer> for Teller<W> {
+impl<W: Work> Watch<W::Answer> for Reporter<W> {
     /// Whoever wants no more ends the worker.
     fn at(&self, share: f32) -> bool {
         if self.is_due(0) {
-            tell(0, &share.into());
+            tell(MessageKind::Share, &share.into());
         }
         true
     }
 
     fn found(&self, so_far: &W::Answer) {
         if self.is_due(1)
-            && let Some((_, answers)) = W::TRAVELS
+            && let Some((_, answers)) = W::CODECS
         {
-            tell_bytes(1, &(answers.pack)(so_far));
+            tell_bytes(MessageKind::SoFar, &(answers.to_bytes)(so_far));
         }
     }
 }

@@ -46,7 +46,7 @@ pub struct Group {
     /// The lesson.
     pub lesson: Lesson,
     /// Its questions, in their order.
-    pub questions: Vec<Asked>,
+    pub questions: Vec<ClassQuestion>,
     /// The hand-ins, by the names of their files.
     pub students: Vec<Student>,
     /// Whether the lesson came inside a hand-in: it may open no file then.
@@ -55,7 +55,7 @@ pub struct Group {
 
 /// A question of the lesson, with its numbers filled in.
 #[derive(Debug)]
-pub struct Asked {
+pub struct ClassQuestion {
     /// The step, from 0.
     pub step: usize,
     /// What was asked.
@@ -101,7 +101,7 @@ pub struct Given {
     pub predicted: Option<Grade>,
 }
 
-impl Asked {
+impl ClassQuestion {
     /// The question itself.
     pub fn question<'l>(&self, lesson: &'l Lesson) -> Option<&'l Question> {
         lesson.steps.get(self.step)?.question.as_ref()
@@ -355,7 +355,7 @@ impl Group {
     fn new(lesson: Lesson, foreign: bool) -> Self {
         let asked = |(step, of): (usize, &Step)| {
             let question = of.question.as_ref();
-            question.map(|_| Asked::empty(step))
+            question.map(|_| ClassQuestion::empty(step))
         };
         let questions = lesson.steps.iter().enumerate().filter_map(asked).collect();
         Self {
@@ -451,7 +451,7 @@ impl Failure {
     }
 }
 
-impl Asked {
+impl ClassQuestion {
     /// Solves the question, fills in its numbers, and grades what the students answered to question `index`.
     fn grade(
         &mut self,

@@ -1,6 +1,8 @@
 //! A class on one page: who answered what, and how the answers to each question are spread.
 
-use super::class::{Asked, Class, Given, Group, letter, short_answer, short_solution, spread};
+use super::class::{
+    Class, ClassQuestion, Given, Group, letter, short_answer, short_solution, spread,
+};
 use super::page::{Axes, axis_name, blocks, data, escaped, inline, page};
 use super::{Answer, CURVE_POINTS, Kind, Question, Solution};
 use crate::text::text;
@@ -211,7 +213,7 @@ fn question_part(group: &Group, index: usize, body: &mut String) {
 }
 
 /// How often each option or order was predicted.
-fn counts(group: &Group, index: usize, asked: &Asked, body: &mut String) {
+fn counts(group: &Group, index: usize, asked: &ClassQuestion, body: &mut String) {
     let counted = group.counted(index);
     let total = counted.iter().map(|(_, count)| count).sum::<usize>().max(1);
     let right = asked.solution.as_ref().map(Answer::right);
@@ -264,7 +266,7 @@ fn counts(group: &Group, index: usize, asked: &Asked, body: &mut String) {
 }
 
 /// Every predicted place over the picture, and the right ones.
-fn clicks(group: &Group, index: usize, asked: &Asked, tolerance: f64, body: &mut String) {
+fn clicks(group: &Group, index: usize, asked: &ClassQuestion, tolerance: f64, body: &mut String) {
     let Some(frame) = &asked.picture else {
         return;
     };
@@ -320,7 +322,7 @@ fn clicks(group: &Group, index: usize, asked: &Asked, tolerance: f64, body: &mut
 fn curves(
     group: &Group,
     index: usize,
-    asked: &Asked,
+    asked: &ClassQuestion,
     question: &Question,
     [x, y]: [[f64; 2]; 2],
     body: &mut String,
@@ -364,7 +366,7 @@ fn curves(
 fn numbers(
     group: &Group,
     index: usize,
-    asked: &Asked,
+    asked: &ClassQuestion,
     range: Option<[f64; 2]>,
     tolerance: f64,
     body: &mut String,

@@ -1,6 +1,6 @@
 //! A lesson in words, for a terminal.
 
-use super::class::{Asked, letter};
+use super::class::{ClassQuestion, letter};
 use super::links::without_closed_links;
 use super::worksheet::answer_words;
 use super::{Budget, Kind, Lab, Lesson, LessonError, Question, Staged};
@@ -37,7 +37,7 @@ pub fn in_words(lesson: &Lesson, seed: u64, answers: bool) -> Result<String, Les
             continue;
         };
         number += 1;
-        let asked = Asked::filled(index, question, place).map_err(wrong)?;
+        let asked = ClassQuestion::filled(index, question, place).map_err(wrong)?;
         let heading = text!("class-question", number = number);
         let _ = writeln!(out, "\n{heading} {}", without_marks(&asked.ask));
         out.push_str(&room(&asked, question));
@@ -80,7 +80,7 @@ fn shell_word(word: &str) -> String {
 }
 
 /// What there is to choose from, or what is expected.
-fn room(asked: &Asked, question: &Question) -> String {
+fn room(asked: &ClassQuestion, question: &Question) -> String {
     let options = asked.options.iter().enumerate();
     let mut out: String = options
         .map(|(index, words)| format!("   {} {}\n", letter(index), without_marks(words)))

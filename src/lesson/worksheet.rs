@@ -1,6 +1,6 @@
 //! A lesson on paper: its text and pictures, questions with room to write, and the answers on a page of their own.
 
-use super::class::{Asked, letter};
+use super::class::{ClassQuestion, letter};
 use super::page::{Axes, axis_name, blocks, data, escaped, inline, page, picture};
 use super::prose::shown;
 use super::{
@@ -194,7 +194,7 @@ impl StepPart {
             question: None,
         };
         if let Some(asks) = &step.question {
-            let mut asked = Asked::filled(index, asks, place).map_err(wrong)?;
+            let mut asked = ClassQuestion::filled(index, asks, place).map_err(wrong)?;
             let target = matches!(asks.kind, Kind::Match { .. });
             if sheet.answers || target && sheet.samples > 0 {
                 let solution = asks.solve(place, sheet.seed);
@@ -212,7 +212,7 @@ impl StepPart {
 
 /// Where the student answers.
 fn room(
-    asked: &Asked,
+    asked: &ClassQuestion,
     question: &Question,
     place: LabPlace<'_>,
     frame: &Frame,
@@ -322,7 +322,7 @@ fn room(
 }
 
 /// The right answer, and why.
-fn answer(asked: &Asked, question: &Question, frame: &Frame) -> String {
+fn answer(asked: &ClassQuestion, question: &Question, frame: &Frame) -> String {
     let Some(solution) = &asked.solution else {
         return String::new();
     };
@@ -354,7 +354,11 @@ fn answer(asked: &Asked, question: &Question, frame: &Frame) -> String {
 }
 
 /// The right answer in words; none of a drawing.
-pub(super) fn answer_words(asked: &Asked, question: &Question, solution: &Solution) -> String {
+pub(super) fn answer_words(
+    asked: &ClassQuestion,
+    question: &Question,
+    solution: &Solution,
+) -> String {
     let named = |index: &usize| {
         let words = asked.options.get(*index).map_or("", |words| &**words);
         format!("{} {words}", letter(*index))

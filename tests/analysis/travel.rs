@@ -5,7 +5,7 @@ use shading_lab::analysis::{
     StudyQuestion, unwatched,
 };
 use shading_lab::geometry::tessellate;
-use shading_lab::jobs::{Asked, Work};
+use shading_lab::jobs::{Request, Work};
 use shading_lab::scene::{Interpolation, Scene, ShadingMode};
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -22,12 +22,12 @@ fn text(value: &impl Debug) -> String {
 
 /// Sends a question about a scene, and its answer back; both arrive as they were sent.
 fn travels<Q: Question>(question: Q, scene: &Scene) -> Q::Answer {
-    let asked = Asked::new(question, scene, None, [40, 30]);
-    let (questions, answers) = <Asked<Q> as Work>::TRAVELS.expect("it travels");
-    let arrived = (questions.unpack)(&(questions.pack)(&asked)).expect("the question");
+    let asked = Request::new(question, scene, None, [40, 30]);
+    let (questions, answers) = <Request<Q> as Work>::CODECS.expect("it travels");
+    let arrived = (questions.from_bytes)(&(questions.to_bytes)(&asked)).expect("the question");
     assert_eq!(text(&arrived), text(&asked));
     let answer = arrived.run(&unwatched).expect("an answer");
-    let back = (answers.unpack)(&(answers.pack)(&answer)).expect("the answer");
+    let back = (answers.from_bytes)(&(answers.to_bytes)(&answer)).expect("the answer");
     assert_eq!(text(&back), text(&answer));
     back
 }
@@ -91,10 +91,10 @@ fn a_model_travels_with_the_question() {
     let mut scene = scene();
     scene.object.segments = 5;
     let model = Arc::new(tessellate(&scene.object));
-    let asked = Asked::new(DefectsQuestion::default(), &scene, Some(&model), [8, 8]);
-    let (questions, _) = <Asked<DefectsQuestion> as Work>::TRAVELS.expect("it travels");
-    let arrived = (questions.unpack)(&(questions.pack)(&asked)).expect("the question");
+    let asked = Request::new(DefectsQuestion::default(), &scene, Some(&model), [8, 8]);
+    let (questions, _) = <Request<DefectsQuestion> as Work>::CODECS.expect("it travels");
+    let arrived = (questions.from_bytes)(&(questions.to_bytes)(&asked)).expect("the question");
     let mesh = arrived.model.expect("the model");
     assert_eq!(text(&mesh), text(&model));
-    assert!((questions.unpack)(b"nonsense").is_none());
+    assert!((questions.from_bytes)(b"nonsense").is_none());
 }

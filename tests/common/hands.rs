@@ -5,7 +5,7 @@ use eframe::egui::{Key, Modifiers, Pos2, Rect, TexturesDelta};
 use egui_kittest::kittest::{NodeT, Queryable};
 use egui_kittest::{Harness, TestRenderer};
 use serde::Serialize;
-use shading_lab::app::{App, Kept, Look};
+use shading_lab::app::{App, Appearance, SavedProgress};
 use shading_lab::document::{Loaded, load};
 use shading_lab::scene::Scene;
 use std::collections::BTreeMap;
@@ -63,30 +63,31 @@ impl eframe::Storage for Storage {
 /// What a window stores.
 #[derive(Serialize)]
 struct Stored<'a> {
-    look: &'a Look,
-    course: &'a Kept,
+    #[serde(rename = "look")]
+    appearance: &'a Appearance,
+    course: &'a SavedProgress,
 }
 
 /// A window of some size, in points, that finds this look stored.
 pub fn window_looking(
     loaded: Loaded,
     size: [f32; 2],
-    look: &Look,
+    appearance: &Appearance,
     set_up: impl FnOnce(App) -> App,
 ) -> Harness<'static, App> {
-    window_storing(loaded, size, look, &Kept::default(), set_up)
+    window_storing(loaded, size, appearance, &SavedProgress::default(), set_up)
 }
 
 /// The same with answers to lessons.
 pub fn window_storing(
     loaded: Loaded,
     size: [f32; 2],
-    look: &Look,
-    course: &Kept,
+    appearance: &Appearance,
+    course: &SavedProgress,
     set_up: impl FnOnce(App) -> App,
 ) -> Harness<'static, App> {
     let mut storage = Storage::default();
-    eframe::set_value(&mut storage, "look", &Stored { look, course });
+    eframe::set_value(&mut storage, "look", &Stored { appearance, course });
     // A window's storage lives as long as the window.
     let storage: &'static Storage = Box::leak(Box::new(storage));
     let mut harness = Harness::builder()

@@ -72,12 +72,12 @@ const MOVES: [Change; 6] = [
 fn what_is_kept_is_what_would_be_drawn() {
     for level in levels() {
         for kind in [ObjectKind::Sphere, ObjectKind::Torus] {
-            for (view, look) in VIEWS {
+            for (view, appearance) in VIEWS {
                 // One renderer for all shadings, so that each finds what another has kept.
                 let mut renderer = Renderer::default().with_level(level);
                 for (shading, shade) in SHADINGS {
                     let mut scene = fine(kind);
-                    look(&mut scene);
+                    appearance(&mut scene);
                     shade(&mut scene);
                     assert_eq!(scene.validate(), Ok(()), "{view}, {shading}");
                     renderer.render(&scene);

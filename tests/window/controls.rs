@@ -13,7 +13,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use glam::DVec3;
 use shading_lab::analysis::NormalField;
-use shading_lab::app::{App, Look, ProfileLook, ViewName};
+use shading_lab::app::{App, Appearance, ProfileAppearance, ViewName};
 use shading_lab::geometry::tessellate;
 use shading_lab::scene::{Choice, CompareView, Pane, Rgb, ShadingMode, View};
 use std::sync::Arc;
@@ -468,8 +468,8 @@ fn pointing_at_a_vertex_lights_up_its_faces() {
     assert_eq!(lit(&harness), None, "nothing while normals are hidden");
     harness.key_press(Key::M);
     harness.run();
-    let look = &harness.state().state().look.overlay;
-    assert!(look.face_normals && look.vertex_normals);
+    let appearance = &harness.state().state().appearance.overlay;
+    assert!(appearance.face_normals && appearance.vertex_normals);
     harness.hover_at(place + vec2(5.0, 3.0));
     harness.run();
     assert_eq!(lit(&harness), Some(middle.vertex));
@@ -504,21 +504,21 @@ fn pointing_at_a_vertex_lights_up_its_faces() {
 }
 
 /// The look of a window that finds this one stored.
-fn look_from(stored: &Look) -> Look {
+fn look_from(stored: &Appearance) -> Appearance {
     let harness = window_looking(built_in("teapot"), [900.0, 600.0], stored, |app| app);
-    harness.state().state().look.clone()
+    harness.state().state().appearance.clone()
 }
 
 #[test]
 fn what_was_stored_is_put_right_field_by_field() {
-    let usual = Look {
+    let usual = Appearance {
         view: ViewName::Profile,
         stages: false,
-        ..Look::default()
+        ..Appearance::default()
     };
     for scale in [0.0, -3.0, 0.01, 3.0, 1e30, f32::INFINITY, f32::NAN] {
         assert_eq!(
-            look_from(&Look {
+            look_from(&Appearance {
                 scale,
                 ..usual.clone()
             }),
@@ -527,7 +527,7 @@ fn what_was_stored_is_put_right_field_by_field() {
         );
     }
     for wrong in [0.0, -1.0, 1e300, f64::INFINITY, f64::NAN] {
-        let mut stored = Look {
+        let mut stored = Appearance {
             scale: 1.25,
             ..usual.clone()
         };
@@ -543,19 +543,19 @@ fn what_was_stored_is_put_right_field_by_field() {
         perception.weight = if wrong == 0.0 { f64::NAN } else { wrong };
         assert_eq!(
             look_from(&stored),
-            Look {
+            Appearance {
                 scale: 1.25,
                 ..usual.clone()
             },
             "{wrong}"
         );
     }
-    let sound = Look {
+    let sound = Appearance {
         scale: 2.5,
-        profile: ProfileLook {
+        profile: ProfileAppearance {
             edges: false,
             brightness: false,
-            ..ProfileLook::default()
+            ..ProfileAppearance::default()
         },
         ..usual
     };

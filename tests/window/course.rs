@@ -10,7 +10,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, OpenUrl, OutputCommand, Pos2, Style, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
-use shading_lab::app::{App, Look, ViewName};
+use shading_lab::app::{App, Appearance, ViewName};
 use shading_lab::document::{load, save_scene};
 use shading_lab::lesson::{Answer, Answered, Lesson, find, read_hand_in};
 use std::path::Path;
@@ -30,12 +30,12 @@ fn window_with(lesson: Lesson) -> Harness<'static, App> {
 }
 
 fn window_of(lesson: Lesson, size: [f32; 2]) -> Harness<'static, App> {
-    let look = Look {
+    let appearance = Appearance {
         smooth_edges: false,
-        ..Look::default()
+        ..Appearance::default()
     };
     let loaded = hands::built_in("sphere");
-    let mut harness = hands::window_looking(loaded, size, &look, |app| {
+    let mut harness = hands::window_looking(loaded, size, &appearance, |app| {
         app.with_lesson(Some(lesson), Some(5))
     });
     ready(&mut harness);
@@ -106,14 +106,14 @@ fn type_text(harness: &mut Harness<'_, App>, text: &str) {
 fn a_step_shows_its_scene_its_text_and_its_controls() {
     let mut harness = window();
     assert_eq!(scene(&harness).material.n, 20.0);
-    assert_eq!(harness.state().state().look.view, ViewName::Course);
+    assert_eq!(harness.state().state().appearance.view, ViewName::Course);
     assert!(
         harness
             .query_by_label_contains("half-width is 15.0°")
             .is_some()
     );
     harness.get_by_role_and_label(Role::SpinButton, "n specular exponent");
-    assert!(!harness.state().state().look.controls);
+    assert!(!harness.state().state().appearance.controls);
     // What is changed can be put back.
     hands::enter(&mut harness, "n specular exponent", 55.0);
     assert_eq!(scene(&harness).material.n, 55.0);

@@ -4,18 +4,20 @@ use crate::common::hands::{built_in, scene, window_looking};
 use eframe::egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
-use shading_lab::app::{App, Look};
+use shading_lab::app::{App, Appearance};
 use shading_lab::link::read;
 
 fn figure(name: &str, size: [f32; 2], controls: &[&str]) -> Harness<'static, App> {
     let controls: Vec<String> = controls.iter().map(|&word| word.to_owned()).collect();
     // What is remembered of the window itself does not reach the figure.
-    let look = Look {
+    let appearance = Appearance {
         projector: true,
         controls: false,
-        ..Look::default()
+        ..Appearance::default()
     };
-    window_looking(built_in(name), size, &look, |app| app.embedded(&controls))
+    window_looking(built_in(name), size, &appearance, |app| {
+        app.embedded(&controls)
+    })
 }
 
 #[test]

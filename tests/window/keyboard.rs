@@ -225,8 +225,8 @@ fn projector_size_follows_the_windows_height() {
             (text - height / 28.0).abs() < 0.1,
             "{text} of {height} points: ordinary text is a 28th of the height"
         );
-        let look = &harness.state().state().look;
-        assert!(look.projector && !look.controls && !look.views);
+        let appearance = &harness.state().state().appearance;
+        assert!(appearance.projector && !appearance.controls && !appearance.views);
         key(&mut harness, Key::F9);
         assert_eq!(harness.ctx.zoom_factor(), 1.0);
     }

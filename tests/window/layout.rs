@@ -7,7 +7,7 @@ use eframe::egui::epaint::{ClippedShape, Shape, TextShape};
 use eframe::egui::{Event, Key, Modifiers, Rect};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
-use shading_lab::app::{App, Kept, Look, ViewName};
+use shading_lab::app::{App, Appearance, SavedProgress, ViewName};
 use shading_lab::lesson::{Answer, Answered, CURVE_POINTS, Grade, Kind, Lesson, Record};
 use shading_lab::scene::presets::DEFAULT;
 use shading_lab::text::{Language, in_language, text};
@@ -187,18 +187,22 @@ fn every_view_and_dialog_fits_at_every_size_in_both_languages() {
     let mut found = BTreeSet::new();
     for language in Language::ALL {
         for (size, projector) in SIZES {
-            let mut look = Look {
+            let mut appearance = Appearance {
                 language: Some(language),
                 view: ViewName::Stability,
-                ..Look::default()
+                ..Appearance::default()
             };
             if projector {
-                look.projector();
+                appearance.projector();
             }
-            let scale = look.zoom(size[1]);
+            let scale = appearance.zoom(size[1]);
             let points = size.map(|side| side / scale);
-            let mut harness =
-                hands::window_looking(hands::built_in("three-lights"), points, &look, |app| app);
+            let mut harness = hands::window_looking(
+                hands::built_in("three-lights"),
+                points,
+                &appearance,
+                |app| app,
+            );
             let mut check = |harness: &Harness<'_, App>, what: &str, shown: Shown| {
                 for fault in faults(harness, shown) {
                     let [width, height] = size;
@@ -209,12 +213,16 @@ fn every_view_and_dialog_fits_at_every_size_in_both_languages() {
                     ));
                 }
             };
-            let first =
-                hands::window_looking(hands::built_in(DEFAULT), points, &look, App::with_welcome);
+            let first = hands::window_looking(
+                hands::built_in(DEFAULT),
+                points,
+                &appearance,
+                App::with_welcome,
+            );
             check(&first, "first start", Shown::View);
             let folder = left_behind(&format!("{}-{size:?}", language.tag()));
             let after_crash =
-                hands::window_looking(hands::built_in(DEFAULT), points, &look, |app| {
+                hands::window_looking(hands::built_in(DEFAULT), points, &appearance, |app| {
                     app.with_recovery(&folder)
                 });
             assert!(after_crash.state().state().dialog.is_some());
@@ -223,7 +231,7 @@ fn every_view_and_dialog_fits_at_every_size_in_both_languages() {
             for _ in 0..10 {
                 harness.key_press(Key::C);
                 harness.run_ok();
-                let tab = harness.state().state().look.view;
+                let tab = harness.state().state().appearance.view;
                 check(&harness, &format!("{tab:?}"), Shown::View);
                 let press = |harness: &mut Harness<'_, App>, key: &str| {
                     let name = in_language(language, || text!(key));
@@ -287,7 +295,7 @@ fn every_view_and_dialog_fits_at_every_size_in_both_languages() {
             // Its dialog shows the whole link.
             let with_page = |app: App| app.with_page(Some(PAGE.to_owned()));
             let mut linked =
-                hands::window_looking(hands::built_in(DEFAULT), points, &look, with_page);
+                hands::window_looking(hands::built_in(DEFAULT), points, &appearance, with_page);
             linked.key_press(Key::Q);
             linked.run_ok();
             assert!(linked.state().state().dialog.is_some());
@@ -328,12 +336,13 @@ fn what_scrolls_is_not_cut_off_at_the_side() {
             ("glass-ball", [390.0, 3200.0]),
             (DEFAULT, [620.0, 2400.0]),
         ] {
-            let look = Look {
+            let appearance = Appearance {
                 language: Some(language),
                 view: ViewName::Stability,
-                ..Look::default()
+                ..Appearance::default()
             };
-            let mut harness = hands::window_looking(hands::built_in(scene), size, &look, |app| app);
+            let mut harness =
+                hands::window_looking(hands::built_in(scene), size, &appearance, |app| app);
             let mut check = |harness: &Harness<'_, App>, what: &str| {
                 for fault in faults(harness, Shown::View) {
                     found.insert(format!("{} {scene} {what}: {fault}", language.tag()));
@@ -344,7 +353,7 @@ fn what_scrolls_is_not_cut_off_at_the_side() {
             for _ in 0..10 {
                 harness.key_press(Key::C);
                 harness.run_ok();
-                let view = harness.state().state().look.view;
+                let view = harness.state().state().appearance.view;
                 check(&harness, &format!("{view:?}"));
             }
         }
@@ -359,7 +368,7 @@ fn lesson() -> Lesson {
 }
 
 /// Answers to all of its questions, of which none is right and each was looked up.
-fn looked_up(lesson: &Lesson) -> Kept {
+fn looked_up(lesson: &Lesson) -> SavedProgress {
     let mut record = Record::new(&lesson.name, 1);
     for (step, question) in lesson.steps.iter().enumerate() {
         let answer = match question.question.as_ref().map(|question| &question.kind) {
@@ -382,9 +391,9 @@ fn looked_up(lesson: &Lesson) -> Kept {
             seconds: 10.0,
         });
     }
-    Kept {
+    SavedProgress {
         records: vec![record],
-        ..Kept::default()
+        ..SavedProgress::default()
     }
 }
 
@@ -394,22 +403,23 @@ fn every_step_of_a_lesson_fits_at_every_size_in_both_languages() {
     let mut found = BTreeSet::new();
     for language in Language::ALL {
         for (size, projector) in SIZES {
-            let mut look = Look {
+            let mut appearance = Appearance {
                 language: Some(language),
                 smooth_edges: false,
-                ..Look::default()
+                ..Appearance::default()
             };
             if projector {
-                look.projector();
+                appearance.projector();
             }
-            let scale = look.zoom(size[1]);
+            let scale = appearance.zoom(size[1]);
             let points = size.map(|side| side / scale);
             let answers = looked_up(&lesson());
-            for kept in [Kept::default(), answers] {
+            for kept in [SavedProgress::default(), answers] {
                 let shown = !kept.records.is_empty();
                 let loaded = hands::built_in(DEFAULT);
                 let with_lesson = |app: App| app.with_lesson(Some(lesson()), None);
-                let mut harness = hands::window_storing(loaded, points, &look, &kept, with_lesson);
+                let mut harness =
+                    hands::window_storing(loaded, points, &appearance, &kept, with_lesson);
                 for step in 0..lesson().steps.len() {
                     let known = hands::wait(&mut harness, |harness| {
                         let open = harness.state().state().course.open.as_ref();

@@ -76,8 +76,8 @@ fn what_is_seen_is_copied_as_a_link_and_opened_by_pasting_it() {
     paste(&mut second, &format!("  {link}\n"));
     assert_eq!(scene(&second), scene(&first));
     let [a, b] = [&first, &second].map(|window| window.state().state());
-    assert_eq!(b.look.view, ViewName::Profile);
-    assert!(b.look.views && !b.modified() && b.document.origin.name() == "sphere");
+    assert_eq!(b.appearance.view, ViewName::Profile);
+    assert!(b.appearance.views && !b.modified() && b.document.origin.name() == "sphere");
     let size = b.room;
     assert_eq!(a.probe.pixel(size), b.probe.pixel(size));
     assert!((a.line.0[0] - b.line.0[0]).length() < 1e-4);
@@ -108,7 +108,7 @@ fn a_window_opens_on_a_link_with_its_view_probe_and_line() {
     let harness = window_of(load(Path::new(link)).expect("a link"));
     let state = harness.state().state();
     assert_eq!(
-        (state.look.view, state.probe),
+        (state.appearance.view, state.probe),
         (ViewName::Plan, ProbePoint(DVec2::new(0.25, -0.125)))
     );
     assert_eq!(
@@ -217,7 +217,7 @@ fn without_a_page_its_address_is_asked_for() {
     );
     harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
     field(&mut harness, PAGE);
-    assert_eq!(harness.state().state().look.page, PAGE);
+    assert_eq!(harness.state().state().appearance.page, PAGE);
     assert!(decoded(&harness).starts_with("https://example.org/lab/?scene=gold&"));
 }
 

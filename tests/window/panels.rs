@@ -27,7 +27,7 @@ fn the_curves_have_a_tab_of_their_own_that_follows_the_scene() {
         "Reflected intensity by direction",
     ];
     assert_eq!(
-        harness.state().state().look.view,
+        harness.state().state().appearance.view,
         ViewName::Curves,
         "the scene names its tab"
     );
@@ -37,7 +37,7 @@ fn the_curves_have_a_tab_of_their_own_that_follows_the_scene() {
         "the equation is shown"
     );
     open_view(&mut harness, "Curves");
-    assert_eq!(harness.state().state().look.view, ViewName::Curves);
+    assert_eq!(harness.state().state().appearance.view, ViewName::Curves);
     for title in titles {
         assert!(harness.query_by_label(title).is_some(), "{title}");
     }
@@ -82,7 +82,7 @@ fn a_curve_is_read_under_the_pointer_without_a_missing_letter() {
         harness.key_press(key);
         harness.run();
     }
-    assert!(harness.state().state().look.overlay.lobe);
+    assert!(harness.state().state().appearance.overlay.lobe);
     let plots: Vec<_> = harness
         .query_all_by(|node| {
             node.role() == Role::Image && node.label().is_some_and(|label| label.contains("; "))
@@ -114,7 +114,7 @@ fn the_plan_has_a_tab_that_the_bar_opens() {
     });
     link.click_accesskit();
     harness.run();
-    assert_eq!(harness.state().state().look.view, ViewName::Plan);
+    assert_eq!(harness.state().state().appearance.view, ViewName::Plan);
     let says = |harness: &Harness<'_, App>, text: &str| {
         harness.query_all_by_label_contains(text).next().is_some()
     };
@@ -302,7 +302,7 @@ fn the_profile_has_a_tab_whose_line_is_dragged_in_the_picture() {
     let mut harness = window("flat-facets");
     open_view(&mut harness, "Profile");
     until_taken(&mut harness);
-    assert_eq!(harness.state().state().look.view, ViewName::Profile);
+    assert_eq!(harness.state().state().appearance.view, ViewName::Profile);
     assert_eq!(modes_taken(&harness), [ShadingMode::Flat], "the picture's");
     let switch = |harness: &mut Harness<'_, App>, mode: &str| {
         harness

@@ -325,7 +325,12 @@ fn work_is_offered_again_after_a_window_that_was_not_closed() {
     first.run();
     let looked_at = |window: &Window| {
         let state = window.state().state();
-        (state.probe, state.line, state.panes.active, state.look.view)
+        (
+            state.probe,
+            state.line,
+            state.panes.active,
+            state.appearance.view,
+        )
     };
     let before = looked_at(&first);
     assert_eq!((before.2, before.3), (1, ViewName::Profile));
@@ -396,7 +401,12 @@ fn a_model_is_restored_from_its_place_or_named_as_missing() {
     first.run();
     let looked_at = |window: &Window| {
         let state = window.state().state();
-        (state.probe, state.line, state.panes.active, state.look.view)
+        (
+            state.probe,
+            state.line,
+            state.panes.active,
+            state.appearance.view,
+        )
     };
     let before = looked_at(&first);
     assert_eq!((before.2, before.3), (1, ViewName::Profile));
@@ -454,7 +464,7 @@ fn undo_reaches_across_opening_another_scene() {
         window.run();
     }
     assert_eq!(state(&window), next);
-    let recent = &window.state().state().look.recent;
+    let recent = &window.state().state().appearance.recent;
     assert_eq!(
         recent,
         &[folder.0.join("ball.toml")],

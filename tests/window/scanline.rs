@@ -16,7 +16,7 @@ fn opened(name: &str) -> Harness<'static, App> {
     harness.key_press(Key::Num3);
     harness.run();
     open_view(&mut harness, "Scan line");
-    assert_eq!(harness.state().state().look.view, ViewName::ScanLine);
+    assert_eq!(harness.state().state().appearance.view, ViewName::ScanLine);
     harness
 }
 

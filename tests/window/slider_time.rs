@@ -4,7 +4,7 @@
 use crate::common::hands::{picture, scene, unfold_all, window_looking};
 use eframe::egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
-use shading_lab::app::Look;
+use shading_lab::app::Appearance;
 use shading_lab::document::load;
 use shading_lab::render::Renderer;
 use std::path::Path;
@@ -45,11 +45,11 @@ fn measure(built_in: &str, settings: &[&str]) {
     let mut loaded = load(Path::new(built_in)).expect("a built-in scene");
     loaded.scene = loaded.scene.with_overrides(&settings).expect("settings");
     // While a slider is held no smoother picture is drawn.
-    let look = Look {
+    let appearance = Appearance {
         smooth_edges: false,
-        ..Look::default()
+        ..Appearance::default()
     };
-    let mut harness = window_looking(loaded, [1280.0, 800.0], &look, |app| app);
+    let mut harness = window_looking(loaded, [1280.0, 800.0], &appearance, |app| app);
     unfold_all(&mut harness);
     let mut renderer = Renderer::default();
     for (name, step) in [

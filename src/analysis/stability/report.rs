@@ -1,11 +1,11 @@
 //! The catalogue of cases: how it is asked for, and what it says.
 
-use super::parcel;
+use super::codec;
 use super::{CaseResult, HALF_A_CODE_VALUE, Verdict, case_pictures, stability, stability_cases};
 use crate::analysis::report::{
     About, Answer, Column, Figure, Part, Report, Section, Table, as_it_is,
 };
-use crate::analysis::{Parcel, Question, Subject, Watch};
+use crate::analysis::{Codec, Question, Subject, Watch};
 use crate::figure::{Drawing, Paper, Text, magnitude};
 use crate::render::Frame;
 use crate::scene::Choice;
@@ -32,10 +32,10 @@ pub struct Catalogue {
 impl Question for StabilityQuestion {
     type Answer = Catalogue;
 
-    const PARCEL: Option<Parcel<Catalogue>> = Some(Parcel {
-        pack: |found| parcel::pack_results(&found.results),
-        unpack: |bytes| {
-            let results = parcel::unpack_results(bytes)?;
+    const CODEC: Option<Codec<Catalogue>> = Some(Codec {
+        to_bytes: |found| codec::results_to_bytes(&found.results),
+        from_bytes: |bytes| {
+            let results = codec::results_from_bytes(bytes)?;
             Some(Catalogue { results })
         },
     });

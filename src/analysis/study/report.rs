@@ -5,7 +5,7 @@ use crate::analysis::report::{
     About, Answer, Column, Figure, Part, Report, Table, as_it_is, fixed,
 };
 use crate::analysis::{
-    Axis, Curve, Dash, Ink, Parcel, Plot, PlotKind, Point, Question, Subject, Watch,
+    Axis, Codec, Curve, Dash, Ink, Plot, PlotKind, Point, Question, Subject, Watch,
 };
 use crate::figure::{Paper, PlotStyle, lay_out};
 use crate::scene::{Choice, Interpolation, ShadingMode};
@@ -24,7 +24,7 @@ const LEAST: f64 = 0.5;
 impl Question for StudyQuestion {
     type Answer = Study;
 
-    const PARCEL: Option<Parcel<Study>> = Some(Parcel::plain());
+    const CODEC: Option<Codec<Study>> = Some(Codec::plain());
 
     fn answer(&self, subject: &Subject, watch: &dyn Watch<Study>) -> Result<Study, String> {
         let found = study(

@@ -83,10 +83,10 @@ fn list_ui(ui: &mut Ui, state: &mut AppState) {
     let mut removed = None;
     for (index, light) in state.shown.scene.lights.iter_mut().enumerate() {
         let shines = light.shines(soloing);
-        let asked = line_ui(ui, index, light, shines, state.light == index, lit);
-        match asked {
-            Some(Asked::Choose) => state.light = index,
-            Some(Asked::Remove) => removed = Some(index),
+        let action = line_ui(ui, index, light, shines, state.light == index, lit);
+        match action {
+            Some(LineAction::Choose) => state.light = index,
+            Some(LineAction::Remove) => removed = Some(index),
             None => {}
         }
     }
@@ -122,7 +122,7 @@ fn moderate(scene: &Scene) -> Light {
 }
 
 /// What a light's line asks for.
-enum Asked {
+enum LineAction {
     Choose,
     Remove,
 }
@@ -135,8 +135,8 @@ fn line_ui(
     shines: bool,
     chosen: bool,
     lit: bool,
-) -> Option<Asked> {
-    let mut asked = None;
+) -> Option<LineAction> {
+    let mut action = None;
     let height = ui.spacing().interact_size.y.max(24.0);
     ui.allocate_ui_with_layout(
         vec2(ui.available_width(), height),
@@ -150,7 +150,7 @@ fn line_ui(
                 .on_hover_text(name)
                 .clicked()
             {
-                asked = Some(Asked::Remove);
+                action = Some(LineAction::Remove);
             }
             let [solo, mute] = [
                 text!("lights-solo.name", number = number),
@@ -160,11 +160,11 @@ fn line_ui(
             switch(ui, [text!("lights-solo"), &solo, tips[0]], &mut light.solo);
             switch(ui, [text!("lights-mute"), &mute, tips[1]], &mut light.mute);
             if name_ui(ui, index, light, shines, chosen, lit) {
-                asked = Some(Asked::Choose);
+                action = Some(LineAction::Choose);
             }
         },
     );
-    asked
+    action
 }
 
 /// Mute or Solo.

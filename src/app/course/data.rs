@@ -2,8 +2,8 @@
 
 use super::marking::HandedIn;
 use super::work::{Prepare, Prepared};
+use crate::app::appearance::Overlays;
 use crate::app::document::CoursePart;
-use crate::app::look::OverlayLook;
 use crate::jobs::Background;
 use crate::lesson::{
     Answer, Answered, CURVE_POINTS, Grade, Kind, LESSONS, Lab, Lesson, Question, Record, Solution,
@@ -29,7 +29,7 @@ pub struct Course {
     /// The answers that the document was handed in with.
     pub handed_in: Option<HandedIn>,
     /// What is kept between two sessions.
-    pub kept: Kept,
+    pub kept: SavedProgress,
     /// Decides what is drawn at random.
     pub seed: u64,
     /// The lessons of the program as the list shows them.
@@ -44,7 +44,7 @@ impl Default for Course {
             open: None,
             own: None,
             handed_in: None,
-            kept: Kept::default(),
+            kept: SavedProgress::default(),
             seed: 1,
             list: None,
             openings: 0,
@@ -55,7 +55,7 @@ impl Default for Course {
 /// What is kept between two sessions.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
-pub struct Kept {
+pub struct SavedProgress {
     /// The answers, a record a lesson, the latest last.
     pub records: Vec<Record>,
     /// The lessons that were gone through to their ends.
@@ -106,7 +106,7 @@ pub struct Open {
     /// Whether what is shown is one of its scenes, and not another that was opened meanwhile.
     pub in_view: bool,
     /// What was drawn over the picture before it came into view.
-    pub overlay: OverlayLook,
+    pub overlay: Overlays,
 }
 
 /// An answer that is being made.
@@ -228,7 +228,7 @@ impl Open {
     }
 }
 
-impl Kept {
+impl SavedProgress {
     /// The answers to the lesson of that name.
     pub fn record(&self, lesson: &str) -> Option<&Record> {
         self.records.iter().find(|record| record.lesson == lesson)
@@ -250,7 +250,7 @@ impl Kept {
 
 impl Course {
     /// With what was kept.
-    pub fn with(kept: Kept) -> Self {
+    pub fn with(kept: SavedProgress) -> Self {
         Self {
             kept,
             ..Self::default()
@@ -285,7 +285,7 @@ impl Course {
             draft: Draft::default(),
             markdown: CommonMarkCache::default(),
             in_view: false,
-            overlay: OverlayLook::default(),
+            overlay: Overlays::default(),
         });
         left
     }

@@ -1,12 +1,12 @@
 //! Answers that were handed in, graded by the engine in the background.
 
-use crate::analysis::{Parcel, Watch};
+use crate::analysis::{Codec, Watch};
 use crate::app::document::CoursePart;
 use crate::figure::short;
 use crate::jobs::{Background, Work};
 use crate::lesson::{
-    Answer, Asked, Given, Grade, HandIn, HandInError, Kind, Lesson, Question, are_there, lesson_of,
-    mark, short_answer, slider,
+    Answer, ClassQuestion, Given, Grade, HandIn, HandInError, Kind, Lesson, Question, are_there,
+    lesson_of, mark, short_answer, slider,
 };
 use crate::scene::parameter::Parameter;
 use crate::text::text;
@@ -116,8 +116,7 @@ impl Marking {
 impl Work for Marking {
     type Answer = Marked;
 
-    const TRAVELS: Option<(Parcel<Self>, Parcel<Marked>)> =
-        Some((Parcel::plain(), Parcel::plain()));
+    const CODECS: Option<(Codec<Self>, Codec<Marked>)> = Some((Codec::plain(), Codec::plain()));
 
     fn run(&self, watch: &dyn Watch<Marked>) -> Result<Marked, String> {
         let text = self.lesson.as_ref().map_err(Clone::clone)?;
@@ -144,7 +143,11 @@ impl Work for Marking {
     }
 }
 
-fn marked(asked: &Asked, question: Option<&Question>, given: Option<&Given>) -> MarkedQuestion {
+fn marked(
+    asked: &ClassQuestion,
+    question: Option<&Question>,
+    given: Option<&Given>,
+) -> MarkedQuestion {
     let words = |answer: &Answer| match question {
         Some(question) => in_words(asked, &question.kind, answer),
         None => short_answer(answer),
@@ -176,7 +179,7 @@ fn marked(asked: &Asked, question: Option<&Question>, given: Option<&Given>) -> 
 }
 
 /// An answer in the words of its question.
-fn in_words(asked: &Asked, kind: &Kind, answer: &Answer) -> String {
+fn in_words(asked: &ClassQuestion, kind: &Kind, answer: &Answer) -> String {
     let option = |index: &usize| asked.options.get(*index).map(String::as_str);
     match (answer, kind) {
         (Answer::Choice(chosen), _) => option(chosen).unwrap_or_default().to_owned(),

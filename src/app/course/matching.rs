@@ -2,14 +2,14 @@
 
 use super::data::Open;
 use super::parts::waiting_ui;
-use crate::analysis::{LinearPicture, Parcel, Watch, error_figures};
+use crate::analysis::{Codec, LinearPicture, Watch, error_figures};
 use crate::app::background::{PICTURES, wake};
 use crate::app::focus::named;
 use crate::app::palette::vector_text;
 use crate::app::state::AppState;
 use crate::figure::palette::Vector;
 use crate::geometry::Mesh;
-use crate::jobs::{Background, Work, pack_model, unpack_model};
+use crate::jobs::{Background, Work, model_from_bytes, model_to_bytes};
 use crate::lesson::{Kind, Question, Solution, matched_settings};
 use crate::render::Renderer;
 use crate::scene::Scene;
@@ -33,14 +33,17 @@ const METER: f32 = 10.0;
 #[derive(Serialize, Deserialize)]
 pub struct Target {
     scene: Scene,
-    #[serde(serialize_with = "pack_model", deserialize_with = "unpack_model")]
+    #[serde(
+        serialize_with = "model_to_bytes",
+        deserialize_with = "model_from_bytes"
+    )]
     model: Option<Arc<Mesh>>,
 }
 
 impl Work for Target {
     type Answer = Vec<ColorImage>;
 
-    const TRAVELS: Option<(Parcel<Self>, Parcel<Self::Answer>)> = Some((Parcel::plain(), PICTURES));
+    const CODECS: Option<(Codec<Self>, Codec<Self::Answer>)> = Some((Codec::plain(), PICTURES));
 
     fn run(&self, _: &dyn Watch<Self::Answer>) -> Result<Self::Answer, String> {
         let mut renderer = Renderer::default();
@@ -58,14 +61,17 @@ impl Work for Target {
 #[derive(Serialize, Deserialize)]
 pub struct Likeness {
     scenes: [Scene; 2],
-    #[serde(serialize_with = "pack_model", deserialize_with = "unpack_model")]
+    #[serde(
+        serialize_with = "model_to_bytes",
+        deserialize_with = "model_from_bytes"
+    )]
     model: Option<Arc<Mesh>>,
 }
 
 impl Work for Likeness {
     type Answer = f64;
 
-    const TRAVELS: Option<(Parcel<Self>, Parcel<f64>)> = Some((Parcel::plain(), Parcel::plain()));
+    const CODECS: Option<(Codec<Self>, Codec<f64>)> = Some((Codec::plain(), Codec::plain()));
 
     fn run(&self, _: &dyn Watch<f64>) -> Result<f64, String> {
         let mut renderer = Renderer::default();

@@ -1,6 +1,6 @@
 //! What a step needs of the engine, found in the background: its numbers, and the answer of its question.
 
-use crate::analysis::{Parcel, Watch};
+use crate::analysis::{Codec, Watch};
 use crate::jobs::Work;
 use crate::lesson::{Kind, Lab, Lesson, Prose, Solution};
 use crate::text::text;
@@ -33,8 +33,7 @@ pub struct Prepared {
 impl Work for Prepare {
     type Answer = Prepared;
 
-    const TRAVELS: Option<(Parcel<Self>, Parcel<Prepared>)> =
-        Some((Parcel::plain(), Parcel::plain()));
+    const CODECS: Option<(Codec<Self>, Codec<Prepared>)> = Some((Codec::plain(), Codec::plain()));
 
     fn run(&self, watch: &dyn Watch<Prepared>) -> Result<Prepared, String> {
         let folder = self.folder.as_deref();

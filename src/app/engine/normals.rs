@@ -37,7 +37,10 @@ impl NormalsDrawing {
         pane: usize,
         engine: &PaneEngine,
     ) {
-        let Some(scene) = engine.drawn().filter(|_| state.look.overlay.normals()) else {
+        let Some(scene) = engine
+            .drawn()
+            .filter(|_| state.appearance.overlay.normals())
+        else {
             if self.field.is_some() {
                 *self = Self::default();
             }
@@ -144,11 +147,11 @@ impl NormalsDrawing {
 
 /// How needles are drawn; no light has a part in it.
 fn options(ctx: &Context, state: &AppState, scene: &Scene, coarser: u32) -> OverlayOptions {
-    let mut options = overlay_options(&state.look.overlay, state.light, scene);
+    let mut options = overlay_options(&state.appearance.overlay, state.light, scene);
     options.layers.retain(|layer| layer.of_needles());
     OverlayOptions {
         light: None,
-        scale: lettering(ctx, &state.look, scene.image.size, coarser),
+        scale: lettering(ctx, &state.appearance, scene.image.size, coarser),
         ..options
     }
 }

@@ -7,8 +7,8 @@ use crate::analysis::{
     Halo, LinearPicture, OverlayLayer, OverlayOptions, Probe, overlay_letters,
     pixel_beside_highlight, probe,
 };
+use crate::app::appearance::{Appearance, Overlays};
 use crate::app::document::same_model;
-use crate::app::look::{Look, OverlayLook};
 use crate::app::theme::TEXT;
 use crate::geometry::Mesh;
 use crate::jobs::nanoseconds;
@@ -259,18 +259,24 @@ impl PaneEngine {
 }
 
 /// What an overlay shows under `look` for the light of index `light`.
-pub fn overlay_options(look: &OverlayLook, light: usize, scene: &Scene) -> OverlayOptions {
+pub fn overlay_options(appearance: &Overlays, light: usize, scene: &Scene) -> OverlayOptions {
     let layers = [
-        (look.vectors, OverlayLayer::Vectors),
-        (look.vectors && look.angles, OverlayLayer::Angles),
+        (appearance.vectors, OverlayLayer::Vectors),
         (
-            look.vectors && look.construction,
+            appearance.vectors && appearance.angles,
+            OverlayLayer::Angles,
+        ),
+        (
+            appearance.vectors && appearance.construction,
             OverlayLayer::Construction,
         ),
-        (look.vectors && look.lobe, OverlayLayer::Lobe),
-        (look.vectors && look.side_view, OverlayLayer::SideView),
-        (look.face_normals, OverlayLayer::FaceNormals),
-        (look.vertex_normals, OverlayLayer::VertexNormals),
+        (appearance.vectors && appearance.lobe, OverlayLayer::Lobe),
+        (
+            appearance.vectors && appearance.side_view,
+            OverlayLayer::SideView,
+        ),
+        (appearance.face_normals, OverlayLayer::FaceNormals),
+        (appearance.vertex_normals, OverlayLayer::VertexNormals),
     ];
     OverlayOptions {
         layers: layers
@@ -279,7 +285,7 @@ pub fn overlay_options(look: &OverlayLook, light: usize, scene: &Scene) -> Overl
             .map(|(_, layer)| layer)
             .collect(),
         light: (light < scene.lights.len()).then_some(light),
-        half_vector: look.half_vector,
+        half_vector: appearance.half_vector,
         halo: if is_dark(scene) {
             Halo::Dark
         } else {
@@ -291,9 +297,9 @@ pub fn overlay_options(look: &OverlayLook, light: usize, scene: &Scene) -> Overl
 
 /// Scale of letters over a picture of `size` pixels, of which one covers `coarser` of the screen's: to a room they are no
 /// smaller than the window's own text.
-pub fn lettering(ctx: &Context, look: &Look, size: [u32; 2], coarser: u32) -> f64 {
-    let own = f64::from(look.scale);
-    if !look.projector {
+pub fn lettering(ctx: &Context, appearance: &Appearance, size: [u32; 2], coarser: u32) -> f64 {
+    let own = f64::from(appearance.scale);
+    if !appearance.projector {
         return own;
     }
     let text = f64::from(TEXT * ctx.pixels_per_point()) / f64::from(coarser);

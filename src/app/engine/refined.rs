@@ -1,9 +1,9 @@
 //! Smooth edges: pictures of several samples a pixel, drawn in the background once nothing has moved for a while.
 
-use crate::analysis::{Parcel, Watch, pack, unpack};
+use crate::analysis::{Codec, Watch, from_bytes, to_bytes};
 use crate::app::background::{PICTURES, wake};
 use crate::geometry::Mesh;
-use crate::jobs::{Job, News, Work, nanoseconds, pack_model, unpack_model};
+use crate::jobs::{Job, News, Work, model_from_bytes, model_to_bytes, nanoseconds};
 use crate::render::Renderer;
 use crate::scene::Scene;
 use eframe::egui::{ColorImage, Context, TextureHandle, TextureOptions};
@@ -43,7 +43,10 @@ pub struct Refined {
 #[derive(Serialize, Deserialize)]
 pub struct Supersampled {
     pub panes: Vec<(usize, Scene)>,
-    #[serde(serialize_with = "pack_model", deserialize_with = "unpack_model")]
+    #[serde(
+        serialize_with = "model_to_bytes",
+        deserialize_with = "model_from_bytes"
+    )]
     pub model: Option<Arc<Mesh>>,
     #[serde(skip)]
     #[expect(dead_code, reason = "held as long as the work is")]
@@ -57,15 +60,15 @@ pub struct Pictures {
     images: Vec<(usize, Arc<ColorImage>)>,
 }
 
-const PARCEL: Parcel<Pictures> = Parcel {
-    pack: |Pictures { samples, images }| {
+const CODEC: Codec<Pictures> = Codec {
+    to_bytes: |Pictures { samples, images }| {
         let (panes, images): (Vec<usize>, Vec<_>) = images.iter().cloned().unzip();
         let images = images.into_iter().map(Arc::unwrap_or_clone).collect();
-        pack(&(samples, panes, (PICTURES.pack)(&images)))
+        to_bytes(&(samples, panes, (PICTURES.to_bytes)(&images)))
     },
-    unpack: |bytes| {
-        let (samples, panes, images): (_, Vec<usize>, Vec<u8>) = unpack(bytes)?;
-        let images = (PICTURES.unpack)(&images)?.into_iter().map(Arc::new);
+    from_bytes: |bytes| {
+        let (samples, panes, images): (_, Vec<usize>, Vec<u8>) = from_bytes(bytes)?;
+        let images = (PICTURES.from_bytes)(&images)?.into_iter().map(Arc::new);
         Some(Pictures {
             samples,
             images: panes.into_iter().zip(images).collect(),
@@ -76,7 +79,7 @@ const PARCEL: Parcel<Pictures> = Parcel {
 impl Work for Supersampled {
     type Answer = Pictures;
 
-    const TRAVELS: Option<(Parcel<Self>, Parcel<Pictures>)> = Some((Parcel::plain(), PARCEL));
+    const CODECS: Option<(Codec<Self>, Codec<Pictures>)> = Some((Codec::plain(), CODEC));
 
     fn run(&self, watch: &dyn Watch<Pictures>) -> Result<Pictures, String> {
         let mut renderer = Renderer::default();

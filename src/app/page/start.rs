@@ -13,7 +13,7 @@ use crate::analysis::{
     BenchQuestion, DefectsQuestion, ProfileQuestion, StabilityQuestion, StudyQuestion,
 };
 use crate::document::{Loaded, load};
-use crate::jobs::{Asked, Served, serve, served};
+use crate::jobs::{Request, Served, serve, served};
 use crate::link;
 use crate::render::check_mesh_memory;
 use crate::scene::presets;
@@ -90,12 +90,12 @@ async fn start(canvas: HtmlCanvasElement) {
 /// What workers do.
 fn workers() -> Vec<Served> {
     vec![
-        served::<Asked<AreaLight>>(),
-        served::<Asked<BenchQuestion>>(),
-        served::<Asked<DefectsQuestion>>(),
-        served::<Asked<ProfileQuestion>>(),
-        served::<Asked<StabilityQuestion>>(),
-        served::<Asked<StudyQuestion>>(),
+        served::<Request<AreaLight>>(),
+        served::<Request<BenchQuestion>>(),
+        served::<Request<DefectsQuestion>>(),
+        served::<Request<ProfileQuestion>>(),
+        served::<Request<StabilityQuestion>>(),
+        served::<Request<StudyQuestion>>(),
         served::<Exported>(),
         served::<Filmed>(),
         served::<Likeness>(),

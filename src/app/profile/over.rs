@@ -1,7 +1,7 @@
 //! The profile over the picture: the line with its ends, the curve above it, and the place that the pointer is at.
 
+use super::super::appearance::ViewName;
 use super::super::lines::line;
-use super::super::look::ViewName;
 use super::super::place::Place;
 use super::super::state::AppState;
 use super::super::theme::TEXT;
@@ -106,13 +106,13 @@ fn curves(painter: &Painter, state: &AppState, place: Place) {
     let [r, g, b] = CASING;
     let dark = Stroke::new(4.5, Color32::from_rgb(r, g, b).gamma_multiply(0.8));
     let white = |width| Stroke::new(width, Color32::WHITE);
-    if state.look.profile.edges {
+    if state.appearance.profile.edges {
         for tick in &curves.ticks {
             draw(tick, dark, &[]);
             draw(tick, white(1.5), &[]);
         }
     }
-    if state.look.profile.brightness {
+    if state.appearance.profile.brightness {
         draw(&curves.perceived, dark, &[]);
         draw(&curves.perceived, white(1.6), &[6.0, 4.0]);
     }

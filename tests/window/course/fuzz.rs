@@ -8,7 +8,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key};
 use egui_kittest::Harness;
 use egui_kittest::kittest::NodeT;
-use shading_lab::app::{App, Look};
+use shading_lab::app::{App, Appearance};
 use shading_lab::lesson::Lesson;
 use std::thread::sleep;
 use std::time::Duration;
@@ -50,12 +50,12 @@ fn lessons_through_to_the_window() {
 
 /// Goes through every step, and answers its question in some way.
 fn go_through(lesson: Lesson, dice: &mut Dice) {
-    let look = Look {
+    let appearance = Appearance {
         smooth_edges: false,
-        ..Look::default()
+        ..Appearance::default()
     };
     let steps = lesson.steps.len();
-    let mut harness = window_looking(built_in("sphere"), [1280.0, 800.0], &look, |app| {
+    let mut harness = window_looking(built_in("sphere"), [1280.0, 800.0], &appearance, |app| {
         app.with_lesson(Some(lesson), Some(5))
     });
     for _ in 0..steps {

@@ -127,7 +127,7 @@ fn what_a_step_draws_and_locks_stays_with_its_scene() {
     go(&mut harness, 3);
     let state = |harness: &Harness<'_, App>| {
         let state = harness.state().state();
-        let overlay = &state.look.overlay;
+        let overlay = &state.appearance.overlay;
         let drawn = state.course.mark().is_some();
         (state.course.asks_point(), drawn, overlay.vectors)
     };

@@ -5,7 +5,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers, Shape};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
-use shading_lab::app::{App, Look};
+use shading_lab::app::{App, Appearance};
 use shading_lab::scene::Rgb;
 
 /// Presses keys as a keyboard does: each with the letter that it types.
@@ -181,8 +181,8 @@ fn keys_go_to_what_stands_in_front() {
         "no dialog opens over it"
     );
     assert_eq!(
-        (scene(&harness), &harness.state().state().look),
-        (&before, &Look::default())
+        (scene(&harness), &harness.state().state().appearance),
+        (&before, &Appearance::default())
     );
     harness.key_press(Key::Escape);
     harness.run_steps(4);

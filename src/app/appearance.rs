@@ -1,6 +1,6 @@
 //! How the window looks: what is written to disk between two sessions.
 
-use super::profile::look::ProfileLook;
+use super::profile::appearance::ProfileAppearance;
 use super::system;
 use super::theme::{PROJECTOR_LINES, SCALES, TEXT, ThemeChoice};
 use crate::link::{PAGE, page};
@@ -11,12 +11,12 @@ use std::path::{Path, PathBuf};
 /// How the window looks.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
-pub struct Look {
+pub struct Appearance {
     /// Dark, light, or as the system has it.
     pub theme: ThemeChoice,
     /// Size of the interface; 1 is 14-point text.
     pub scale: f32,
-    /// Whether the interface is large enough for a room: it grows with the window, see [`Look::zoom`].
+    /// Whether the interface is large enough for a room: it grows with the window, see [`Appearance::zoom`].
     pub projector: bool,
     /// Whether the panel of controls is open.
     pub controls: bool,
@@ -35,11 +35,11 @@ pub struct Look {
     /// The view that is open.
     pub view: ViewName,
     /// What is drawn over the picture.
-    pub overlay: OverlayLook,
+    pub overlay: Overlays,
     /// Whether a picture that rests is drawn with several samples a pixel.
     pub smooth_edges: bool,
     /// How profiles are looked at.
-    pub profile: ProfileLook,
+    pub profile: ProfileAppearance,
     /// Files opened or saved, the latest first.
     pub recent: Vec<PathBuf>,
     /// The address of the page that links begin with; may be empty.
@@ -49,7 +49,7 @@ pub struct Look {
 /// How many files are remembered.
 const RECENT: usize = 10;
 
-impl Look {
+impl Appearance {
     /// The same with what is out of bounds put back to its default.
     pub fn sound(self) -> Self {
         let sizes = SCALES[0]..=SCALES[SCALES.len() - 1];
@@ -122,7 +122,7 @@ impl Look {
     }
 }
 
-impl Default for Look {
+impl Default for Appearance {
     fn default() -> Self {
         Self {
             theme: ThemeChoice::System,
@@ -136,14 +136,14 @@ impl Default for Look {
             welcomed: false,
             channels: false,
             view: ViewName::Equation,
-            overlay: OverlayLook {
+            overlay: Overlays {
                 vectors: true,
                 angles: true,
                 handles: true,
-                ..OverlayLook::default()
+                ..Overlays::default()
             },
             smooth_edges: true,
-            profile: ProfileLook::default(),
+            profile: ProfileAppearance::default(),
             recent: Vec::new(),
             page: PAGE.to_owned(),
         }
@@ -187,7 +187,7 @@ impl ViewName {
 /// What is drawn over the picture.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
-pub struct OverlayLook {
+pub struct Overlays {
     /// N, L, R or H, and V at the probe's point.
     pub vectors: bool,
     /// The angles between them.
@@ -208,7 +208,7 @@ pub struct OverlayLook {
     pub vertex_normals: bool,
 }
 
-impl OverlayLook {
+impl Overlays {
     /// Whether any needles are shown.
     pub fn normals(&self) -> bool {
         self.face_normals || self.vertex_normals

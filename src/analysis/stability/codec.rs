@@ -1,11 +1,11 @@
 //! The results of cases as bytes: a case by its name, its pictures and its scene with it.
 
 use super::{CaseResult, stability_cases};
-use crate::analysis::{pack, unpack};
+use crate::analysis::{from_bytes, to_bytes};
 use std::sync::Arc;
 
-pub fn pack_results(results: &[Arc<CaseResult>]) -> Vec<u8> {
-    pack(
+pub fn results_to_bytes(results: &[Arc<CaseResult>]) -> Vec<u8> {
+    to_bytes(
         &results
             .iter()
             .map(|result| packed(result))
@@ -13,8 +13,8 @@ pub fn pack_results(results: &[Arc<CaseResult>]) -> Vec<u8> {
     )
 }
 
-pub fn unpack_results(bytes: &[u8]) -> Option<Vec<Arc<CaseResult>>> {
-    let results: Vec<Vec<u8>> = unpack(bytes)?;
+pub fn results_from_bytes(bytes: &[u8]) -> Option<Vec<Arc<CaseResult>>> {
+    let results: Vec<Vec<u8>> = from_bytes(bytes)?;
     results
         .iter()
         .map(|result| unpacked(result).map(Arc::new))
@@ -34,7 +34,7 @@ fn packed(result: &CaseResult) -> Vec<u8> {
         pictures,
         scene,
     } = result;
-    pack(&(
+    to_bytes(&(
         case.name,
         (naive_error, robust_error, verdict),
         (pixels, naive_off, naive_not_finite, robust_not_finite),
@@ -51,7 +51,7 @@ fn unpacked(bytes: &[u8]) -> Option<CaseResult> {
         Counts,
         _,
         _,
-    ) = unpack(bytes)?;
+    ) = from_bytes(bytes)?;
     let (pixels, naive_off, naive_not_finite, robust_not_finite) = counts;
     Some(CaseResult {
         case: stability_cases().find(|case| case.name == name)?,

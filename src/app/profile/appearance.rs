@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 /// What is compared and how it is looked at.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
-pub struct ProfileLook {
+pub struct ProfileAppearance {
     /// Modes that are compared with the picture's own.
     #[serde(skip)]
     pub added: Vec<ShadingMode>,
@@ -26,7 +26,7 @@ pub struct ProfileLook {
     pub perception: Perception,
 }
 
-impl Default for ProfileLook {
+impl Default for ProfileAppearance {
     fn default() -> Self {
         Self {
             added: Vec::new(),
@@ -39,7 +39,7 @@ impl Default for ProfileLook {
     }
 }
 
-impl ProfileLook {
+impl ProfileAppearance {
     /// The same with what is out of bounds put back to its default.
     pub fn sound(self) -> Self {
         Self {
