@@ -168,7 +168,7 @@ impl AppState {
             .open
             .as_ref()
             .map(|open| open.lesson.name.clone());
-        self.replace(Document {
+        let document = Document {
             scene: staged.scene.clone(),
             model: staged.model.clone(),
             origin: match &staged.path {
@@ -176,7 +176,10 @@ impl AppState {
                 None => Origin::BuiltIn(staged.name.clone()),
             },
             part: lesson.map_or(CoursePart::None, CoursePart::Step),
-        });
+        };
+        if !self.replace(document) {
+            return;
+        }
         (self.appearance.views, self.appearance.view) = view;
         self.seek_highlight = false;
         self.probe = staged.shown.probe.map_or(self.probe, ProbePoint);

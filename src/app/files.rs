@@ -271,7 +271,7 @@ impl Files {
                 let loaded = load_with(&path, &[] as &[&str], &mut progress)
                     .map_err(|error| error.to_string())?;
                 let document = Document::from(loaded);
-                Ok(move |state: &mut AppState| state.open(document.clone()))
+                Ok(move |state: &mut AppState| _ = state.open(document.clone()))
             },
         );
     }
@@ -334,11 +334,12 @@ impl Files {
         self.start(ctx, text!("restoring").to_owned(), failure, move |_| {
             let (document, original, around) = recovery::restore(&path)?;
             Ok(move |state: &mut AppState| {
-                state.open(original.clone());
-                state.document = document.clone();
-                state.derive();
-                around.apply(state);
-                state.ask(Action::AdoptRestored);
+                if state.open(original.clone()) {
+                    state.document = document.clone();
+                    state.derive();
+                    around.apply(state);
+                    state.ask(Action::AdoptRestored);
+                }
             })
         });
     }

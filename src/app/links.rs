@@ -90,14 +90,16 @@ impl AppState {
     pub fn open_link(&mut self, text: &str) {
         match read(text) {
             Ok(Link { scene, name, shown }) => {
-                self.open(Document {
+                let document = Document {
                     scene,
                     origin: Origin::BuiltIn(name),
                     ..Document::default()
-                });
-                self.seek_highlight = shown.probe.is_none();
-                self.show(&shown);
-                self.notice = Some(text!("link-opened").to_owned());
+                };
+                if self.open(document) {
+                    self.seek_highlight = shown.probe.is_none();
+                    self.show(&shown);
+                    self.notice = Some(text!("link-opened").to_owned());
+                }
             }
             Err(error) => {
                 self.dialog = Some(Dialog::message(text!("link-not-opened"), error.to_string()));

@@ -120,25 +120,31 @@ impl AppState {
         self.asked.push(action);
     }
 
-    /// Shows another document, in the view that its scene names; the present one is a step of undo away.
-    pub fn open(&mut self, document: Document) {
-        if let Ok(view) = serde_json::from_value(document.scene.about.view.as_str().into()) {
+    /// Shows another document, in the view that its scene names; the present one is a step of undo away. Returns whether it is shown,
+    /// see [`Self::replace`].
+    pub fn open(&mut self, document: Document) -> bool {
+        if !self.replace(document) {
+            return false;
+        }
+        let view = self.document.scene.about.view.as_str();
+        if let Ok(view) = serde_json::from_value(view.into()) {
             self.show_view(view);
         }
-        if let CoursePart::HandIn(_) = document.part {
+        if let CoursePart::HandIn(_) = self.document.part {
             self.show_view(ViewName::Course);
         }
-        if let Origin::File(path) = &document.origin {
+        if let Origin::File(path) = &self.document.origin {
             self.appearance.remember(path);
         }
-        self.replace(document);
+        true
     }
 
-    /// Puts another document in the place of this one, unless the memory to draw it cannot be had.
-    pub fn replace(&mut self, document: Document) {
+    /// Puts another document in the place of this one. Where the memory to draw it cannot be had, a notice says so and this one stays;
+    /// returns whether it went.
+    pub fn replace(&mut self, document: Document) -> bool {
         if let Err(error) = check_mesh_memory(&document.scene, document.model.as_deref()) {
             self.notice = Some(error.to_string());
-            return;
+            return false;
         }
         self.document = document;
         (self.notice, self.warning) = (None, None);
@@ -152,6 +158,7 @@ impl AppState {
         self.panes.active = 0;
         self.derive();
         self.lit.opened.clone_from(&self.opened);
+        true
     }
 
     /// Remembers how the document was opened or saved, for when undo comes back to it.

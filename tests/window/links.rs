@@ -1,7 +1,7 @@
 //! Links in the window: copied, pasted, and shown as a QR code.
 
 use crate::common::hands::{
-    enter, open_view, press, scene, undo, wait, window, window_of, window_with,
+    enter, open_view, picture, press, scene, undo, wait, window, window_of, window_with,
 };
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
@@ -299,4 +299,48 @@ fn a_link_leads_to_a_step_of_a_lesson_and_back() {
     let harness = window("?lesson=mach-band");
     assert_eq!(course(&harness), None);
     assert!(harness.state().state().dialog.is_some());
+}
+
+/// Memory can be short for a whole process only, so that the test runs once more in one of its own.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_scene_that_memory_is_too_short_for_is_refused_with_the_figure() {
+    const LIMITED: &str = "SHADING_LAB_LIMITED";
+    if std::env::var_os(LIMITED).is_some() {
+        return refuses_what_is_too_large();
+    }
+    let output = std::process::Command::new("sh")
+        .args(["-c", "ulimit -v 3000000 && exec \"$0\" --exact \"$1\""])
+        .arg(std::env::current_exe().expect("this program"))
+        .arg("links::a_scene_that_memory_is_too_short_for_is_refused_with_the_figure")
+        .env(LIMITED, "1")
+        .output()
+        .expect("this program");
+    let said = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(
+        output.status.success() && said.contains("1 passed"),
+        "{said}"
+    );
+}
+
+#[cfg(target_os = "linux")]
+fn refuses_what_is_too_large() {
+    let mut harness = window("cube");
+    let cube = picture(&harness);
+    let open = |harness: &mut Harness<'_, App>, link: &str| {
+        harness.event(Event::Paste(link.to_owned()));
+        harness.run_ok();
+    };
+    open(
+        &mut harness,
+        "?scene=teapot&set=object.segments=4096&set=object.rings=4096",
+    );
+    let says = |harness: &Harness<'_, App>| {
+        let figure = harness.query_all_by_label_contains("MB of memory").next();
+        figure.is_some()
+    };
+    assert!(wait(&mut harness, says));
+    open(&mut harness, "?scene=cube");
+    assert!(wait(&mut harness, |harness| picture(harness) == cube));
+    assert!(!says(&harness));
 }
