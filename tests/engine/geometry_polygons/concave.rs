@@ -413,7 +413,7 @@ fn what_would_take_long_to_cut_stays_a_fan() {
     let star = |corners: u32| {
         let corner = |k: u32| {
             let angle = TAU * f64::from(k) / f64::from(corners);
-            (DVec2::from_angle(angle) * if k % 2 == 0 { 1.0 } else { 0.4 }).extend(0.0)
+            (DVec2::from_angle(angle) * [1.0, 0.4][k as usize % 2]).extend(0.0)
         };
         let corners: Vec<DVec3> = (0..corners).map(corner).collect();
         model(&[(&corners, &vec![DVec3::Z; corners.len()])])
