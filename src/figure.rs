@@ -18,7 +18,7 @@ pub use drawing::{Drawing, Shape, Text};
 pub use labels::{Label, Placer, Wish};
 pub use plot::{
     Axis, Curve, Dash, Direction, Ink, Mark, Paper, Plot, PlotKind, PlotStyle, Point, Tag, dashes,
-    lay_out, lay_out_bare, lay_out_sheet, magnitude, round_up, short, ticks,
+    lay_out, lay_out_bare, lay_out_sheet, magnitude, round_up, scientific, short, ticks,
 };
 pub use qr::QrCode;
 pub(crate) use text::inked_size;

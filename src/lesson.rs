@@ -26,7 +26,7 @@ pub use answer::{Answer, Grade};
 pub use budget::{Budget, TooHeavy};
 #[cfg(target_arch = "wasm32")]
 pub use builtin::take_texts;
-pub use builtin::{BuiltIn, LESSONS, are_there, find};
+pub use builtin::{BuiltIn, LESSONS, TOPICS, are_there, find, topic_name};
 pub use check::check;
 pub use class::{
     Class, ClassQuestion, Given, Group, Handed, Student, Unreadable, collect, lesson_of, letter,
@@ -47,7 +47,7 @@ pub use record::{Answered, Record};
 pub use solve::{CURVE_POINTS, Solution, matched_settings, slider, value_of};
 pub use stage::{OVERLAYS, Stage, Staged};
 pub use words::{in_words, without_marks};
-pub use worksheet::{Worksheet, topic_name, worksheet};
+pub use worksheet::{Worksheet, worksheet};
 
 use crate::document::{LoadError, ending, read_text};
 use crate::text::Message;

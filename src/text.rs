@@ -2,6 +2,7 @@
 //! Fluent. What programs read (JSON, CSV keys, scene files) is not text and never changes with the language.
 
 mod foreign;
+mod number;
 
 use fluent_bundle::concurrent::FluentBundle;
 use fluent_bundle::{FluentArgs, FluentResource};
@@ -26,6 +27,7 @@ macro_rules! text {
 pub use crate::text;
 pub use fluent_bundle::FluentValue as Value;
 pub use foreign::{escaped, escaped_json, excerpt, turns, with_short_names};
+pub use number::{fixed, with_minus};
 
 /// A language of the catalogue.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]

@@ -278,9 +278,7 @@ fn plot_text(plot: &Plot) -> String {
     text.extend(plot.marks.iter().map(|mark| format!("  {}\n", mark.label)));
     let from = text!("report-from-normal");
     text.extend(plot.directions.iter().map(|arrow| {
-        // No minus sign before a zero.
-        let tenths = (10.0 * arrow.angle).round() / 10.0 + 0.0;
-        let angle = format!("{tenths:.1}°").replace('-', "−");
+        let angle = format!("{}°", text::fixed(arrow.angle, 1));
         format!("  {:20}{angle:>12} {from}\n", arrow.letter)
     }));
     text

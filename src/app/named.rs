@@ -36,15 +36,9 @@ impl Named {
         if word == "light" {
             return Some(Self::Light);
         }
-        let index: Option<usize> = word.split('.').nth(1).and_then(|part| part.parse().ok());
-        let numbered = |index| {
-            let mut all = Parameter::all();
-            all.find(|parameter| parameter.key(index) == word)
-        };
-        index
-            .and_then(numbered)
-            .or_else(|| Parameter::by_word(word))
-            .map(|parameter| Self::Row(parameter, index))
+        Parameter::of_key(word)
+            .or_else(|| Some((Parameter::by_word(word)?, None)))
+            .map(|(parameter, index)| Self::Row(parameter, index))
     }
 }
 

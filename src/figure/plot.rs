@@ -11,7 +11,7 @@ mod paper;
 mod polar;
 mod sheet;
 
-pub use axes::{magnitude, round_up, short, ticks};
+pub use axes::{magnitude, round_up, scientific, short, ticks};
 pub use data::{Axis, Curve, Dash, Direction, Ink, Mark, Plot, PlotKind, Point, Tag};
 pub use paper::{Paper, PlotStyle, dashes};
 

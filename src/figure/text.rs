@@ -1,6 +1,6 @@
 //! Lettering as outlines: text in, a path and its extent in pixels out.
 
-use crate::text::{FONTS, chinese_font};
+use crate::text::{FONTS, chinese_font, with_minus};
 use glam::DVec2;
 use skrifa::instance::{LocationRef, Size};
 use skrifa::outline::{DrawSettings, OutlinePen};
@@ -161,7 +161,7 @@ pub fn lowered(number: usize) -> String {
 
 /// A number in small digits above the line.
 pub fn raised(number: i32) -> String {
-    small(&number.to_string().replace('-', "−"), 1)
+    small(&with_minus(&number.to_string()), 1)
 }
 
 fn small(text: &str, which: usize) -> String {

@@ -1,7 +1,21 @@
 //! The lessons of the course, in their order: the files of `assets/lessons`.
 
 use super::Lesson;
-use crate::text::{Language, language};
+use crate::text::{Language, language, text};
+
+/// The chapters of the course, in their order.
+pub const TOPICS: [&str; 4] = ["light", "reflection", "shading", "engine"];
+
+/// The name of a chapter for people; a lecturer's own word is as it is.
+pub fn topic_name(topic: &str) -> &str {
+    match topic {
+        "light" => text!("class-topic-light"),
+        "reflection" => text!("class-topic-reflection"),
+        "shading" => text!("class-topic-shading"),
+        "engine" => text!("class-topic-engine"),
+        other => other,
+    }
+}
 
 /// A lesson that comes with the program.
 #[derive(Clone, Copy, Debug)]

@@ -7,7 +7,7 @@ use super::{
 };
 use crate::document::open_picture;
 use crate::render::Frame;
-use crate::text::{Language, in_language, text};
+use crate::text::{Language, fixed, in_language, text};
 use std::io::Cursor;
 use std::path::PathBuf;
 
@@ -593,7 +593,7 @@ pub fn letter(index: usize) -> char {
 pub fn short_answer(answer: &Answer) -> String {
     let number = |value: f64| {
         let digits = if value.abs() >= 100.0 { 1 } else { 3 };
-        let text = super::prose::shown(value, digits);
+        let text = fixed(value, digits);
         text.trim_end_matches('0').trim_end_matches('.').to_owned()
     };
     match answer {

@@ -1,7 +1,7 @@
 //! Text with numbers in it that the engine computes: `{{ EXPRESSION | DIGITS }}`.
 
 use crate::expression::{Expression, Quantities};
-use crate::text::text;
+use crate::text::{fixed, text};
 
 /// A text with numbers to be filled in.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -79,20 +79,9 @@ impl Prose {
                 let value = number.value.number(quantities);
                 let value =
                     value.map_err(|words| (number.line, text!("lesson-number", words = words)))?;
-                filled.push_str(&shown(value, number.digits));
+                filled.push_str(&fixed(value, number.digits));
             }
         }
         Ok(filled)
-    }
-}
-
-/// A number for people: with a minus sign, and never −0.
-pub(super) fn shown(value: f64, digits: usize) -> String {
-    let text = format!("{value:.digits$}");
-    let zero = !text.contains(|c: char| ('1'..='9').contains(&c));
-    match text.strip_prefix('-') {
-        Some(rest) if zero => rest.to_owned(),
-        Some(rest) => format!("−{rest}"),
-        None => text,
     }
 }

@@ -6,7 +6,7 @@ use crate::analysis::{LinearPicture, error_figures, luminance};
 use crate::expression::Expression;
 use crate::scene::parameter::{Parameter, Slider};
 use crate::scene::{Rgb, ShadingMode};
-use crate::text::text;
+use crate::text::{fixed, text};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
@@ -83,7 +83,7 @@ impl Question {
             } => {
                 let value = place.number(answer)?;
                 if value - tolerance < *from || value + tolerance > *to {
-                    let value = super::prose::shown(value, 4);
+                    let value = fixed(value, 4);
                     return Err(text!("lesson-value-outside", value = value));
                 }
                 Ok(Solution::Value(value))
@@ -99,7 +99,7 @@ impl Question {
                 let curve = of.points(place, *x)?;
                 let inside = |value: f64| value >= y[0] - 1e-9 && value <= y[1] + 1e-9;
                 if let Some([_, value]) = curve.iter().find(|[_, value]| !inside(*value)) {
-                    let value = super::prose::shown(*value, 4);
+                    let value = fixed(*value, 4);
                     return Err(text!("lesson-curve-outside", value = value));
                 }
                 let mean = curve.iter().map(|[_, y]| y).sum::<f64>() / curve.len() as f64;
@@ -342,10 +342,8 @@ fn corner(place: LabPlace<'_>, mode: ShadingMode, tolerance: f64) -> Result<Vec<
 
 /// The parameter of a key that has a slider, and which light it belongs to.
 pub fn slider(key: &str) -> Option<(&'static Parameter, usize, Slider)> {
-    let index = key.split('.').nth(1).and_then(|part| part.parse().ok());
-    let index: usize = index.unwrap_or(0);
-    let parameter = Parameter::all().find(|parameter| parameter.key(index) == key)?;
-    Some((parameter, index, parameter.slider()?))
+    let (parameter, index) = Parameter::of_key(key)?;
+    Some((parameter, index.unwrap_or(0), parameter.slider()?))
 }
 
 /// The value of a key of a scene, as a number; of a coefficient the greatest channel.

@@ -1,8 +1,8 @@
 //! A lesson on paper: its text and pictures, questions with room to write, and the answers on a page of their own.
 
+use super::builtin::topic_name;
 use super::class::{ClassQuestion, letter};
 use super::page::{Axes, axis_name, blocks, data, escaped, inline, page, picture};
-use super::prose::shown;
 use super::{
     Budget, Kind, Lab, LabPlace, Lesson, LessonError, Question, Solution, Stage, Staged, Step,
 };
@@ -14,7 +14,7 @@ use crate::figure::{Drawing, Shape};
 use crate::render::{Frame, Renderer};
 use crate::scene::parameter::Parameter;
 use crate::scene::{CompareView, Scene};
-use crate::text::text;
+use crate::text::{fixed, text};
 use glam::DVec2;
 use std::convert::Infallible;
 use std::fmt::Write as _;
@@ -125,17 +125,6 @@ pub fn worksheet(
         );
     }
     Ok(page(&lesson.title, STYLE, &body))
-}
-
-/// A chapter's name for people; a lecturer's own word is as it is.
-pub fn topic_name(topic: &str) -> &str {
-    match topic {
-        "light" => text!("class-topic-light"),
-        "reflection" => text!("class-topic-reflection"),
-        "shading" => text!("class-topic-shading"),
-        "engine" => text!("class-topic-engine"),
-        other => other,
-    }
 }
 
 struct StepPart {
@@ -377,24 +366,24 @@ pub(super) fn answer_words(
             } else {
                 format!(" {unit}")
             };
-            format!("{}{unit}", shown(*right, digits))
+            format!("{}{unit}", fixed(*right, digits))
         }
         (Solution::Setting(right), Kind::Settings { control, .. }) => {
-            format!("{} = {}", plain_control_name(control), shown(*right, 2))
+            format!("{} = {}", plain_control_name(control), fixed(*right, 2))
         }
         (Solution::Order(right), _) => right.iter().map(named).collect::<Vec<_>>().join(" < "),
         (Solution::Match(values), Kind::Match { controls, .. }) => {
             let pairs = controls.iter().zip(values);
             let pairs: Vec<String> = pairs
                 .map(|(control, value)| {
-                    format!("{} = {}", plain_control_name(control), shown(*value, 2))
+                    format!("{} = {}", plain_control_name(control), fixed(*value, 2))
                 })
                 .collect();
             pairs.join(text!("comma"))
         }
         (Solution::Places(places), _) => {
             let place = places.first().copied().unwrap_or_default();
-            format!("({}, {})", shown(place.x, 2), shown(place.y, 2))
+            format!("({}, {})", fixed(place.x, 2), fixed(place.y, 2))
         }
         _ => String::new(),
     }
@@ -408,12 +397,7 @@ fn digits(tolerance: f64) -> usize {
 }
 
 fn plain_control_name(key: &str) -> String {
-    let index = key
-        .split('.')
-        .nth(1)
-        .and_then(|part| part.parse().ok())
-        .unwrap_or(0);
-    match Parameter::all().find(|parameter| parameter.key(index) == key) {
+    match Parameter::of_key(key).map(|(parameter, _)| parameter) {
         Some(parameter) if !parameter.letter.is_empty() => {
             format!("{} ({})", parameter.name(), parameter.letter)
         }

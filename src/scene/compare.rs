@@ -323,7 +323,7 @@ impl Scene {
             }
         }
         let present = keys.into_iter().filter_map(|key| {
-            let index = key.split('.').nth(1).and_then(|part| part.parse().ok());
+            let index = Parameter::of_key(key).and_then(|(_, index)| index);
             let value = Parameter::by_word(key)?.setting(scene, index.unwrap_or(0));
             short_words(&format!("{key}={value}"))
         });

@@ -443,15 +443,22 @@ impl Parameter {
         self.key.rsplit_once('.').map(|(table, _)| table)
     }
 
+    /// The parameter of a key as `--set` takes it, as in `material.n` or `light.0.k`, and the number in that: which light it belongs to.
+    pub fn of_key(key: &str) -> Option<(&'static Self, Option<usize>)> {
+        let index: Option<usize> = key.split('.').nth(1).and_then(|part| part.parse().ok());
+        let mut all = Self::all();
+        let parameter = all.find(|parameter| parameter.key(index.unwrap_or(0)) == key)?;
+        Some((parameter, index))
+    }
+
     /// The parameter of a key, as in `material.n`, or of the last word of one, as in `n`.
     pub fn by_word(word: &str) -> Option<&'static Self> {
         // The material's letters are meant where a word could be another key's as well.
         let material = Self::all().filter(|parameter| parameter.section() == "material");
         let last = |parameter: &&Self| parameter.key.rsplit('.').next() == Some(word);
-        let index = word.split('.').nth(1).and_then(|part| part.parse().ok());
-        let index = index.unwrap_or(0);
-        Self::all()
-            .find(|parameter| parameter.key == word || parameter.key(index) == word)
+        let of_key = Self::of_key(word).map(|(parameter, _)| parameter);
+        of_key
+            .or_else(|| Self::all().find(|parameter| parameter.key == word))
             .or_else(|| material.chain(Self::all()).find(last))
     }
 

@@ -5,7 +5,7 @@ use super::choice::Choice;
 use super::object::ObjectKind;
 use super::overrides::key_and_value;
 use super::parameter::{Kind, Limits, Parameter, defaults};
-use crate::text::text;
+use crate::text::{text, with_minus};
 
 /// `KEY=VALUE` as people read it: what the key is called, and the value's own word. What is no setting stays as it is.
 pub fn setting_words(setting: &str) -> String {
@@ -29,7 +29,7 @@ pub fn setting_words(setting: &str) -> String {
             _ => written.to_owned(),
         },
         _ if written == "inf" => "∞".to_owned(),
-        _ => written.replace('-', "−"),
+        _ => with_minus(written),
     };
     let name = parameter.name();
     match number {

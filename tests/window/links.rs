@@ -1,7 +1,8 @@
 //! Links in the window: copied, pasted, and shown as a QR code.
 
 use crate::common::hands::{
-    enter, open_view, picture, press, scene, undo, wait, window, window_of, window_with,
+    built_in, enter, open_view, picture, press, scene, undo, wait, window, window_looking,
+    window_of, window_with,
 };
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
@@ -10,7 +11,7 @@ use eframe::egui::{
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use glam::DVec2;
-use shading_lab::app::{App, ProbePoint, ProfileLine, ViewName};
+use shading_lab::app::{App, Appearance, ProbePoint, ProfileLine, ViewName};
 use shading_lab::document::load;
 use shading_lab::link::read;
 use shading_lab::scene::presets;
@@ -223,7 +224,14 @@ fn without_a_page_its_address_is_asked_for() {
 
 #[test]
 fn a_notice_goes_after_four_seconds_and_no_frame_is_drawn_for_it_after_that() {
-    let mut harness = with_page("gold");
+    // Edges that get smooth in the background would be drawn anew.
+    let appearance = Appearance {
+        smooth_edges: false,
+        ..Appearance::default()
+    };
+    let mut harness = window_looking(built_in("gold"), [1280.0, 800.0], &appearance, |app| {
+        app.with_page(Some(PAGE.to_owned()))
+    });
     let says = |harness: &Harness<'_, App>| harness.query_by_label("Copied the link").is_some();
     let waits = |harness: &Harness<'_, App>| {
         harness.output().viewport_output[&ViewportId::ROOT].repaint_delay

@@ -3,10 +3,6 @@
 course = Course
 course-start = Start the course
 course-lessons = Lessons
-course-topic-light = Light
-course-topic-reflection = Reflection
-course-topic-shading = Shading
-course-topic-engine = In the engine
 course-own = Your own lesson
 course-none = This program has no lessons.
 course-open-own = Open a lesson of your own…

@@ -3,10 +3,6 @@
 course = 課程
 course-start = 開始課程
 course-lessons = 課程列表
-course-topic-light = 光源
-course-topic-reflection = 反射
-course-topic-shading = 著色
-course-topic-engine = 引擎內部
 course-own = 自己的課程
 course-none = 這個程式沒有內建課程。
 course-open-own = 開啟自己的課程…

@@ -8,7 +8,7 @@ use crate::analysis::{
 use crate::figure::short;
 use crate::illumination::half_width;
 use crate::scene::{Distribution, ReflectionModel, Scene};
-use crate::text;
+use crate::text::{fixed, text};
 use glam::DVec3;
 use std::f64::consts::{FRAC_PI_2, SQRT_2};
 
@@ -338,7 +338,7 @@ fn power(letter: &str) -> String {
 
 /// An angle in degrees with one decimal.
 pub fn degrees(radians: f64) -> String {
-    format!("{:.1}°", radians.to_degrees()).replace('-', "−")
+    format!("{}°", fixed(radians.to_degrees(), 1))
 }
 
 /// The ink of what is specular.

@@ -1,8 +1,9 @@
 //! How R and H are built from N, L and V, step by step, with the numbers of one pixel.
 
-use super::digits::{coordinates, digits, fixed};
+use super::digits::{coordinates, digits};
 use super::products::LightHere;
 use crate::text;
+use crate::text::fixed;
 use glam::DVec3;
 
 /// A step from N, L and V to R and H.

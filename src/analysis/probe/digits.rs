@@ -1,8 +1,8 @@
 //! Numbers as the filled-in equation writes them.
 
-use crate::figure::raised;
+use crate::figure::scientific;
 use crate::scene::Rgb;
-use crate::text;
+use crate::text::{fixed, text};
 use glam::DVec3;
 
 /// Below this a number with four decimals has lost its digits and is written with a power of ten; from `LARGE` on it is too
@@ -90,31 +90,11 @@ fn with_decimals(value: f64, decimals: usize) -> String {
     if value == 0.0 || (SMALL..LARGE).contains(&size) || !size.is_finite() {
         return fixed(value, decimals);
     }
-    let text = format!("{value:.1e}");
-    let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
-    minus(&format!("{digits}×10")) + &raised(power.parse().unwrap_or(0))
-}
-
-/// A number with so many decimals, a true minus sign, and none before a 0.
-pub fn fixed(value: f64, decimals: usize) -> String {
-    if value.is_infinite() {
-        return if value > 0.0 { "∞" } else { "−∞" }.into();
-    }
-    let text = format!("{value:.decimals$}");
-    let is_zero = !text.contains(|c: char| ('1'..='9').contains(&c) || c == 'N');
-    minus(if is_zero {
-        text.trim_start_matches('-')
-    } else {
-        &text
-    })
+    scientific(value)
 }
 
 /// A vector with three decimals.
 pub fn coordinates(v: DVec3) -> String {
     let [x, y, z] = v.to_array().map(|part| fixed(part, 3));
     format!("({x}, {y}, {z})")
-}
-
-fn minus(text: &str) -> String {
-    text.replace('-', "−")
 }

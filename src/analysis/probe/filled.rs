@@ -5,7 +5,7 @@
 
 mod light;
 
-use super::digits::{digits, fixed, in_channels};
+use super::digits::{digits, in_channels};
 use super::letters::{Tone, specular_vector};
 use super::products::{Here, Product};
 use crate::analysis::luminance;
@@ -15,6 +15,7 @@ use crate::scene::{
     CuedBy, DepthCueing, Encoding, FlatAt, Overflow, Rgb, ShadingMode, Through, View,
 };
 use crate::text;
+use crate::text::fixed;
 use glam::DVec3;
 
 /// A piece of the filled-in equation.

@@ -1,6 +1,6 @@
 //! What the probe says, and how it is asked.
 
-use super::digits::{digits, fixed};
+use super::digits::digits;
 use super::filled::FilledPart;
 use super::letters::{attenuation_law, equation_letters, plain_formula};
 use super::products::{Here, LightHere, Product};
@@ -12,6 +12,7 @@ use crate::analysis::{
 use crate::figure::palette::Vector;
 use crate::scene::Choice;
 use crate::text;
+use crate::text::fixed;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};

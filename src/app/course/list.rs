@@ -5,7 +5,7 @@ use crate::app::action::{Action, Turn};
 use crate::app::focus::named;
 use crate::app::sign::tick;
 use crate::app::state::AppState;
-use crate::lesson::are_there;
+use crate::lesson::{TOPICS, are_there, topic_name};
 use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
@@ -14,21 +14,8 @@ use eframe::egui::{
 };
 use std::time::Duration;
 
-/// The chapters of the course, in their order.
-const TOPICS: [&str; 4] = ["light", "reflection", "shading", "engine"];
-
 /// How often a web page looks whether its lessons are there.
 const LOADING: Duration = Duration::from_millis(200);
-
-fn topic_title(topic: &str) -> &str {
-    match topic {
-        "light" => text!("course-topic-light"),
-        "reflection" => text!("course-topic-reflection"),
-        "shading" => text!("course-topic-shading"),
-        "engine" => text!("course-topic-engine"),
-        own => own,
-    }
-}
 
 /// Every lesson; a click opens it.
 pub fn list_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState) {
@@ -67,7 +54,7 @@ pub fn list_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState) {
                     .unwrap_or(TOPICS.len())
             });
             for topic in topics {
-                ui.label(RichText::new(topic_title(topic)).strong());
+                ui.label(RichText::new(topic_name(topic)).strong());
                 for lesson in lessons.iter().filter(|lesson| lesson.topic == topic) {
                     if card_ui(ui, lesson, course) {
                         state.ask(Action::Course(Turn::Open(lesson.name.clone())));

@@ -2,6 +2,7 @@
 
 use super::data::Axis;
 use crate::figure::text::raised;
+use crate::text::{fixed, with_minus};
 
 /// Steps of degrees that divide a right angle.
 const DEGREES: [f64; 6] = [5.0, 10.0, 15.0, 30.0, 45.0, 90.0];
@@ -111,7 +112,7 @@ pub fn short(value: f64) -> String {
 fn number(value: f64, decimals: usize, plain: bool) -> String {
     match plain {
         _ if value == 0.0 => "0".to_owned(),
-        true => format!("{value:.decimals$}").replace('-', "−"),
+        true => fixed(value, decimals),
         false => scientific(value),
     }
 }
@@ -126,14 +127,14 @@ pub fn magnitude(value: f64) -> String {
 }
 
 /// A number as the textbooks write very small and very large ones: 1.2×10⁻⁷.
-fn scientific(value: f64) -> String {
+pub fn scientific(value: f64) -> String {
     let text = format!("{value:.1e}");
     let Some((mantissa, exponent)) = text.split_once('e') else {
         return text;
     };
     format!(
         "{}×10{}",
-        mantissa.replace('-', "−"),
+        with_minus(mantissa),
         raised(exponent.parse().unwrap_or(0))
     )
 }

@@ -1,7 +1,7 @@
 //! What one light adds to the filled-in equation.
 
 use super::{FilledLine, FilledPart, LineValue, Share, line, to_line};
-use crate::analysis::probe::digits::{coordinates, digits, fixed, percent};
+use crate::analysis::probe::digits::{coordinates, digits, percent};
 use crate::analysis::probe::letters::{Tone, exponent, specular_vector};
 use crate::analysis::probe::products::LightHere;
 use crate::analysis::probe::{LightTerms, ZeroCause};
@@ -10,6 +10,7 @@ use crate::figure::short;
 use crate::illumination::attenuation_at;
 use crate::scene::{Attenuation, LightKind, Reflectance, ReflectionModel};
 use crate::text;
+use crate::text::fixed;
 use glam::DVec3;
 
 /// A normal whose length differs from 1 by more than this has not been made a unit vector.

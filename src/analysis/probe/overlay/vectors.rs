@@ -4,10 +4,10 @@ use super::equation::{Angle, Equation, Focus, draw_point, draw_right_angle};
 use super::side::{Frame, draw_surface, view};
 use crate::analysis::overlay::{Halo, OverlayOptions, Sketch, Style};
 use crate::analysis::probe::ConstructionStep;
-use crate::analysis::probe::digits::fixed;
 use crate::analysis::probe::products::Here;
 use crate::figure::palette::{self, Rgb8, Vector, readable};
 use crate::figure::{Area, Drawing, PlotStyle, Shape};
+use crate::text::fixed;
 use glam::{DVec2, DVec3};
 
 /// Room about the vectors for their letters, in ems: beside, above and below.
