@@ -105,7 +105,7 @@ title = "Links"
 
 ## Links
 
-[page](${here.server.url}OFL.txt)
+[page](${here.server.url}embedding.html)
 
 [script](javascript:document.title=1) [data](data:text/html,x) [file](file:///etc/passwd)
 
@@ -123,8 +123,8 @@ scene = "sphere"
     const popup = page.waitForEvent("popup");
     await press(page, "page", "Link");
     const opened = await popup;
-    await opened.waitForLoadState();
-    assert.ok(opened.url().endsWith("/OFL.txt"), opened.url());
+    await opened.waitForLoadState("domcontentloaded");
+    assert.ok(opened.url().endsWith("/embedding.html"), opened.url());
     assert.equal(await opened.evaluate(() => window.opener), null);
     await opened.close();
     assert.equal(page.url().split("?")[0], before.split("?")[0], "the page stays");
