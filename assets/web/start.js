@@ -5,6 +5,19 @@ if ((navigator.language || "").toLowerCase().startsWith("zh")) page.lang = "zh-H
 if (matchMedia("(prefers-reduced-motion: reduce)").matches) page.dataset.motion = "reduce";
 if (matchMedia("(pointer: coarse)").matches) page.dataset.coarse = "";
 
+// Where the browser's tools imitate another screen, device pixels are those of the real one: then CSS pixels and their ratio count.
+window.ResizeObserver = class extends ResizeObserver {
+  constructor(callback) {
+    super((entries, observer) => {
+      const [{ contentRect, devicePixelContentBoxSize: pixels }] = entries;
+      if (pixels && Math.abs(pixels[0].inlineSize - contentRect.width * devicePixelRatio) > 1) {
+        delete ResizeObserverEntry.prototype.devicePixelContentBoxSize;
+      }
+      callback(entries, observer);
+    });
+  }
+};
+
 // What no program can catch, such as memory that has run out, stops it as well.
 const isTrap = (error) => error instanceof WebAssembly.RuntimeError;
 addEventListener("error", ({ error }) => { if (isTrap(error)) say("stopped"); });

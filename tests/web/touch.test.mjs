@@ -10,6 +10,21 @@ const TARGETS = ["Button", "CheckBox", "ComboBox", "Slider"];
 /** The place of an address's camera, its probe, and so on. */
 const set = async (page, key) => (await address(page)).split(/[?&]/).find((pair) => pair.replace("set=", "").startsWith(key));
 
+test("a fine screen has its pixels and letters of the usual size", async () => {
+  const server = await serve(process.env.SHADING_LAB_PAGE);
+  const phone = await browser({ width: 390, height: 844, hasTouch: true, isMobile: true, deviceScaleFactor: 3 });
+  try {
+    const { page } = await open(phone.context, `${server.url}?scene=sphere`);
+    const side = await page.evaluate(() => document.querySelector("canvas").width);
+    assert.equal(side, 3 * 390);
+    const { height } = await widget(page, "Scene", "Button");
+    assert.ok(height < 80, `${height} points`);
+  } finally {
+    await phone.close();
+    server.close();
+  }
+});
+
 for (const [width, height] of [[390, 844], [844, 390]]) {
   test(`fingers at ${width} × ${height}`, async () => {
     const server = await serve(process.env.SHADING_LAB_PAGE);
