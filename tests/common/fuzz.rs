@@ -4,6 +4,7 @@
 //! `FUZZ_SEED=7` begins elsewhere. `--nocapture` prints how many were tried and how many were sound.
 
 use super::dice::Dice;
+use super::lessons::EVERY_KIND;
 use shading_lab::lesson::Lesson;
 use std::env;
 use std::time::{Duration, Instant};
@@ -249,4 +250,13 @@ pub fn is_small(lesson: &Lesson) -> bool {
             width * height <= 1 << 16 && few && staged.scene.lights.len() <= 3
         })
     })
+}
+
+/// The lesson with every kind of question, its scene so coarse that it [is small](is_small).
+pub fn small_lesson() -> Vec<u8> {
+    let coarse = "\"image.size=[96,96]\", \"object.segments=24\", \"object.rings=12\"";
+    let lesson = EVERY_KIND.replace("\"image.size=[96,96]\"", coarse);
+    let read = Lesson::read(&lesson, None).expect("a lesson");
+    assert!(is_small(&read), "nothing would be gone through");
+    lesson.into_bytes()
 }

@@ -1,8 +1,7 @@
 //! What other people send: scenes, models, pictures, links, lessons and handed-in answers, changed at random in ways that know
 //! their structure. Each is read or refused, in bounded time and memory, and what is read survives being written.
 
-use crate::common::fuzz::{Format, is_small, text};
-use crate::common::lessons;
+use crate::common::fuzz::{Format, is_small, small_lesson, text};
 use shading_lab::geometry::read_obj;
 use shading_lab::lesson::{
     Answer, Answered, Grade, Handed, LESSONS, Lab, Lesson, Record, Worksheet, check, class_sheet,
@@ -217,7 +216,7 @@ const SHEET: Worksheet = Worksheet {
 fn lessons_through_to_their_pages() {
     let format = Format {
         name: "lessons through to their pages",
-        sound: vec![SMALL.as_bytes().to_vec(), lessons::EVERY_KIND.into()],
+        sound: vec![SMALL.as_bytes().to_vec(), small_lesson()],
         words: &[
             "x = [0, 5e-324]\n",
             "y = [-1e300, 1e300]\n",

@@ -1,6 +1,5 @@
 //! The course in the window: a lesson with each kind of question, gone through by mouse and by keyboard alone.
 
-mod fuzz;
 mod handed_in;
 mod left;
 
