@@ -6,7 +6,7 @@ use crate::text::{Language, language, text};
 /// The chapters of the course, in their order.
 pub const TOPICS: [&str; 4] = ["light", "reflection", "shading", "engine"];
 
-/// The name of a chapter for people; a lecturer's own word is as it is.
+/// Returns the name of a chapter for people; a lecturer's own word is as it is.
 pub fn topic_name(topic: &str) -> &str {
     match topic {
         "light" => text!("class-topic-light"),

@@ -443,7 +443,7 @@ impl Parameter {
         self.key.rsplit_once('.').map(|(table, _)| table)
     }
 
-    /// The parameter of a key as `--set` takes it, as in `material.n` or `light.0.k`, and the number in that: which light it belongs to.
+    /// Finds the parameter of a key as `--set` takes it, as in `material.n` or `light.0.k`, and the number in that: which light it belongs to.
     pub fn of_key(key: &str) -> Option<(&'static Self, Option<usize>)> {
         let index: Option<usize> = key.split('.').nth(1).and_then(|part| part.parse().ok());
         let mut all = Self::all();

@@ -126,7 +126,7 @@ pub fn magnitude(value: f64) -> String {
     }
 }
 
-/// A number as the textbooks write very small and very large ones: 1.2×10⁻⁷.
+/// Writes a number as the textbooks write very small and very large ones: 1.2×10⁻⁷.
 pub fn scientific(value: f64) -> String {
     let text = format!("{value:.1e}");
     let Some((mantissa, exponent)) = text.split_once('e') else {
