@@ -1,7 +1,7 @@
 //! An interactive laboratory for local illumination and polygon shading.
 //!
-//! A [`scene::Scene`] says what is drawn; a [`render::Renderer`] draws it with a software rasterizer of its own, in any
-//! shading mode from flat to exact; [`analysis`] says what a picture means in numbers, and [`figure`] draws that over it.
+//! A [`scene::Scene`] describes what is drawn; a [`render::Renderer`] draws it with a software rasterizer of its own, in any
+//! shading mode from flat to exact; [`analysis`] measures the picture, and [`figure`] draws the results over it.
 //!
 //! # Conventions
 //! The world is right-handed with y up; lengths are world units. Angles are degrees in scenes and radians in code.
@@ -48,10 +48,10 @@ pub mod render;
 pub mod scene;
 pub mod text;
 
-/// Vectors of the public interface.
+/// The vectors of the public interface.
 pub use glam;
 
-/// The examples of the page are compiled and run with those of the sources.
+/// The page's examples, compiled and run with those of the sources.
 #[cfg(doctest)]
 #[doc = include_str!("../docs/library.md")]
 struct Library;

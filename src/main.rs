@@ -3,7 +3,7 @@
 #[cfg(not(target_arch = "wasm32"))]
 mod cli;
 
-/// The system's allocator keeps what threads have freed: a window on Linux grew to twice the memory it needed.
+/// An allocator that returns freed memory: with the system's own a window on Linux grew to twice the memory it needed.
 #[cfg(all(feature = "app", not(target_arch = "wasm32")))]
 #[global_allocator]
 static ALLOCATOR: mimalloc::MiMalloc = mimalloc::MiMalloc;

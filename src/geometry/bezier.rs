@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 use std::ops::{Add, Mul, Sub};
 
-/// What a patch can be made of: points of the plane or of space.
+/// The control points of a patch: points of the plane or of space.
 pub(crate) trait Point:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<f64, Output = Self>
 {
@@ -34,13 +34,13 @@ impl<T> Parameter for T where
 {
 }
 
-/// Bernstein's cubic polynomials at `t`, of which `s` is 1 − `t`.
+/// Returns Bernstein's cubic polynomials at `t`; `s` is 1 − `t`.
 #[inline(always)]
 pub(crate) fn bernstein<T: Parameter>(t: T, s: T) -> [T; 4] {
     [s * s * s, s * 3.0 * s * t, s * 3.0 * t * t, t * t * t]
 }
 
-/// Their derivatives.
+/// Returns the derivatives of Bernstein's cubic polynomials at `t`; `s` is 1 − `t`.
 #[inline(always)]
 pub(crate) fn bernstein_slopes<T: Parameter>(t: T, s: T) -> [T; 4] {
     [
@@ -58,7 +58,7 @@ fn blend<P: Point>(points: [P; 4], weights: &[f64; 4]) -> P {
         + points[3] * weights[3]
 }
 
-/// The point at `t` on the cubic with four control points.
+/// Returns the point at `t` on the cubic with four control points.
 pub(crate) fn on_curve<P: Point>(points: [P; 4], t: f64) -> P {
     blend(points, &bernstein(t, 1.0 - t))
 }
@@ -101,7 +101,7 @@ impl<P: Point> Patch<P> {
         self.weighted(&bernstein(u, 1.0 - u), &bernstein(v, 1.0 - v))
     }
 
-    /// The point at (u, v) and ∂S/∂u, ∂S/∂v there.
+    /// Returns the point at (u, v) with ∂S/∂u and ∂S/∂v.
     pub fn jet(&self, u: f64, v: f64) -> Jet<P> {
         let (bv, dv) = (bernstein(v, 1.0 - v), bernstein_slopes(v, 1.0 - v));
         let rows = [0, 1, 2, 3].map(|i| blend(self.row(i), &bv));
@@ -114,7 +114,7 @@ impl<P: Point> Patch<P> {
         }
     }
 
-    /// The quarters with u below and above ½, and within each v below and above ½.
+    /// Returns the quarters with u below and above ½, and within each v below and above ½.
     pub fn quarters(&self) -> [Self; 4] {
         let [low, high] = self.halves_in_u();
         let [low_low, low_high] = low.halves_in_v();
@@ -122,7 +122,7 @@ impl<P: Point> Patch<P> {
         [low_low, low_high, high_low, high_high]
     }
 
-    /// The halves with u below and above ½.
+    /// Returns the halves with u below and above ½.
     pub fn halves_in_u(&self) -> [Self; 2] {
         let (mut low, mut high) = (*self, *self);
         for j in 0..4 {
@@ -134,7 +134,7 @@ impl<P: Point> Patch<P> {
         [low, high]
     }
 
-    /// The halves with v below and above ½.
+    /// Returns the halves with v below and above ½.
     pub fn halves_in_v(&self) -> [Self; 2] {
         let (mut low, mut high) = (*self, *self);
         for i in 0..4 {
@@ -147,12 +147,12 @@ impl<P: Point> Patch<P> {
 }
 
 impl Patch<DVec3> {
-    /// The unit vector along ∂S/∂v × ∂S/∂u at (u, v).
+    /// Returns the unit vector along ∂S/∂v × ∂S/∂u at (u, v).
     ///
-    /// Where a row of control points has collapsed to a pole, ∂S/∂v vanishes like u·∂²S/∂u∂v, and the direction that the
-    /// normal tends to is that of ∂²S/∂u∂v × ∂S/∂u.
+    /// Where a row of control points has collapsed to a pole, ∂S/∂v vanishes like u·∂²S/∂u∂v, and the normal tends to the
+    /// direction of ∂²S/∂u∂v × ∂S/∂u.
     pub fn normal(&self, u: f64, v: f64) -> DVec3 {
-        /// Squared length, for patches of a size about 1, below which the product is rounding only.
+        /// The squared length below which the product is only rounding, for patches of a size about 1.
         const VANISHED: f64 = 1e-24;
         let jet = self.jet(u, v);
         let normal = jet.along_v.cross(jet.along_u);

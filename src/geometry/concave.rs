@@ -1,13 +1,13 @@
-//! Cuts polygons that a fan from their first corner would not cover into triangles.
+//! Triangulation of polygons that a fan from their first corner would not cover.
 //!
-//! A polygon is drawn as a fan. That covers a convex one from any corner; of a concave one it may leave the outline. Such
-//! a polygon stays one polygon with its corners in their order, and is covered by other triangles.
+//! A polygon is drawn as a fan. A fan covers a convex polygon from any corner; on a concave one it may leave the outline.
+//! Such a polygon remains one polygon with its corners in their order, and is covered by other triangles.
 
 use earcut::Earcut;
 use glam::DVec3;
 
-/// Returns whether the fan from the first point covers a polygon with this area vector: no triangle of it is turned over by
-/// more than `rounding`, an area, to which corners on a straight edge may be off.
+/// Returns whether the fan from the first point covers a polygon with this area vector: none of its triangles is turned
+/// over by more than `rounding`, the area by which corners on a straight edge may be off.
 pub fn fan_covers(points: &[DVec3], area: DVec3, rounding: f64) -> bool {
     let Some((&first, rest)) = points.split_first() else {
         return true;
@@ -17,8 +17,8 @@ pub fn fan_covers(points: &[DVec3], area: DVec3, rounding: f64) -> bool {
         .all(|pair| (pair[0] - first).cross(pair[1] - first).dot(normal) >= -2.0 * rounding)
 }
 
-/// Returns triangles that cover a polygon with this area vector and use each of its corners, by the corners' numbers,
-/// turned as it is.
+/// Returns triangles that cover a polygon with this area vector, as corner numbers. They use every corner and have the
+/// polygon's orientation.
 pub fn triangles(points: &[DVec3], area: DVec3) -> Vec<[usize; 3]> {
     let coarse = coarse_triangles(points, area);
     let mut used = vec![false; points.len()];
@@ -32,7 +32,8 @@ pub fn triangles(points: &[DVec3], area: DVec3) -> Vec<[usize; 3]> {
     fine
 }
 
-/// Triangles that cover a polygon seen along its normal, turned as it is. Corners on a straight edge may be left out.
+/// Returns triangles with the polygon's orientation that cover it, seen along its normal. Corners on a straight edge may be
+/// left out.
 fn coarse_triangles(points: &[DVec3], area: DVec3) -> Vec<[usize; 3]> {
     let (u, v) = area.normalize_or(DVec3::Z).any_orthonormal_pair();
     let flat: Vec<[f64; 2]> = points
@@ -51,8 +52,8 @@ fn coarse_triangles(points: &[DVec3], area: DVec3) -> Vec<[usize; 3]> {
     corners.as_chunks::<3>().0.iter().map(turned).collect()
 }
 
-/// The triangle with the polygon's corners on its edges that no triangle uses, so that the polygon next to it still shares
-/// them. It begins opposite an edge with such corners: a fan from there reaches them.
+/// Returns the triangle together with the polygon's corners on its edges that no triangle uses, so that the neighbouring
+/// polygon still shares them. It begins opposite an edge with such corners, so that a fan from there reaches them.
 fn with_straight_corners(mut triangle: [usize; 3], used: &[bool]) -> Vec<usize> {
     let between = |from: usize, to: usize| {
         let after = (1..used.len()).map(move |k| (from + k) % used.len());

@@ -1,4 +1,4 @@
-//! Meshes of n-sided polygons, and whether they are closed.
+//! Meshes of n-sided polygons, and the test for whether they are closed.
 
 use super::concave;
 use crate::scene::area_vector;
@@ -6,7 +6,7 @@ use glam::{DVec3, Vec3};
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
-/// A corner of a polygon: which point, and which given normal there.
+/// A corner of a polygon: its point and its given normal.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Corner {
     /// Index into [`Mesh::positions`].
@@ -18,12 +18,12 @@ pub struct Corner {
 /// A corner without a given normal.
 pub const NO_NORMAL: u32 = u32::MAX;
 
-/// Most steps that the polygons of a mesh are cut in, where one of n corners may take n² of them: some seconds.
+/// The most steps spent on cutting a mesh's polygons, where one of n corners may take n² steps: some seconds.
 const CUTTING_STEPS: u64 = 1 << 32;
 
-/// What says which point a corner of a polygon is at.
+/// A corner that knows its point.
 pub trait AtPoint: Copy {
-    /// Index into [`Mesh::positions`].
+    /// Returns the index into [`Mesh::positions`].
     fn point(self) -> usize;
 }
 
@@ -39,58 +39,58 @@ impl AtPoint for u32 {
     }
 }
 
-/// Nearer to the origin than this, single precision resolves a model whose parts are about 10⁻³ apart and larger.
+/// The distance from the origin within which single precision resolves a model whose parts are about 10⁻³ apart or more.
 pub(crate) const FAR: f64 = 1000.0;
 
 /// Polygons over shared points, as the shape or the file gives them.
 ///
-/// Polygons are counter-clockwise seen from outside. Faces that meet at a point share its position, creases included,
-/// so that averaging sees them all; `normals` may give each corner its own. A polygon is one face whatever its shape; only
-/// where it is drawn is it taken as triangles, see [`Mesh::face_triangles`].
+/// Polygons are counter-clockwise seen from outside. Faces that meet at a point share its position, even at creases, so
+/// that averaging sees them all; `normals` may give each corner its own. A polygon is one face whatever its shape; only for
+/// drawing is it taken as triangles, see [`Mesh::face_triangles`].
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Mesh<C = Corner> {
-    /// World position of (0, 0, 0) in `positions`: large offsets stay in double precision.
+    /// The world position of (0, 0, 0) in `positions`: large offsets stay in double precision.
     pub origin: DVec3,
-    /// Distinct points, relative to `origin`.
+    /// The distinct points, relative to `origin`.
     pub positions: Vec<Vec3>,
     /// Unit normals: the true surface's at the corners, or the file's.
     pub normals: Vec<Vec3>,
-    /// Face f has the corners `corners[starts[f]..starts[f + 1]]`; one entry more than faces.
+    /// The ends of the faces in `corners`: face f has `corners[starts[f]..starts[f + 1]]`. One entry more than faces.
     pub starts: Vec<u32>,
     /// The corners of all faces, face by face.
     pub corners: Vec<C>,
-    /// The triangles of faces that a fan from the first corner would not cover: the face, and three indices into
-    /// `corners`. Face by face in ascending order; [`Mesh::with_concave_faces_cut`] finds them.
+    /// The triangles of faces that a fan from the first corner would not cover: the face, and three indices into `corners`,
+    /// in ascending order of faces. [`Mesh::with_concave_faces_cut`] finds them.
     pub cut: Vec<(u32, [u32; 3])>,
-    /// Points at which the shape goes on beyond its border as its own mirror image in x: averaged normals there are
+    /// The points at which the shape continues beyond its border as its own mirror image in x: averaged normals there are
     /// those of both together.
     pub mirrored: Vec<u32>,
-    /// Every edge has a face on either side and the faces point outwards, so that from outside no back face is seen.
+    /// True if every edge has a face on either side and the faces point outwards, so that no back face is seen from outside.
     pub closed: bool,
-    /// Closed and convex: from outside no two front faces cover the same pixel.
+    /// True if the mesh is closed and convex: from outside no two front faces cover the same pixel.
     pub convex: bool,
-    /// The file names materials of its own (`mtllib`, `usemtl`), which are not drawn.
+    /// True if the file names materials (`mtllib`, `usemtl`), which are not drawn.
     pub names_materials: bool,
 }
 
-/// A mesh ready to be shaded: a vertex is a point with one normal, at the same place in `positions` and in `normals`, and a
+/// A mesh ready to be shaded: a vertex is a point with one normal, at the same index in `positions` and `normals`, and a
 /// corner is a vertex.
 pub type VertexMesh = Mesh<u32>;
 
 impl<C: AtPoint> Mesh<C> {
-    /// Number of polygons.
+    /// Returns the number of polygons.
     pub fn face_count(&self) -> usize {
         self.starts.len().saturating_sub(1)
     }
 
-    /// Number of triangles that the polygons are drawn as.
+    /// Returns the number of triangles that the polygons are drawn as.
     pub fn triangle_count(&self) -> usize {
         (0..self.face_count())
             .map(|f| self.face_triangles(f).len())
             .sum()
     }
 
-    /// The corners of face `f`, counter-clockwise from outside.
+    /// Returns the corners of face `f`, counter-clockwise from outside.
     ///
     /// # Panics
     /// If there is no face `f`.
@@ -98,8 +98,8 @@ impl<C: AtPoint> Mesh<C> {
         &self.corners[self.starts[f] as usize..self.starts[f + 1] as usize]
     }
 
-    /// The triangles that face `f` is drawn as, counter-clockwise from outside: those in `cut`, or else the fan from its
-    /// first corner.
+    /// Returns the triangles that face `f` is drawn as, counter-clockwise from outside: those in `cut`, or else the fan
+    /// from its first corner.
     ///
     /// # Panics
     /// If there is no face `f`, or `cut` has a triangle of it whose corners do not exist.
@@ -118,15 +118,17 @@ impl<C: AtPoint> Mesh<C> {
         })
     }
 
-    /// The points of face `f`, relative to `origin`, in double precision.
+    /// Returns the points of face `f`, relative to `origin`, in double precision.
     pub(crate) fn face_points(&self, f: usize) -> impl Iterator<Item = DVec3> + Clone {
         self.face(f)
             .iter()
             .map(|corner| self.positions[corner.point()].as_dvec3())
     }
 
-    /// The normal of face `f` by Newell's formula with its area as length; zero where the area is no more than the rounding of
-    /// corners to single precision can make it, so that it tells no direction.
+    /// Returns the normal of face `f` by Newell's formula, with the face's area as its length.
+    ///
+    /// Zero where the area is no more than rounding the corners to single precision can produce, since it then has no
+    /// meaningful direction.
     fn area_vector(&self, f: usize) -> DVec3 {
         let area = area_vector(self.face_points(f));
         if area.length() > self.area_rounding(f) {
@@ -136,7 +138,7 @@ impl<C: AtPoint> Mesh<C> {
         }
     }
 
-    /// The area that the rounding of corners to single precision can give face `f`.
+    /// Returns the area that rounding the corners to single precision can give face `f`.
     fn area_rounding(&self, f: usize) -> f64 {
         /// Half a unit in the last place of a coordinate, in all of a corner's coordinates, at all corners; twice that.
         const ROUNDING: f64 = 4.0 / (1 << 24) as f64;
@@ -151,25 +153,25 @@ impl<C: AtPoint> Mesh<C> {
         ROUNDING * extent * farthest
     }
 
-    /// The unit normal of face `f`; zero where the face has no area, or none beyond its points' rounding.
+    /// Returns the unit normal of face `f`; zero where the face has no area, or none beyond its points' rounding.
     pub fn face_normal(&self, f: usize) -> DVec3 {
         self.area_vector(f).normalize_or_zero()
     }
 
-    /// The unit normal and the area of face `f`; nothing for a face without area, which does not count in an average.
+    /// Returns the unit normal and the area of face `f`; `None` for a face without area, which does not count in an average.
     pub(super) fn normal_and_area(&self, f: usize) -> Option<(DVec3, f64)> {
         let area_vector = self.area_vector(f);
         let area = area_vector.length();
         (area > 0.0).then(|| (area_vector / area, area))
     }
 
-    /// The mean of the points of face `f`, in the world.
+    /// Returns the mean of the points of face `f`, in the world.
     pub fn face_centre(&self, f: usize) -> DVec3 {
         let count = self.face(f).len().max(1) as f64;
         self.origin + self.face_points(f).sum::<DVec3>() / count
     }
 
-    /// Radius of the smallest sphere about `origin` that holds every point.
+    /// Returns the radius of the smallest sphere about `origin` that holds every point.
     pub fn radius(&self) -> f64 {
         let squared = self
             .positions
@@ -185,8 +187,8 @@ impl<C: AtPoint> Mesh<C> {
 }
 
 impl Mesh {
-    /// The centre and the radius of a ball that holds every point: the middle of its bounding box, and the distance to the
-    /// farthest point from there. A mesh without points has a ball of radius 0 about its origin.
+    /// Returns the centre and the radius of a ball that holds every point: the middle of the bounding box, and the distance
+    /// from there to the farthest point. The ball of a mesh without points has radius 0 and lies at its origin.
     pub fn ball(&self) -> (DVec3, f64) {
         let Some(&first) = self.positions.first() else {
             return (self.origin, 0.0);
@@ -204,8 +206,8 @@ impl Mesh {
         (self.origin + centre, squared.sqrt())
     }
 
-    /// The mesh centred and scaled into the unit sphere: the middle of its bounding box comes to the world's origin, the
-    /// farthest point to distance 1. A mesh of a single point is only centred, one without points stays as it is.
+    /// Centres the mesh and scales it into the unit sphere: the middle of its bounding box comes to the world's origin, the
+    /// farthest point to distance 1. A mesh of a single point is only centred; one without points stays as it is.
     pub fn fitted(mut self) -> Self {
         if self.positions.is_empty() {
             return self;
@@ -220,10 +222,11 @@ impl Mesh {
         self
     }
 
-    /// Sets `cut` from the polygons themselves: triangles for each that a fan from its first corner would not cover. Every
-    /// corner belongs to one of them, so that polygons side by side share their edges; a polygon without area, or one that
-    /// crosses itself so that it has no triangles, stays a fan. So does one of more than 65 536 corners, or of fewer after others that
-    /// took long: the time is bounded.
+    /// Sets `cut` from the polygons themselves: triangles for each that a fan from its first corner would not cover.
+    ///
+    /// Every corner belongs to one of the triangles, so that neighbouring polygons share their edges. A polygon stays a fan
+    /// if it has no area, or crosses itself so that it has no triangles. So does one of more than 65 536 corners, or of
+    /// fewer once others have taken long: the time is bounded.
     pub fn with_concave_faces_cut(mut self) -> Self {
         self.cut.clear();
         let mut points = Vec::new();
@@ -254,8 +257,8 @@ impl Mesh {
         self
     }
 
-    /// Returns whether face `f` comes to its points so often that it cannot be a simple polygon, not even one with holes that are
-    /// joined to its border, which comes to a point twice. Nothing covers such a tangle, and cutting a large one takes minutes.
+    /// Returns whether face `f` visits its points too often to be a simple polygon, or one whose holes are joined to its
+    /// border, which visits a point twice. No triangles cover such a tangle, and cutting a large one takes minutes.
     fn is_tangle(&self, f: usize) -> bool {
         let mut points: Vec<u32> = self.face(f).iter().map(|c| c.position).collect();
         let corners = points.len();
@@ -264,8 +267,8 @@ impl Mesh {
         corners > 2 * points.len()
     }
 
-    /// Sets `closed` from the polygons themselves: true if every directed edge occurs once and its opposite once, and
-    /// every connected part encloses a positive volume. `convex` becomes false, as it is not looked for.
+    /// Sets `closed` from the polygons themselves: true if every directed edge occurs once and its opposite once, and every
+    /// connected part encloses a positive volume. `convex` becomes false, as it is not examined.
     ///
     /// Takes time and memory in proportion to the number of corners.
     pub fn with_closedness_detected(mut self) -> Self {
@@ -274,8 +277,8 @@ impl Mesh {
         self
     }
 
-    /// The volume that the faces enclose, each drawn as a fan; positive when they face outwards. Only a closed mesh has
-    /// a meaningful one.
+    /// Returns the volume that the faces enclose, each drawn as a fan; positive when they face outwards. It is meaningful
+    /// only for a closed mesh.
     pub fn signed_volume(&self) -> f64 {
         let reference = self.positions.first().map_or(DVec3::ZERO, |p| p.as_dvec3());
         (0..self.face_count())
@@ -283,7 +286,7 @@ impl Mesh {
             .sum()
     }
 
-    /// The signed volume of the pyramid from `apex` (relative to the mesh's origin) to face `f`.
+    /// Returns the signed volume of the pyramid from `apex` (relative to the mesh's origin) to face `f`.
     fn face_volume(&self, f: usize, apex: DVec3) -> f64 {
         let mut points = self.face_points(f).map(|p| p - apex);
         let Some(first) = points.next() else {
@@ -300,7 +303,7 @@ impl Mesh {
         volume / 6.0
     }
 
-    /// The directed edges of the mesh as pairs of points.
+    /// Returns the directed edges of the mesh as pairs of points.
     fn edges(&self) -> impl Iterator<Item = (u32, u32)> + Clone {
         (0..self.face_count()).flat_map(|f| {
             let face = self.face(f);
@@ -348,15 +351,15 @@ impl Mesh {
     }
 }
 
-/// What belongs to each point, as one list cut into runs.
+/// The items of each point, as one list cut into runs.
 pub(super) struct ByPoint {
-    /// The run of point p ends at `ends[p]` and begins where that of p − 1 ends.
+    /// The ends of the runs: that of point p begins where that of p − 1 ends.
     ends: Vec<u32>,
     list: Vec<u32>,
 }
 
 impl ByPoint {
-    /// Puts what comes with each point into its run, in the order in which it comes.
+    /// Sorts the items into their points' runs, keeping their order.
     pub fn new(points: usize, items: impl Iterator<Item = (u32, u32)> + Clone) -> Self {
         let mut ends = vec![0; points];
         items

@@ -1,11 +1,11 @@
 //! Wavefront OBJ models.
 //!
-//! In: the file's bytes. Out: one [`Mesh`] of all its polygons, or what is wrong in which line. The file is read once, line by
-//! line: `prepare` checks every vertex, normal and face and writes them anew, plainly, for the crate `tobj`, which reads them
-//! into pieces; here these are put together over shared points.
+//! In: the file's bytes. Out: one [`Mesh`] of all its polygons, or the first error with its line. The file is read once,
+//! line by line: `prepare` checks every vertex, normal and face and rewrites them plainly for the crate `tobj`, which reads
+//! them into pieces; this module joins the pieces over shared points.
 //!
-//! Texture coordinates, materials, groups, lines, points and free-form surfaces are passed over; that there are materials is
-//! kept ([`Mesh::names_materials`]), so that whoever shows the model can say so.
+//! Texture coordinates, materials, groups, lines, points and free-form surfaces are ignored; [`Mesh::names_materials`]
+//! records that there are materials, so that the caller can say so.
 
 mod prepare;
 
@@ -16,12 +16,12 @@ use prepare::{About, Lines, Prepared};
 use std::collections::HashMap;
 use std::io::{BufRead, BufReader};
 
-/// Reads a model; `progress` is told now and then how many bytes have been read.
+/// Reads a model, reporting to `progress` now and then how many bytes have been read.
 ///
-/// Vertices with equal coordinates become one point, so that averaging sees every face there; duplicate corners in a row
-/// and faces that this leaves with fewer than three are dropped; a concave polygon stays one, see
+/// Vertices with equal coordinates become one point, so that averaging sees every face there; consecutive duplicate
+/// corners, and faces that this leaves with fewer than three, are dropped; a concave polygon stays one, see
 /// [`Mesh::with_concave_faces_cut`]. A fourth number of a vertex is its weight and divides
-/// the others, further ones are colours and passed over. Normals are made unit vectors; one that is zero or not finite
+/// the others, further ones are colours and are ignored. Normals are made unit vectors; one that is zero or not finite
 /// counts as not given. Coordinates far from the origin are taken relative to the first vertex, in double precision.
 ///
 /// Memory stays below six times the size of the file: `tobj` gets the faces in pieces.
@@ -43,7 +43,7 @@ use std::io::{BufRead, BufReader};
 /// [`ObjError`], with the line where there is one.
 pub fn read_obj(reader: impl BufRead, progress: &mut dyn FnMut(u64)) -> Result<Mesh, ObjError> {
     let mut prepared = Prepared::new(Lines::new(reader, progress));
-    // No piece names a material library, so the loader of those is never asked.
+    // No piece names a material library, so this loader is never called.
     let no_materials = |_: &std::path::Path| Err(tobj::LoadError::ReadError);
     let loaded = tobj::load_obj_buf(
         &mut BufReader::new(&mut prepared),
@@ -55,7 +55,7 @@ pub fn read_obj(reader: impl BufRead, progress: &mut dyn FnMut(u64)) -> Result<M
     put_together(pieces, about)
 }
 
-/// The mesh of all pieces, with positions relative to the origin. Each piece is let go once it is in.
+/// Joins all pieces into one mesh, with positions relative to the origin. Each piece is freed once it is in.
 fn put_together(pieces: Vec<tobj::Model>, about: About) -> Result<Mesh, ObjError> {
     let corners: usize = pieces.iter().map(|piece| piece.mesh.indices.len()).sum();
     if u32::try_from(corners).is_err() {
@@ -142,7 +142,7 @@ fn add_piece(mesh: &mut Mesh, known: &mut HashMap<[u32; 3], u32>, piece: &tobj::
     }
 }
 
-/// Faces of a piece, which lists no arities where all are triangles.
+/// Returns the number of faces in a piece; its list of arities is empty if all are triangles.
 fn face_count(piece: &tobj::Mesh) -> usize {
     if piece.face_arities.is_empty() {
         piece.indices.len() / 3

@@ -12,7 +12,7 @@ use super::sizes::{CONE, CYLINDER};
 use crate::scene::{Object, ObjectKind};
 pub use count::{divisions_for, triangles};
 
-/// The polygons of an object; none for a model from a file, which brings its own.
+/// Returns the polygons of an object; an empty mesh for a model from a file, which brings its own.
 ///
 /// | kind | polygons |
 /// |---|---|
@@ -26,8 +26,7 @@ pub use count::{divisions_for, triangles};
 /// | polygons | those of the scene |
 /// | teapot | each of its 32 patches `segments`/4 round × `rings`/4 along (at least 1; handle and spout 2 round), triangles at the poles |
 ///
-/// Numbers of divisions that [`Scene::validate`](crate::scene::Scene) would refuse are taken as the nearest that it
-/// accepts.
+/// Numbers of divisions that [`Scene::validate`](crate::scene::Scene) would reject are replaced by the nearest that it accepts.
 pub fn tessellate(object: &Object) -> Mesh {
     let divisions = |number: u32, least: u32| number.clamp(least, Object::MAX_DIVISIONS);
     let segments = divisions(object.segments, 3);

@@ -1,4 +1,4 @@
-//! The sizes of the built-in shapes, and where the points of those are that meshes and true surfaces share.
+//! The sizes of the built-in shapes, and the positions of points that meshes and true surfaces share.
 
 use glam::{DVec2, DVec3};
 
@@ -22,7 +22,7 @@ pub const CUBE_HALF_EDGE: f64 = 0.577_350_269_189_625_8;
 /// Half the extent of the corrugated sheet across (x) and along its ridges (y): its corners lie in the unit sphere.
 pub const CORRUGATED_HALF_WIDTH: f64 = 0.75;
 pub const CORRUGATED_HALF_HEIGHT: f64 = 0.65;
-/// How far the ridges stand before the sheet's middle, and the troughs behind it.
+/// The distance of the ridges before the sheet's middle, and of the troughs behind it.
 pub const CORRUGATED_RIDGE: f64 = 0.1;
 
 /// A cylinder or a cone about the y axis, with caps; pointed where `top` is 0.
@@ -36,13 +36,13 @@ pub struct Frustum {
 }
 
 impl Frustum {
-    /// By how much the radius grows for each unit downwards.
+    /// Returns the growth of the radius for each unit downwards.
     pub fn slope(&self) -> f64 {
         (self.bottom - self.top) / (self.high - self.low)
     }
 }
 
-/// Where slope `slope` of the corrugated sheet is after the part `t` of it: x and z.
+/// Returns x and z of slope `slope` of the corrugated sheet after the part `t` of it.
 pub fn corrugated_point(slopes: u32, slope: u32, t: f64) -> DVec2 {
     let z = |k: u32| {
         if k.is_multiple_of(2) {
@@ -55,7 +55,7 @@ pub fn corrugated_point(slopes: u32, slope: u32, t: f64) -> DVec2 {
     DVec2::new(x, z(slope) * (1.0 - t) + z(slope + 1) * t)
 }
 
-/// The normal of a slope of the corrugated sheet, towards +z.
+/// Returns the normal of a slope of the corrugated sheet, towards +z.
 pub fn corrugated_normal(slopes: u32, slope: u32) -> DVec3 {
     let run = 2.0 * CORRUGATED_HALF_WIDTH / f64::from(slopes);
     let rise = if slope.is_multiple_of(2) {

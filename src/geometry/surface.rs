@@ -1,8 +1,8 @@
 //! The true surfaces behind the polygons, met by rays in double precision.
 //!
 //! In: a ray. Out: the nearest point where it meets the surface itself, outline included, with the true normal. Every
-//! surface lies within [`Surface::BOUND`] of the world's origin, so a ray is first brought to unit direction and to its point
-//! nearest the origin: the equations then see numbers about 1 however far away the eye is.
+//! surface lies within [`Surface::BOUND`] of the world's origin, so a ray is first normalised and moved to its point
+//! nearest the origin: the equations then work with numbers about 1 however far away the eye is.
 
 mod leaf;
 mod patch_ray;
@@ -17,42 +17,42 @@ use fearless_simd::{Level, dispatch};
 use glam::DVec3;
 use std::slice;
 
-/// Rays that are asked about at a time, at most.
+/// The most rays intersected at a time.
 pub const TOGETHER: usize = 8;
 
 /// Half a line: the points `origin + t · direction` for t > 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Ray {
-    /// Where the ray starts, world units.
+    /// The starting point, in world units.
     pub origin: DVec3,
-    /// Of any length but zero; `t` counts in multiples of it.
+    /// The direction, of any length but zero; `t` counts in multiples of it.
     pub direction: DVec3,
 }
 
 /// A point where a ray meets a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SurfaceHit {
-    /// The point is `ray.origin + t · ray.direction`.
+    /// The ray's parameter: the point is `ray.origin + t · ray.direction`.
     pub t: f64,
-    /// Unit vector that points out of the shape, from whichever side the ray comes. The plane's
-    /// and the corrugated sheet's are those of the sides that face +z.
+    /// The unit normal, out of the shape from whichever side the ray comes. The plane's and the corrugated sheet's are
+    /// those of the sides that face +z.
     pub normal: DVec3,
 }
 
-/// The true surface of a built-in shape. Copied freely and shared between threads.
+/// The true surface of a built-in shape. It is cheap to copy and to share between threads.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Surface {
     kind: ObjectKind,
-    /// Of the corrugated sheet.
+    /// The slopes of the corrugated sheet.
     slopes: u32,
 }
 
 impl Surface {
-    /// Radius of a sphere about the origin that holds every surface: √2 for the corners of the plane, a little more for
+    /// The radius of a sphere about the origin that holds every surface: √2 for the corners of the plane, a little more for
     /// rounding.
     pub const BOUND: f64 = 1.415;
 
-    /// The surface of `object`; none for a model or a scene's own polygons, which have no surface beyond them.
+    /// Returns the surface of `object`; `None` for a model or a scene's own polygons, which have no surface beyond them.
     pub fn of(object: &Object) -> Option<Self> {
         let slopes = object.segments.clamp(2, Object::MAX_DIVISIONS);
         object.kind.has_surface().then_some(Self {
@@ -61,7 +61,7 @@ impl Surface {
         })
     }
 
-    /// Radius of a ball about the world's origin that the surface encloses; 0 if none is known.
+    /// Returns the radius of a ball about the world's origin that the surface encloses; 0 if none is known.
     pub fn inner_radius(&self) -> f64 {
         match self.kind {
             ObjectKind::Sphere => 1.0,
@@ -71,15 +71,16 @@ impl Surface {
         }
     }
 
-    /// The nearest point with t > `t_min` where `ray` meets the surface, if there is one.
+    /// Returns the nearest point with t > `t_min` where `ray` meets the surface, if there is one.
     ///
-    /// Closed forms are exact to rounding, about 10⁻¹⁵; the torus and the teapot are iterated until they are. A direction
+    /// Closed forms are exact to rounding, about 10⁻¹⁵; the torus and the teapot are iterated to the same accuracy. A direction
     /// that is zero or not finite meets nothing.
     pub fn intersect(&self, ray: &Ray, t_min: f64) -> Option<SurfaceHit> {
         self.intersect_all(Level::new(), slice::from_ref(ray), t_min)[0]
     }
 
-    /// The same for [`TOGETHER`] rays at most; neither the level nor the company changes an answer.
+    /// Returns the nearest points, as [`Self::intersect`] does, for at most [`TOGETHER`] rays; neither the level nor the
+    /// other rays change an answer.
     pub fn intersect_all(
         &self,
         level: Level,
@@ -87,7 +88,7 @@ impl Surface {
         t_min: f64,
     ) -> [Option<SurfaceHit>; TOGETHER] {
         let mut near = [UnitRay::default(); TOGETHER];
-        // What t is from the length along the unit ray.
+        // The conversion from the length along the unit ray to t.
         let mut scale = [(0.0, 1.0); TOGETHER];
         let mut asked = 0;
         for (k, ray) in rays.iter().enumerate().take(TOGETHER) {
@@ -95,7 +96,7 @@ impl Surface {
             let direction = ray.direction / length;
             let shift = -ray.origin.dot(direction);
             let origin = ray.origin + shift * direction;
-            // Also false, and rightly, where any of it is not a number.
+            // Also false, as it should be, where any of it is not a number.
             if origin.length_squared() <= Self::BOUND * Self::BOUND {
                 near[k] = UnitRay {
                     origin,
@@ -126,7 +127,7 @@ impl Surface {
         hits
     }
 
-    /// Where one ray meets a surface that is not made of patches.
+    /// Returns the point where one ray meets a surface that is not made of patches.
     fn meet(&self, ray: &UnitRay) -> Option<Meeting> {
         match self.kind {
             ObjectKind::Sphere => solids::sphere(ray),

@@ -7,12 +7,12 @@ use std::sync::LazyLock;
 /// The published list, see `assets/teapot/README.md`.
 const LISTING: &str = include_str!("../../assets/teapot/newell.txt");
 
-/// Middle of the pot's bounding box and radius of a sphere about it that holds the pot, in the units and axes (z up) of
-/// the list.
+/// The middle of the pot's bounding box; with `RADIUS`, a sphere about it that holds the pot. In the units and axes (z up)
+/// of the list.
 const CENTRE: DVec3 = DVec3::new(0.217, 0.0, 1.575);
 const RADIUS: f64 = 3.35;
 
-/// Patches that belong together: what lies in different shells does not share points, even where it touches.
+/// A group of patches: patches in different shells share no points, even where they touch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Shell {
     /// Rim, body and bottom.
@@ -22,11 +22,11 @@ pub(crate) enum Shell {
     Lid,
 }
 
-/// The control points and which sixteen of them make each patch.
+/// The control points, and the sixteen of them that make each patch.
 pub(crate) struct Teapot {
-    /// y up, spout towards +x, within the unit sphere.
+    /// The control points: y up, spout towards +x, within the unit sphere.
     pub points: Vec<DVec3>,
-    /// Rows of u (along the shape), columns of v (round it); ∂S/∂v × ∂S/∂u points outwards.
+    /// The patches: rows of u (along the shape), columns of v (round it); ∂S/∂v × ∂S/∂u points outwards.
     pub patches: Vec<[u16; 16]>,
 }
 
@@ -58,7 +58,7 @@ impl Teapot {
         }
     }
 
-    /// Which part of the pot a patch belongs to, by its place in the list.
+    /// Returns the shell of a patch, by its place in the list.
     pub fn shell(patch: usize) -> Shell {
         match patch {
             12..16 => Shell::Handle,
@@ -69,10 +69,10 @@ impl Teapot {
     }
 }
 
-/// The N numbers of a line of the listing.
+/// Parses the N numbers of a line of the listing.
 ///
 /// # Panics
-/// If there are not N, which only a change of the listing can bring about.
+/// If there are not N, which only a change of the listing can cause.
 fn parsed<T: std::str::FromStr, const N: usize>(line: &str) -> [T; N] {
     let numbers: Vec<T> = line
         .split_whitespace()
@@ -104,7 +104,7 @@ mod tests {
         a.iter().zip(b).all(|(a, b)| a.distance(*b) < 1e-12)
     }
 
-    /// The axis of body and lid in placed coordinates is not x = 0.
+    /// Turns points about the axis of body and lid, which in placed coordinates is not x = 0.
     fn about_the_axis(points: [DVec3; 16], turn: impl Fn(DVec3) -> DVec3) -> [DVec3; 16] {
         let axis = DVec3::X * (-super::CENTRE.x / super::RADIUS);
         points.map(|p| turn(p - axis) + axis)

@@ -1,5 +1,5 @@
-//! Vertex normals: from a mesh with shared points to vertices with one normal each; which faces one of them comes from, and
-//! what each of them counts for.
+//! Vertex normals: from a mesh with shared points to vertices with one normal each, the faces that each normal comes from,
+//! and their weights.
 
 use super::mesh::{ByPoint, Mesh, NO_NORMAL, VertexMesh};
 use crate::scene::{NormalSource, Weighting};
@@ -7,7 +7,7 @@ use glam::{DVec3, DVec4, Vec3};
 use serde::Serialize;
 use std::f64::consts::TAU;
 
-/// Where face normals cancel to less than this share of their weights, what is left is rounding and has no direction.
+/// The share of their weights below which a sum of cancelling face normals is rounding and has no direction.
 const CANCELLED: f64 = 1e-9;
 
 /// The normal of a vertex at which no face has an area.
@@ -100,7 +100,7 @@ impl Mesh {
         }
     }
 
-    /// The normal of each point, if the corners that meet there all have the same one.
+    /// Returns the normal of each point, if all corners that meet there have the same one.
     fn agreed_normals(&self, normal_at: impl Fn(u32) -> Vec3) -> Option<Vec<Vec3>> {
         const UNSEEN: Vec3 = Vec3::ZERO;
         let mut normals = vec![UNSEEN; self.positions.len()];
@@ -120,7 +120,7 @@ impl Mesh {
         Some(normals)
     }
 
-    /// One vertex for each distinct normal at each point.
+    /// Makes one vertex for each distinct normal at each point.
     fn with_split_points(&self, normal_at: impl Fn(u32) -> Vec3) -> VertexMesh {
         let corners = (0..)
             .zip(&self.corners)
@@ -131,7 +131,7 @@ impl Mesh {
         let mut indices = vec![0; self.corners.len()];
         for (p, &position) in self.positions.iter().enumerate() {
             let corners = around.at_mut(p);
-            // Sorting brings equal normals together however many there are, which searching would take the square for.
+            // Sorting brings equal normals together however many there are; searching would take quadratic time.
             corners.sort_unstable_by_key(|&c| normal_at(c).to_array().map(f32::to_bits));
             let first_here = normals.len();
             for &mut c in corners {
@@ -146,7 +146,7 @@ impl Mesh {
         self.vertex_mesh(positions, normals, indices)
     }
 
-    /// The average of the normals of the faces round each point.
+    /// Averages the normals of the faces round each point.
     fn averaged_normals(&self, weighting: Weighting) -> Vec<Vec3> {
         let mut sums = vec![DVec4::ZERO; self.positions.len()];
         for f in 0..self.face_count() {
@@ -171,8 +171,8 @@ impl Mesh {
         normals
     }
 
-    /// What face `f`, of this normal and area, weighs in the average at its corner `k`: 1, its area, or its interior
-    /// angle there in radians.
+    /// Returns the weight of face `f`, of this normal and area, in the average at its corner `k`: 1, its area, or its
+    /// interior angle there in radians.
     #[inline]
     fn corner_weight(
         &self,
@@ -211,22 +211,23 @@ impl Mesh {
     }
 }
 
-/// The angle inside a polygon at `corner`, 0 to 2π, for a polygon with unit normal `normal`: that between the edges where the
-/// polygon is plane. Where the corner's own plane is tilted by δ against the normal, as on a warped polygon, an angle a
-/// between the edges counts as `atan2(cos δ·sin a, cos a)`.
+/// Returns the angle inside a polygon with unit normal `normal` at `corner`, 0 to 2π.
+///
+/// For a plane polygon it is the angle between the edges. Where the corner's own plane is tilted by δ against the normal,
+/// as on a warped polygon, an angle a between the edges counts as `atan2(cos δ·sin a, cos a)`.
 fn interior_angle(previous: DVec3, corner: DVec3, next: DVec3, normal: DVec3) -> f64 {
     let (out, back) = (next - corner, previous - corner);
     let angle = normal.dot(out.cross(back)).atan2(out.dot(back));
     if angle < 0.0 { angle + TAU } else { angle }
 }
 
-/// A normal times its weight, and the weight as the fourth number.
+/// Returns a normal times its weight, with the weight as the fourth number.
 #[inline]
 fn weighted(normal: DVec3, weight: f64) -> DVec4 {
     (normal * weight).extend(weight)
 }
 
-/// The unit vector along a sum of [`weighted`] normals; nothing where they cancel.
+/// Returns the unit vector along a sum of [`weighted`] normals; `None` where they cancel.
 fn direction_of(sum: DVec4) -> Option<Vec3> {
     let (normal, weight) = (sum.truncate(), sum.w);
     let length = normal.length();
@@ -241,19 +242,19 @@ fn unit_or(normal: DVec3, fallback: Vec3) -> Vec3 {
     }
 }
 
-/// Where the normal of one vertex comes from.
+/// The origin of a vertex's normal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum NormalOrigin {
     /// The mean of the faces' normals, each with its weight.
     Averaged,
-    /// Given with the mesh: the true surface's, or the file's.
+    /// The normal given with the mesh: the true surface's, or the file's.
     Given,
-    /// That of the one face to which the vertex belongs.
+    /// The normal of the one face to which the vertex belongs.
     Facet,
-    /// The faces' normals cancel; it is that of the first face there with an area.
+    /// The normal of the first face there with an area, because the faces' normals cancel.
     FirstFace,
-    /// No face there has an area.
+    /// None: no face there has an area.
     #[serde(rename = "none")]
     Nowhere,
 }
@@ -263,10 +264,10 @@ pub enum NormalOrigin {
 pub struct FaceShare {
     /// The face's number in the mesh, from 0.
     pub face: u32,
-    /// Unit; zero for a face without area.
+    /// The unit normal; zero for a face without area.
     pub normal: DVec3,
-    /// The weight as the rule has it: 1, the area in square world units, or the interior angle in radians. Zero where the
-    /// face does not count.
+    /// The weight by the rule: 1, the area in square world units, or the interior angle in radians. Zero where the face
+    /// does not count.
     pub weight: f64,
     /// The weight divided by the sum of all, 0 to 1.
     pub share: f64,
@@ -275,26 +276,26 @@ pub struct FaceShare {
 /// The faces round a vertex and the sum of their normals.
 #[derive(Clone, Debug, PartialEq)]
 pub struct VertexShares {
-    /// Where the vertex's normal comes from.
+    /// The origin of the vertex's normal.
     pub origin: NormalOrigin,
-    /// In the order of the mesh. Where the normal is given, all that meet at the point, without weights.
+    /// The faces in the order of the mesh; where the normal is given, all that meet at the point, without weights.
     pub faces: Vec<FaceShare>,
-    /// Whether the mirror images in x of these faces count as much: the shape goes on beyond its border.
+    /// True if the mirror images in x of these faces count as much, because the shape continues beyond its border.
     pub mirrored: bool,
-    /// `Σ share·N`, before it is made a unit vector; zero where nothing is averaged.
+    /// `Σ share·N` before normalisation; zero where nothing is averaged.
     pub sum: DVec3,
 }
 
 impl Mesh {
-    /// The point of vertex `vertex` of `vertices`, which [`Mesh::with_vertex_normals`] made of this mesh. Nothing for a
-    /// vertex of no face.
+    /// Returns the point of vertex `vertex` of `vertices`, which [`Mesh::with_vertex_normals`] made of this mesh; `None`
+    /// for a vertex of no face.
     pub fn point_of_vertex(&self, vertices: &VertexMesh, vertex: u32) -> Option<u32> {
         let corner = vertices.corners.iter().position(|index| *index == vertex)?;
         Some(self.corners[corner].position)
     }
 
-    /// Where the normal of vertex `vertex` of `vertices` comes from: `vertices` is what [`Mesh::with_vertex_normals`] made
-    /// of this mesh by the same `source` and `weighting`. Takes time in proportion to the number of corners.
+    /// Returns the faces behind the normal of vertex `vertex` of `vertices`, which [`Mesh::with_vertex_normals`] made of
+    /// this mesh by the same `source` and `weighting`. Takes time in proportion to the number of corners.
     pub fn vertex_shares(
         &self,
         vertices: &VertexMesh,
@@ -330,7 +331,7 @@ impl Mesh {
         }
     }
 
-    /// The corners at which `chosen` holds, with their face and their number in it.
+    /// Returns the corners at which `chosen` holds, as their face and their number in it.
     fn corners_where(
         &self,
         chosen: impl Fn(usize) -> bool,
@@ -342,7 +343,7 @@ impl Mesh {
         })
     }
 
-    /// The faces that have `vertex` itself among their corners; a facet counts whole, any other not at all.
+    /// Returns the faces that have `vertex` itself among their corners; a facet counts in full, any other not at all.
     fn shares_of(&self, vertices: &VertexMesh, vertex: u32, origin: NormalOrigin) -> VertexShares {
         let one = f64::from(u8::from(origin == NormalOrigin::Facet));
         let corners = self.corners_where(|c| vertices.corners[c] == vertex);
@@ -362,7 +363,7 @@ impl Mesh {
         }
     }
 
-    /// The faces at a point with their weights, added as the averaging adds them.
+    /// Returns the faces at a point with their weights, added in the order of the averaging.
     fn averaged_shares(&self, point: u32, weighting: Weighting) -> VertexShares {
         let mut sum = DVec4::ZERO;
         let mut faces = Vec::new();

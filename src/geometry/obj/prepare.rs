@@ -1,8 +1,8 @@
-//! Checks a model line by line and writes it anew in the plainest form: positions, normals and faces only, faces with
+//! The line-by-line check of a model, which rewrites it in the plainest form: positions, normals and faces only, faces with
 //! absolute numbers and in pieces.
 //!
-//! `tobj` reads what comes out. It has no line numbers, fills a missing normal with the one before, and keeps a hundred
-//! bytes for each face until its object ends; so normals that are missing get one of their own (0, 0, 0), the first, and
+//! `tobj` reads the output. It has no line numbers, fills a missing normal with the one before, and keeps a hundred bytes
+//! for each face until its object ends. Missing normals therefore refer to one of their own, (0, 0, 0), the first; and
 //! objects end after [`PIECE`] corners.
 
 use crate::geometry::mesh::FAR;
@@ -10,14 +10,14 @@ use crate::text::text;
 use glam::DVec3;
 use std::io::{self, BufRead, Read, Write};
 
-/// Why a model could not be read. The message says what is wrong and what was expected, [`ObjError::line`] where.
+/// The reason why a model could not be read. The message says what is wrong and what was expected, [`ObjError::line`] where.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ObjError {
     /// The file or stream could not be read.
     #[error("{}", text!("obj-unreadable", error = .0.to_string()))]
     Read(#[from] io::Error),
-    /// A line that is not Wavefront OBJ, or that names what is not there.
+    /// A line that is not Wavefront OBJ, or that refers to something that does not exist.
     #[error("{what}")]
     Line {
         /// Counted from 1.
@@ -25,22 +25,22 @@ pub enum ObjError {
         /// A sentence that says what is wrong and what was expected.
         what: String,
     },
-    /// There is nothing in the file.
+    /// An empty file.
     #[error("{}", text!("obj-empty"))]
     Empty,
-    /// There are points but no face.
+    /// Points without a face.
     #[error("{}", text!("obj-no-face"))]
     NoFace,
     /// More points or corners than `u32` counts.
     #[error("{}", text!("obj-too-large", most = u32::MAX))]
     TooLarge,
-    /// What `tobj` refused without saying where.
+    /// An error of `tobj` without a line.
     #[error("{}", text!("obj-refused", error = .0.to_string()))]
     Refused(tobj::LoadError),
 }
 
 impl ObjError {
-    /// The line, from 1, where it is known; of a continued line the first.
+    /// Returns the line, from 1, where it is known; for a continued line, the first.
     pub fn line(&self) -> Option<u64> {
         if let Self::Line { line, .. } = self {
             Some(*line)
@@ -50,18 +50,18 @@ impl ObjError {
     }
 }
 
-/// Most corners in a piece, but for one large face: some megabytes of memory in `tobj`, and a little less than a power of
-/// two, to which its lists grow.
+/// The most corners in a piece, except for one large face: some megabytes of memory in `tobj`, and a little less than a
+/// power of two, to which its lists grow.
 const PIECE: usize = (1 << 17) - 64;
 
-/// Bytes written before they are passed on.
+/// The number of bytes written before they are passed on.
 const CHUNK: usize = 1 << 16;
 
-/// The longest line, continuations included: a face of some 100 000 vertices. What is longer is no model, and would
-/// otherwise be read into memory as a whole.
+/// The longest line, continuations included: a face of some 100 000 vertices. A longer line cannot belong to a model, and
+/// would otherwise be read into memory as a whole.
 const LONGEST: usize = 1 << 20;
 
-/// Progress is told whenever so many more bytes have been read.
+/// The number of bytes between two reports of progress.
 const PROGRESS_STEP: u64 = 1 << 18;
 
 const BYTE_ORDER_MARK: &[u8] = b"\xEF\xBB\xBF";
@@ -80,11 +80,11 @@ pub struct Lines<'a, R> {
 
 /// One line.
 struct Line<'a> {
-    /// Of the first of the lines joined.
+    /// The number of the first of the lines joined.
     number: u64,
-    /// Without line end, comment and continuation marks.
+    /// The text without line end, comment and continuation marks.
     text: &'a [u8],
-    /// Whether it ended in a line end, and not with the file.
+    /// True if the line ended in a line end, false if it ended with the file.
     ended: bool,
 }
 
@@ -100,7 +100,7 @@ impl<'a, R: BufRead> Lines<'a, R> {
         }
     }
 
-    /// The next line; none at the end of the file.
+    /// Reads the next line; `None` at the end of the file.
     fn next(&mut self) -> Result<Option<Line<'_>>, ObjError> {
         self.text.clear();
         let number = self.count + 1;
@@ -171,21 +171,21 @@ impl<'a, R: BufRead> Lines<'a, R> {
     }
 }
 
-/// A model written anew, to be read by `tobj`.
+/// A rewritten model, to be read by `tobj`.
 pub struct Prepared<'a, R> {
     lines: Lines<'a, R>,
     writer: Writer,
-    /// How much of the writer's text has been read.
+    /// The number of bytes of the writer's text already read.
     taken: usize,
     outcome: Result<(), ObjError>,
 }
 
-/// What a model's file says beside its polygons.
+/// The facts in a model's file beside its polygons.
 #[derive(Clone, Copy, Default)]
 pub struct About {
-    /// What positions are relative to.
+    /// The point that positions are relative to.
     pub origin: DVec3,
-    /// Whether it names a library of materials, or one of them.
+    /// True if the file names a material or a library of materials.
     pub names_materials: bool,
 }
 
@@ -211,7 +211,7 @@ impl<'a, R: BufRead> Prepared<'a, R> {
         }
     }
 
-    /// Returns what the file says beside its polygons, after the last byte, or what was wrong.
+    /// Returns the facts beside the polygons once the last byte is read, or the error.
     pub fn finish(self) -> Result<About, ObjError> {
         self.outcome?;
         if self.lines.bytes == 0 {
@@ -347,7 +347,7 @@ impl Writer {
             if self.normals == 0 {
                 self.write(format_args!(" {position}"));
             } else {
-                // The first normal written stands for none, so all others have moved up by one.
+                // The first normal written stands for a missing one, so all others have moved up by one.
                 self.write(format_args!(" {position}//{}", normal + 1));
             }
         }
@@ -356,7 +356,7 @@ impl Writer {
         Ok(())
     }
 
-    /// The numbers, from 1, of the position and normal of a corner; 0 for no normal.
+    /// Returns the numbers, from 1, of the position and normal of a corner; 0 for no normal.
     fn corner(&self, line: &Line, word: &[u8]) -> Result<(u64, u64), ObjError> {
         let mut fields = word.split(|&byte| byte == b'/');
         let [position, texture, normal] =
@@ -383,7 +383,7 @@ impl Writer {
     }
 
     fn write(&mut self, text: std::fmt::Arguments) {
-        // A Vec takes whatever is written.
+        // Writing to a `Vec` cannot fail.
         let _ = self.text.write_fmt(text);
     }
 }
@@ -399,7 +399,7 @@ fn not_text(line: u64) -> ObjError {
     at(line, text!("obj-not-text"))
 }
 
-/// The message `expected` says what `word` is not.
+/// Returns the error that says `word` is not what was `expected`.
 fn malformed(line: u64, word: &[u8], expected: &str) -> ObjError {
     let expected = text!(expected);
     at(
@@ -408,7 +408,7 @@ fn malformed(line: u64, word: &[u8], expected: &str) -> ObjError {
     )
 }
 
-/// A word of the file for a message: valid text, and no longer than a message may be.
+/// Quotes a word of the file for a message: as valid text of a limited length.
 fn quoted(word: &[u8]) -> String {
     const LONGEST_QUOTE: usize = 40;
     let text = String::from_utf8_lossy(&word[..word.len().min(LONGEST_QUOTE)]);
@@ -419,7 +419,7 @@ fn quoted(word: &[u8]) -> String {
     }
 }
 
-/// Three numbers, finite or not, and the words that they stand as.
+/// Reads three numbers, finite or not, and returns them with their words.
 fn vector<'w>(
     line: u64,
     words: &mut impl Iterator<Item = &'w [u8]>,
@@ -440,7 +440,7 @@ fn vector<'w>(
     Ok((vector, xyz))
 }
 
-/// The number that a word stands for, finite or not.
+/// Reads a word as a number, finite or not.
 fn number(line: u64, word: &[u8], expected: &str) -> Result<f64, ObjError> {
     let number = std::str::from_utf8(word)
         .ok()
@@ -448,7 +448,7 @@ fn number(line: u64, word: &[u8], expected: &str) -> Result<f64, ObjError> {
     number.ok_or_else(|| malformed(line, word, expected))
 }
 
-/// Sign and digits of a whole number of any length; none if it is not one.
+/// Splits a whole number of any length into sign and digits; `None` if it is not one.
 fn whole(field: &[u8]) -> Option<(bool, &[u8])> {
     let (negative, digits) = match field {
         [b'-', digits @ ..] => (true, digits),
@@ -458,8 +458,8 @@ fn whole(field: &[u8]) -> Option<(bool, &[u8])> {
     (!digits.is_empty() && digits.iter().all(u8::is_ascii_digit)).then_some((negative, digits))
 }
 
-/// The number from 1 of the thing that a face names, of which `count` come before it; the message `unknown`
-/// where there is none.
+/// Resolves a reference in a face to a number from 1, where `count` items precede it; fails with the message `unknown` if
+/// there is no such item.
 fn absolute(line: u64, unknown: &str, field: &[u8], count: u64) -> Result<u64, ObjError> {
     let resolved = whole(field).and_then(|(negative, digits)| {
         let number: u64 = std::str::from_utf8(digits).ok()?.parse().ok()?;

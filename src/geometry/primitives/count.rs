@@ -1,16 +1,16 @@
-//! How many triangles a tessellation has, and which tessellation has about so many.
+//! The number of triangles of a tessellation, and the tessellation with about a given number.
 
 use crate::geometry::sizes::{CYLINDER, TORUS_RING, TORUS_TUBE};
 use crate::scene::{Object, ObjectKind};
 use std::f64::consts::TAU;
 
-/// Triangles of a built-in shape, without making them; none of a model from a file or of a scene's own polygons.
+/// Returns the number of triangles of a built-in shape without making them; 0 for a model from a file or a scene's own polygons.
 pub fn triangles(object: &Object) -> u64 {
     of(object.kind, object.segments, object.rings)
 }
 
-/// Segments and rings by which a shape has as nearly as possible `wanted` triangles whose polygons are about as wide as
-/// high: at most one row of polygons too many or too few, within what an object may have.
+/// Returns the segments and rings by which a shape has as nearly as possible `wanted` triangles whose polygons are about as
+/// wide as high: at most one row of polygons too many or too few, within an object's limits.
 pub fn divisions_for(kind: ObjectKind, wanted: u64) -> [u32; 2] {
     let least = Object {
         kind,
@@ -22,7 +22,7 @@ pub fn divisions_for(kind: ObjectKind, wanted: u64) -> [u32; 2] {
         (segments as u32).clamp(min_segments, Object::MAX_DIVISIONS)
     };
     let rings = first(min_rings, |rings| of(kind, beside(rings), rings) >= wanted);
-    // Of the two rows on either side of the wanted number, with the segments that come nearest to it.
+    // The two rows on either side of the wanted number, each with the segments that come nearest to it.
     let candidates = [rings.saturating_sub(1).max(min_rings), rings]
         .into_iter()
         .flat_map(|rings| {
@@ -43,7 +43,8 @@ pub fn divisions_for(kind: ObjectKind, wanted: u64) -> [u32; 2] {
         .unwrap_or([min_segments, min_rings])
 }
 
-/// The least number from `least` on for which `holds`, which does for all greater ones; the greatest there is if none.
+/// Returns the smallest number from `least` on for which `holds`, which must hold for all larger ones; the largest number
+/// if there is none.
 fn first(least: u32, holds: impl Fn(u32) -> bool) -> u32 {
     let (mut low, mut high) = (least, Object::MAX_DIVISIONS);
     while low < high {
@@ -57,7 +58,7 @@ fn first(least: u32, holds: impl Fn(u32) -> bool) -> u32 {
     low
 }
 
-/// How many polygons there are round the axis to one along it, where they are about as wide as high.
+/// Returns the number of polygons round the axis for each one along it, where they are about as wide as high.
 fn segments_per_ring(kind: ObjectKind) -> f64 {
     match kind {
         ObjectKind::Torus => TORUS_RING / TORUS_TUBE,

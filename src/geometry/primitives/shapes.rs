@@ -1,4 +1,4 @@
-//! The built-in shapes but for the teapot, face by face, and the polygons that a scene gives itself.
+//! The built-in shapes except the teapot, face by face, and the polygons that a scene lists itself.
 
 use crate::geometry::mesh::{Corner, FAR, Mesh, NO_NORMAL};
 use crate::geometry::sizes::{
@@ -15,7 +15,7 @@ pub(crate) struct Builder {
 }
 
 impl Builder {
-    /// Room for so many points and for so many faces of four corners.
+    /// Returns an empty mesh with capacity for `points` points and `faces` faces of four corners.
     pub fn with_capacity(points: usize, faces: usize) -> Self {
         let mut mesh = Mesh::default();
         mesh.positions.reserve_exact(points);
@@ -63,7 +63,7 @@ impl Builder {
     }
 }
 
-/// The square −1 ≤ x, y ≤ 1 at z = 0: `columns` across, `rows` from the top down.
+/// Returns the square −1 ≤ x, y ≤ 1 at z = 0: `columns` across, `rows` from the top down.
 pub fn plane(columns: u32, rows: u32) -> Mesh {
     let points = (columns as usize + 1) * (rows as usize + 1);
     let mut builder = Builder::with_capacity(points, columns as usize * rows as usize);
@@ -77,12 +77,12 @@ pub fn plane(columns: u32, rows: u32) -> Mesh {
     builder.finish(false, false)
 }
 
-/// −1 to 1 in `count` equal steps.
+/// Returns step `k` of `count` equal ones from −1 to 1.
 fn between(k: u32, count: u32) -> f64 {
     2.0 * f64::from(k) / f64::from(count) - 1.0
 }
 
-/// The cube, `columns` to a side round the y axis and `rows` from the top down.
+/// Returns the cube, `columns` to a side round the y axis and `rows` from the top down.
 pub fn cube(columns: u32, rows: u32) -> Mesh {
     let lattice = Lattice { columns, rows };
     let (n, m) = (columns as usize, rows as usize);
@@ -136,12 +136,12 @@ impl Lattice {
         }
     }
 
-    /// Point i round the axis, from the corner (−x, +z) towards (+x, +z), at level j from the top.
+    /// Returns point i round the axis, from the corner (−x, +z) towards (+x, +z), at level j from the top.
     fn on_side(&self, i: u32, j: u32) -> u32 {
         4 * self.columns * j + i % (4 * self.columns)
     }
 
-    /// Point i from −x and k from −z at level j, which is the top or the bottom.
+    /// Returns point i from −x and k from −z at level j, which is the top or the bottom.
     fn in_level(&self, i: u32, k: u32, j: u32) -> u32 {
         let n = self.columns;
         if k == n {
@@ -160,10 +160,10 @@ impl Lattice {
     }
 }
 
-/// The corrugated sheet: `slopes` planes from one ridge or trough to the next, each divided into `strips`.
+/// Returns the corrugated sheet: `slopes` planes from one ridge or trough to the next, each divided into `strips`.
 ///
-/// A trough and a ridge of equal slopes have the mean normal +z. The two borders end in the middle of a ridge or of a
-/// trough: there the sheet is cut out of one that goes on as its own mirror image.
+/// A trough and a ridge of equal slopes have the mean normal +z. The two borders end in the middle of a ridge or a trough:
+/// the sheet is cut out of one that continues there as its own mirror image.
 pub fn corrugated(slopes: u32, strips: u32) -> Mesh {
     let columns = slopes * strips;
     let mut builder = Builder::with_capacity(2 * (columns as usize + 1), columns as usize);
@@ -188,7 +188,7 @@ pub fn corrugated(slopes: u32, strips: u32) -> Mesh {
     }
 }
 
-/// (sin, cos) of the angle 2π·k/n, exact at the quarters.
+/// Returns (sin, cos) of the angle 2π·k/n, exact at the quarters.
 fn turn(k: u32, n: u32) -> (f64, f64) {
     let quarters = 4 * u64::from(k);
     let n = u64::from(n);
@@ -201,14 +201,14 @@ fn turn(k: u32, n: u32) -> (f64, f64) {
     }
 }
 
-/// The directions round the y axis: azimuth 2π·i/segments from +z towards +x, as (x, z).
+/// Returns the directions round the y axis: azimuth 2π·i/segments from +z towards +x, as (x, z).
 fn azimuths(segments: u32) -> Vec<DVec2> {
     (0..segments)
         .map(|i| DVec2::from(turn(i, segments)))
         .collect()
 }
 
-/// The point or vector with distance `radial` from the axis and height `y`.
+/// Returns the point or vector at distance `radial` from the axis and height `y`.
 fn revolved(radial: f64, y: f64, azimuth: DVec2) -> DVec3 {
     DVec3::new(radial * azimuth.x, y, radial * azimuth.y)
 }
@@ -243,7 +243,7 @@ pub fn sphere(segments: u32, rings: u32) -> Mesh {
     builder.finish(true, true)
 }
 
-/// Vertex (i, j) is at azimuth 2π·i/segments and at the angle 2π·j/rings from +y outwards round the tube.
+/// Returns the torus. Vertex (i, j) is at azimuth 2π·i/segments and at the angle 2π·j/rings from +y outwards round the tube.
 pub fn torus(segments: u32, rings: u32) -> Mesh {
     let count = segments as usize * rings as usize;
     let mut builder = Builder::with_capacity(count, count);
@@ -264,8 +264,8 @@ pub fn torus(segments: u32, rings: u32) -> Mesh {
     builder.finish(true, false)
 }
 
-/// A cylinder, or a cone, whose apex is one point with a normal for each face there, that of the middle of the face: the
-/// true surface has none.
+/// Returns a cylinder or a cone. A cone's apex is one point with a normal for each face there, that of the middle of the
+/// face, since the true surface has none.
 pub fn frustum(shape: &Frustum, segments: u32, rings: u32) -> Mesh {
     let apex = u32::from(shape.top == 0.0);
     let points = segments as usize * (rings + 1 - apex) as usize + apex as usize;
@@ -314,8 +314,9 @@ pub fn frustum(shape: &Frustum, segments: u32, rings: u32) -> Mesh {
 }
 
 impl From<&Polygons> for Mesh {
-    /// Any number of polygons. Faces share the points that they name by the same number, and no others: a vertex upon another, or
-    /// upon an edge, is a vertex of its own. Faces that name an unknown vertex, or fewer than three, are left out.
+    /// Converts any number of polygons. Faces share the points that they name by the same number, and no others: a vertex
+    /// upon another, or upon an edge, is a vertex of its own. Faces that name an unknown vertex, or fewer than three, are
+    /// left out.
     fn from(polygons: &Polygons) -> Self {
         let Polygons {
             vertices,

@@ -7,8 +7,8 @@ use crate::geometry::teapot::{Shell, TEAPOT, Teapot};
 use glam::DVec3;
 use std::collections::HashMap;
 
-/// Each of the 32 patches as `along` × `round` quads, triangles at the poles of lid and bottom. Handle and spout consist of
-/// two halves, which with one quad each would lie flat on one another; they have at least two.
+/// Returns the teapot with each of its 32 patches as `along` × `round` quads, triangles at the poles of lid and bottom.
+/// Handle and spout consist of two halves, which with one quad each would lie flat on one another; they have at least two.
 pub fn teapot(along: u32, round: u32) -> Mesh {
     let per_patch = along as usize * round as usize;
     let builder = Builder::with_capacity(
@@ -63,7 +63,7 @@ fn add_patch(seams: &mut Seams, patch: usize, along: u32, round: u32) {
     }
 }
 
-/// The points of the grid over a patch, row by row, those on its edges shared with its neighbours.
+/// Returns the points of the grid over a patch, row by row, those on its edges shared with its neighbours.
 fn points_of(seams: &mut Seams, patch: usize, along: u32, round: u32) -> Vec<u32> {
     let shell = Teapot::shell(patch);
     let p = TEAPOT.patches[patch];
@@ -88,7 +88,8 @@ fn points_of(seams: &mut Seams, patch: usize, along: u32, round: u32) -> Vec<u32
     points
 }
 
-/// What patches have in common. Edges are known by their control points, so neighbours meet exactly, without a tolerance.
+/// The points and normals that patches share. Edges are identified by their control points, so neighbours meet exactly,
+/// without a tolerance.
 struct Seams {
     builder: Builder,
     corners: HashMap<(Shell, u16), u32>,
@@ -99,7 +100,7 @@ struct Seams {
 }
 
 impl Seams {
-    /// The points along the edge with these control points, cut into `count` parts.
+    /// Returns the points along the edge with these control points, cut into `count` parts.
     fn edge(&mut self, shell: Shell, controls: [u16; 4], count: u32) -> Vec<u32> {
         let mut reversed = controls;
         reversed.reverse();
@@ -139,9 +140,9 @@ impl Seams {
             .or_insert_with(|| builder.position(TEAPOT.points[control as usize]))
     }
 
-    /// The index of a normal at a point on an edge: one for both patches where they join smoothly.
+    /// Returns the index of a normal at a point on an edge: the same for both patches where they join smoothly.
     fn normal(&mut self, point: u32, normal: DVec3) -> u32 {
-        /// Squared distance of unit normals that differ by rounding only.
+        /// The squared distance of unit normals that differ by rounding only.
         const SAME: f64 = 1e-16;
         let known = self.normals.entry(point).or_default();
         if let Some((_, index)) = known

@@ -1,12 +1,12 @@
 //! A small part of a Bézier patch, and four rays that Newton's iteration brings to it side by side.
 //!
-//! The derivatives of a leaf lie within radii r about those in its middle, since thrice the differences of the control points
-//! hold them. Seen along a unit direction d, the Jacobian in the middle is J = (Sᵤ × Sᵥ)·d, and that between any two points of
-//! the leaf, a mean of its derivatives, differs from it by at most rᵤ|Sᵥ| + rᵥ|Sᵤ| + rᵤrᵥ. Where |J| is greater, the ray
-//! meets the leaf once at most (the mean value theorem); and the first step towards a meeting differs from the whole way w by
-//! at most (rᵤ + rᵥ)·max(|Sᵤ|, |Sᵥ|)/|J| of |w|, so that a longer one leads past the leaf. Where the ray grazes, the leaf
-//! is seen as a streak: in the picture plane, across the normal N it reaches no farther than h + |N·d|·R, with h its height
-//! over the tangent plane in the middle and R its radius.
+//! The derivatives of a leaf lie within radii r about those in its middle, since thrice the differences of the control
+//! points hold them. Seen along a unit direction d, the Jacobian in the middle is J = (Sᵤ × Sᵥ)·d, and that between any two
+//! points of the leaf, a mean of its derivatives, differs from it by at most rᵤ|Sᵥ| + rᵥ|Sᵤ| + rᵤrᵥ. Where |J| is larger,
+//! the ray meets the leaf once at most (the mean value theorem); and the first step towards a meeting differs from the
+//! whole way w by at most (rᵤ + rᵥ)·max(|Sᵤ|, |Sᵥ|)/|J| of |w|, so that a longer one leads past the leaf. Where the ray
+//! grazes, the leaf is seen as a streak: in the picture plane, across the normal N it reaches no farther than h + |N·d|·R,
+//! with h its height over the tangent plane in the middle and R its radius.
 
 use super::patch_ray::EDGE;
 use super::solids::UnitRay;
@@ -14,10 +14,10 @@ use crate::geometry::bezier::{Jet, Patch, bernstein, bernstein_slopes};
 use fearless_simd::{f64x4, prelude::*};
 use glam::DVec3;
 
-/// Of distances in leaves and from rays, for a surface of a size about 1.
+/// The rounding error of distances in leaves and from rays, for a surface of a size about 1.
 const ROUNDING: f64 = 1e-12;
 
-/// Rays that are iterated together.
+/// The number of rays iterated together.
 pub const QUAD: usize = 4;
 
 /// A part of a patch.
@@ -26,11 +26,11 @@ pub struct Leaf {
     middle: Jet<DVec3>,
     /// Sᵤ × Sᵥ in the middle.
     normal: DVec3,
-    /// By what the Jacobian may differ from that in the middle.
+    /// The bound on the Jacobian's difference from that in the middle.
     fold: f64,
-    /// What the first step may lead astray by, times the Jacobian in the middle, as a part of the way.
+    /// The bound on the error of the first step as a fraction of the way, times the Jacobian in the middle.
     stray: f64,
-    /// The greatest distance from the tangent plane in the middle, times the normal's length, and from the middle itself.
+    /// The largest distance from the tangent plane in the middle, times the normal's length, and from the middle itself.
     height: f64,
     radius: f64,
 }
@@ -64,13 +64,13 @@ impl Leaf {
     }
 }
 
-/// What became of four rays.
+/// The outcome for four rays.
 pub struct Quad {
-    /// Those that meet the leaf.
+    /// The rays that meet the leaf, a bit each.
     pub roots: u32,
-    /// Those of which nothing is known.
+    /// The rays of which nothing is known, a bit each.
     pub undecided: u32,
-    /// Where they meet it: the length along each, and (u, v).
+    /// The meetings: the length along each ray, and (u, v).
     pub s: [f64; QUAD],
     pub uv: [[f64; QUAD]; 2],
 }
@@ -78,14 +78,14 @@ pub struct Quad {
 type Four<S> = [f64x4<S>; 3];
 
 impl Quad {
-    /// Newton's iteration from the middle of a leaf, for the rays whose bits are set in `asked`. What has converged stays, so
-    /// that no ray depends on the others.
+    /// Runs Newton's iteration from the middle of a leaf for the rays whose bits are set in `asked`. Rays that have
+    /// converged stay as they are, so that none depends on the others.
     #[inline(always)]
     pub fn solve<S: Simd>(simd: S, leaf: &Leaf, rays: &[UnitRay], asked: u32) -> Self {
         const STEPS: usize = 10;
-        /// After a step as short as this the next would be of the order of its square, which is rounding.
+        /// The step after which the next would be of the order of its square, which is rounding.
         const CONVERGED: f64 = 1e-8;
-        /// Farther from the middle than this the bounds on the derivatives tell nothing.
+        /// The distance from the middle beyond which the bounds on the derivatives say nothing.
         const STRAYED: f64 = 1.0;
         let (mut origin, mut direction) = ([[0.0; QUAD]; 3], [[0.0; QUAD]; 3]);
         for (lane, ray) in rays.iter().enumerate() {
@@ -165,7 +165,7 @@ impl Quad {
     }
 }
 
-/// The point at (u, v), ∂S/∂u and ∂S/∂v.
+/// Returns the point at (u, v), ∂S/∂u and ∂S/∂v.
 #[inline(always)]
 fn jet<S: Simd>(simd: S, patch: &Patch<DVec3>, u: f64x4<S>, v: f64x4<S>) -> [Four<S>; 3] {
     let (zero, one) = (f64x4::splat(simd, 0.0), f64x4::splat(simd, 1.0));

@@ -1,4 +1,4 @@
-//! A ray and a Bézier patch.
+//! The intersection of a ray with a Bézier patch.
 //!
 //! Seen along the ray the patch is a map from (u, v) to the plane, with the ray at the plane's origin; where the map is
 //! zero, they meet. The control points, projected too, bound the map and its derivatives. A cell of the patch is
@@ -6,19 +6,19 @@
 //! - dropped if its control points leave the origin outside their box;
 //! - solved by Newton's iteration if its derivatives cannot make the Jacobian vanish, so that it meets the ray once at
 //!   most (the mean value theorem, with the derivatives in a regular interval matrix);
-//! - halved otherwise, across its greater extent in the plane. That happens only about the outline, where the ray grazes,
-//!   and about a pole, where it peels off rings: to halve round the pole would not separate anything.
+//! - halved otherwise, across its larger extent in the plane. That happens only near the outline, where the ray grazes, and
+//!   near a pole, where it separates rings: halving round the pole would separate nothing.
 
 use crate::geometry::bezier::Patch;
 use glam::DVec2;
 
-/// Beyond its edge by so much of its size a cell still meets the ray, so that rounding opens no crack between cells.
+/// The part of its size by which a ray may pass a cell's edge and still meet it, so that rounding opens no crack between cells.
 pub const EDGE: f64 = 1e-9;
 
-/// A cell that is no larger than this in the plane, in world units, is a point.
+/// The extent in the plane, in world units, up to which a cell counts as a point.
 const POINT: f64 = 1e-11;
 
-/// Cells looked at before a patch is given up: far beyond what grazing needs, it only bounds the time.
+/// The most cells examined for a patch: far more than grazing needs, it only bounds the time.
 const MOST_CELLS: u32 = 4096;
 
 /// Reports every (u, v) at which a patch, projected along the ray to the plane with the ray at its origin, meets the ray.
@@ -35,7 +35,7 @@ struct Search<'a> {
     found: &'a mut dyn FnMut(f64, f64),
 }
 
-/// What Newton's iteration came to.
+/// The outcome of Newton's iteration.
 enum Newton {
     Root(DVec2),
     Elsewhere,
@@ -81,14 +81,14 @@ impl Search<'_> {
     }
 }
 
-/// Whether the origin lies in the box round the control points, and so perhaps in the patch.
+/// Returns whether the origin lies in the box round the control points, and so perhaps in the patch.
 fn holds_origin(low: DVec2, high: DVec2) -> bool {
-    /// Rounding of the projection, which must not lose a ray along the edge of two patches.
+    /// The rounding of the projection, which must not lose a ray along the edge of two patches.
     const ROUNDING: f64 = 1e-12;
     low.max_element() <= ROUNDING && high.min_element() >= -ROUNDING
 }
 
-/// Boxes round the differences of the control points in u and in v: thrice these hold the derivatives.
+/// Boxes round the differences of the control points in u and in v: three times these hold the derivatives.
 struct Slopes {
     in_u: (DVec2, DVec2),
     in_v: (DVec2, DVec2),
@@ -103,7 +103,7 @@ impl Slopes {
         }
     }
 
-    /// Whether the Jacobian may vanish.
+    /// Returns whether the Jacobian may vanish.
     fn may_fold(&self) -> bool {
         let (u, v) = (&self.in_u, &self.in_v);
         let (low, high) = product((u.0.x, u.1.x), (v.0.y, v.1.y));
@@ -123,7 +123,7 @@ fn bounds(vectors: impl Iterator<Item = DVec2>) -> (DVec2, DVec2) {
     })
 }
 
-/// The product of two intervals.
+/// Returns the product of two intervals.
 fn product(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
     let products = [a.0 * b.0, a.0 * b.1, a.1 * b.0, a.1 * b.1];
     (
@@ -132,12 +132,12 @@ fn product(a: (f64, f64), b: (f64, f64)) -> (f64, f64) {
     )
 }
 
-/// Newton's iteration from the middle of a cell that cannot fold.
+/// Runs Newton's iteration from the middle of a cell that cannot fold.
 fn newton(patch: &Patch<DVec2>) -> Newton {
     const STEPS: usize = 10;
-    /// After a step as short as this the next would be of the order of its square, which is rounding.
+    /// The step after which the next would be of the order of its square, which is rounding.
     const CONVERGED: f64 = 1e-8;
-    /// Farther from the middle than this the bounds on the derivatives tell nothing.
+    /// The distance from the middle beyond which the bounds on the derivatives say nothing.
     const STRAYED: f64 = 1.0;
     let mut uv = DVec2::splat(0.5);
     for _ in 0..STEPS {
@@ -170,7 +170,7 @@ mod tests {
     use crate::geometry::bezier::Patch;
     use glam::DVec2;
 
-    /// The map (u, v) → (x, y) given at the control points of the polynomials themselves.
+    /// Returns the map (u, v) → (x, y) given at the control points of the polynomials themselves.
     fn patch(map: impl Fn(f64, f64) -> DVec2) -> Patch<DVec2> {
         let mut points = [DVec2::ZERO; 16];
         for (k, point) in points.iter_mut().enumerate() {

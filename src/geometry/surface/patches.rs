@@ -1,4 +1,4 @@
-//! The teapot's patches, cut into small ones, in a tree of boxes.
+//! The teapot's patches, cut into small ones, in a tree of bounding boxes.
 //!
 //! A box holds the control points of its patches and with them the patches themselves, so the tree loses nothing of the
 //! outline.
@@ -14,13 +14,13 @@ use glam::{DVec2, DVec3};
 use std::array;
 use std::sync::LazyLock;
 
-/// Each patch is quartered so often: 32 · 4⁴ leaves, small enough that nearly all are met by one Newton iteration.
+/// The number of times each patch is quartered: 32 · 4⁴ leaves, small enough that nearly all are met by one Newton iteration.
 const QUARTERINGS: u32 = 4;
 
-/// Boxes are wider by this, in world units, than what they hold: more than the rounding of a ray's meeting with them.
+/// The margin of the boxes in world units: more than the rounding of a ray's meeting with them.
 const SLACK: f64 = 1e-9;
 
-/// A direction's component is at least this, so that its reciprocal is finite.
+/// The smallest component of a direction, so that its reciprocal is finite.
 const LEAST_COMPONENT: f64 = 1e-100;
 
 struct Tree {
@@ -31,14 +31,14 @@ struct Tree {
 struct Node {
     low: DVec3,
     high: DVec3,
-    /// The first of its two children, which lie side by side, or its leaf.
+    /// The index of the first of its two children, which are adjacent, or of its leaf.
     index: u32,
     is_leaf: bool,
 }
 
 static TREE: LazyLock<Tree> = LazyLock::new(Tree::of_teapot);
 
-/// The nearest meetings of the rays whose bits are set in `asked`.
+/// Returns the nearest meetings of the rays whose bits are set in `asked`.
 #[inline(always)]
 pub fn teapot<S: Simd>(
     simd: S,
@@ -67,7 +67,7 @@ fn box_of(patch: &Patch<DVec3>) -> (DVec3, DVec3) {
         .fold((first, first), |(low, high), &p| (low.min(p), high.max(p)))
 }
 
-/// Where a ray meets a leaf.
+/// The point where a ray meets a leaf.
 #[derive(Clone, Copy)]
 struct Place {
     s: f64,
@@ -78,7 +78,7 @@ struct Place {
 /// The nearest meeting of each ray so far.
 struct Found([Place; TOGETHER]);
 
-/// Rays prepared for boxes.
+/// Rays prepared for the test against boxes.
 struct Rays<S: Simd> {
     origin: [f64x8<S>; 3],
     reciprocal: [f64x8<S>; 3],
@@ -120,7 +120,7 @@ impl<S: Simd> Rays<S> {
         }
     }
 
-    /// Which rays enter a box before `s_max`, and where.
+    /// Finds the rays that enter a box before `s_max`, and the points where they do.
     #[inline(always)]
     fn enter(&self, simd: S, node: &Node, s_max: f64x8<S>) -> (u32, f64x8<S>) {
         let (mut enter, mut leave) = (self.s_min, s_max);
@@ -136,7 +136,7 @@ impl<S: Simd> Rays<S> {
     }
 }
 
-/// The nearest meeting with a patch beyond the ray's beginning and before `s_max`, found by halving where it may fold.
+/// Finds the nearest meeting with a patch beyond the ray's start and before `s_max`, by halving where the patch may fold.
 fn meet_folded(ray: &UnitRay, patch: &Patch<DVec3>, s_max: f64) -> Option<(f64, DVec2)> {
     let (a, b) = ray.direction.any_orthonormal_pair();
     let flat = patch.map(|p| {
@@ -177,7 +177,7 @@ impl Tree {
         tree
     }
 
-    /// Makes node `at` hold the leaves listed, halving them where their middles spread most.
+    /// Makes node `at` hold the leaves listed, halving them along the axis on which their middles spread most.
     fn build(&mut self, at: usize, order: &mut [u32]) {
         let boxes = order
             .iter()
@@ -217,10 +217,10 @@ impl Tree {
         self.build(children + 1, right);
     }
 
-    /// Walks the boxes that the rays enter, nearer ones first, and leaves out those behind the nearest meetings so far.
+    /// Visits the boxes that the rays enter, nearer ones first, except those behind the nearest meetings so far.
     #[inline(always)]
     fn nearest<S: Simd>(&self, simd: S, rays: &[UnitRay; TOGETHER], asked: u32) -> Found {
-        /// The tree is halved at every level, so its depth is the logarithm of its leaves.
+        /// The largest depth: the tree is halved at every level, so its depth is the logarithm of the number of leaves.
         const DEPTH: usize = 40;
         let lanes = Rays::new(simd, rays);
         let mut found = Found(
@@ -269,7 +269,7 @@ impl Tree {
         }
     }
 
-    /// Meets rays with a leaf; tells whether any met it nearer than what was found.
+    /// Intersects rays with a leaf; returns whether any met it nearer than before.
     #[inline(always)]
     fn meet_leaf<S: Simd>(
         &self,
@@ -310,7 +310,7 @@ impl Tree {
 }
 
 impl Found {
-    /// Where the rays end.
+    /// Returns the lengths at which the rays end.
     #[inline(always)]
     fn ends<S: Simd>(&self, simd: S) -> f64x8<S> {
         let mut s = [0.0; TOGETHER];
@@ -326,7 +326,7 @@ mod tests {
     use super::*;
     use fearless_simd::{Level, dispatch};
 
-    /// A ray at the teapot, from k.
+    /// Returns the `k`th test ray towards the teapot.
     fn ray(k: usize) -> UnitRay {
         let part = |factor: f64| (k as f64 * factor).fract() * 2.0 - 1.0;
         let direction = DVec3::new(part(0.618_034), part(0.754_877), part(0.569_84)).normalize();

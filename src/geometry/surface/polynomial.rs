@@ -2,8 +2,7 @@
 //!
 //! Between two neighbouring roots of its derivative a polynomial is monotone, so one change of sign brackets one root.
 //! The derivative's roots are found the same way, down to the quadratic (C. Yuksel, High-Performance Polynomial Root
-//! Finding for Graphics, 2022). Nothing is assumed of the coefficients; a double root may be missed or found, as rounding
-//! has it.
+//! Finding for Graphics, 2022). The coefficients may be anything; a double root may be missed or found, depending on rounding.
 
 /// The roots of a quartic in an interval, ascending.
 pub struct Roots {
@@ -29,7 +28,7 @@ impl Roots {
     }
 }
 
-/// Roots of x⁴ + c₂x² + c₁x + c₀ with `low` ≤ x ≤ `high`.
+/// Returns the roots of x⁴ + c₂x² + c₁x + c₀ with `low` ≤ x ≤ `high`.
 pub fn depressed_quartic(c2: f64, c1: f64, c0: f64, low: f64, high: f64) -> Roots {
     let value = |x: f64| ((x * x + c2) * x + c1) * x + c0;
     let slope = |x: f64| (4.0 * x * x + 2.0 * c2) * x + c1;
@@ -47,7 +46,7 @@ pub fn depressed_quartic(c2: f64, c1: f64, c0: f64, low: f64, high: f64) -> Root
     monotone_roots(value, slope, &extrema, low, high)
 }
 
-/// The roots of `f` in an interval that `turns` cut into pieces where it is monotone.
+/// Returns the roots of `f` in an interval that `turns` cut into pieces where it is monotone.
 fn monotone_roots(
     f: impl Fn(f64) -> f64,
     df: impl Fn(f64) -> f64,
@@ -67,15 +66,15 @@ fn monotone_roots(
     roots
 }
 
-/// The root of `f` between two points where its sign differs: Newton's iteration, halving the bracket whenever that
-/// leaves it, to the last digit.
+/// Returns the root of `f` between two points where its sign differs, to the last digit: by Newton's iteration, halving the
+/// bracket whenever that leaves it.
 fn bracketed_root(
     f: impl Fn(f64) -> f64,
     df: impl Fn(f64) -> f64,
     from: (f64, f64),
     to: (f64, f64),
 ) -> f64 {
-    /// Halving alone takes as many steps to bring an interval of length 2 to the rounding of its ends.
+    /// The number of halvings that bring an interval of length 2 to the rounding of its ends.
     const STEPS: usize = 60;
     let (mut below, mut above) = if from.1 < 0.0 {
         (from.0, to.0)

@@ -1,8 +1,8 @@
-//! The shapes of which a ray meets the surface in closed form, and the torus, whose meetings are the roots of a quartic.
+//! The shapes whose surface a ray meets in closed form, and the torus, whose meetings are the roots of a quartic.
 //!
-//! A convex solid is the common part of simpler ones, and a ray passes through each of those in an interval. The common
-//! part of the intervals is where it is inside; its two ends are the meetings. So neighbouring parts of the surface, a
-//! side and its cap, leave no crack between them.
+//! A convex solid is the intersection of simpler ones, and a ray passes through each of those in an interval. The ray is
+//! inside the solid in the intersection of the intervals; its two ends are the meetings. So neighbouring parts of the
+//! surface, a side and its cap, leave no crack between them.
 
 use super::polynomial::depressed_quartic;
 use crate::geometry::sizes::{
@@ -11,16 +11,16 @@ use crate::geometry::sizes::{
 };
 use glam::DVec3;
 
-/// A ray as the shapes see it: unit direction, origin nearest to the world's origin, `s` the length along it.
+/// A ray in the shapes' form: unit direction, origin nearest to the world's origin, `s` the length along it.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct UnitRay {
     pub origin: DVec3,
     pub direction: DVec3,
-    /// Only points beyond this are wanted.
+    /// The length beyond which points count.
     pub s_min: f64,
 }
 
-/// A meeting with a shape: where along the [`UnitRay`], and the normal, not yet of unit length.
+/// A meeting with a shape: the length along the [`UnitRay`], and the normal, not yet of unit length.
 #[derive(Clone, Copy, Debug)]
 pub struct Meeting {
     pub s: f64,
@@ -55,7 +55,7 @@ impl<F: Copy> Inside<F> {
         }
     }
 
-    /// The first end beyond the ray's beginning.
+    /// Returns the first end beyond the ray's start.
     fn meeting(&self, ray: &UnitRay, normal: impl Fn(F, DVec3) -> DVec3) -> Option<Meeting> {
         if self.enter.0 > self.leave.0 {
             return None;
@@ -70,7 +70,7 @@ impl<F: Copy> Inside<F> {
     }
 }
 
-/// The part of a ray with `low` ≤ `position` + s·`speed` ≤ `high`; the faces are named for `low` and `high`.
+/// Returns the part of a ray with `low` ≤ `position` + s·`speed` ≤ `high`; the faces are named for `low` and `high`.
 fn slab<F>(position: f64, speed: f64, low: (f64, F), high: (f64, F)) -> Option<Inside<F>> {
     if speed == 0.0 {
         let inside = low.0 <= position && position <= high.0;
@@ -94,9 +94,11 @@ fn slab<F>(position: f64, speed: f64, low: (f64, F), high: (f64, F)) -> Option<I
     })
 }
 
-/// The roots of a·s² + 2b·s + c, unordered, without the loss of digits that the school formula has when b² ≫ ac (Press
-/// et al., Numerical Recipes, 5.6). A root that does not exist because a is zero is infinite. With a < 0 there are roots
-/// for every ray at a cone, so a negative discriminant is rounding and taken as zero.
+/// Returns the roots of a·s² + 2b·s + c, unordered, without the loss of digits of the school formula when b² ≫ ac (Press et
+/// al., Numerical Recipes, 5.6).
+///
+/// A root that does not exist because a is zero is infinite. With a < 0 every ray at a cone has roots, so a negative
+/// discriminant is rounding and taken as zero.
 fn quadratic(a: f64, b: f64, c: f64) -> Option<(f64, f64)> {
     let discriminant = b * b - a * c;
     if discriminant < 0.0 && a > 0.0 {
@@ -151,8 +153,8 @@ enum Part {
     Bottom,
 }
 
-/// The side is x² + z² = ρ² with a radius ρ that is linear in y; that of a cone is a double cone, whose upper half touches the
-/// solid's height in the apex only.
+/// Intersects a ray with a cylinder or a cone. The side is x² + z² = ρ² with a radius ρ that is linear in y; that of a cone
+/// is a double cone, whose upper half touches the solid's height in the apex only.
 pub fn frustum(shape: &Frustum, ray: &UnitRay) -> Option<Meeting> {
     let (p, d, slope) = (ray.origin, ray.direction, shape.slope());
     let radius = shape.top + slope * (shape.high - p.y);
@@ -185,8 +187,8 @@ pub fn frustum(shape: &Frustum, ray: &UnitRay) -> Option<Meeting> {
     })
 }
 
-/// The surface is (|p|² + R² − r²)² = 4R²(x² + z²). With p = o + s·d, |d| = 1 and o·d = 0, |p|² is |o|² + s², and the
-/// cubic term of the quartic in s vanishes.
+/// Intersects a ray with the torus, whose surface is (|p|² + R² − r²)² = 4R²(x² + z²). With p = o + s·d, |d| = 1 and o·d =
+/// 0, |p|² is |o|² + s², and the cubic term of the quartic in s vanishes.
 pub fn torus(ray: &UnitRay) -> Option<Meeting> {
     /// Widens the search so that rounding at its ends loses no root.
     const MARGIN: f64 = 1e-9;
@@ -220,8 +222,9 @@ pub fn torus(ray: &UnitRay) -> Option<Meeting> {
     })
 }
 
-/// Follows the ray from slope to slope. Over each, its height above the sheet is linear in s, and where that changes its
-/// sign the ray meets the slope. Over a ridge both neighbours use the same height, so that no ray slips between them.
+/// Intersects a ray with the corrugated sheet, following it from slope to slope. Over each slope the ray's height above the
+/// sheet is linear in s, and where the height changes sign the ray meets the slope. Over a ridge both neighbours use the
+/// same height, so that no ray slips between them.
 pub fn corrugated(ray: &UnitRay, slopes: u32) -> Option<Meeting> {
     /// Lets rays begin before the ridges and end behind the troughs, so that those are met.
     const WIDER: f64 = 1.0 + 1e-9;
