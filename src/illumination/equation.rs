@@ -1,4 +1,4 @@
-//! The equation itself.
+//! The illumination equation itself: the sum over the sources.
 
 use super::fresnel::{Fresnel, Index};
 use super::pattern::Fields;
@@ -11,7 +11,7 @@ use crate::scene::{
 use glam::DVec3;
 use std::ops::Range;
 
-/// What one source does at a shading point.
+/// The contribution of one source at a shading point, factor by factor.
 #[derive(Clone, Copy, Debug)]
 pub struct LightResponse<R> {
     /// L, unit.
@@ -20,41 +20,41 @@ pub struct LightResponse<R> {
     pub attenuation: R,
     /// The part of its intensity that a spot light sends this way; 1 for other lights.
     pub spot: R,
-    /// N·L, after the policy for surfaces turned away.
+    /// N·L, adjusted by the policy for surfaces turned away.
     pub n_dot_l: R,
-    /// f·max(N·L, 0), with the spot's part; 0 in shadow.
+    /// f·max(N·L, 0), times the spot's part; 0 in shadow.
     pub diffuse: R,
-    /// f·S where the light is above the surface, with the spot's part; otherwise 0.
+    /// f·S where the light is above the surface, times the spot's part; otherwise 0.
     pub specular: R,
     /// The cosine of the angle of incidence that W depends on.
     pub incidence: R,
 }
 
-/// Which of the sources reach which of the shading points, a bit each.
+/// The shadow bits: one for each source and shading point, set where the source reaches the point.
 #[derive(Clone, Copy, Debug)]
 pub struct Reached<'a> {
-    /// One row of bits a source, `stride` words each, and one word more at the end.
+    /// One row of bits for each source, `stride` words long, and one word more at the end.
     pub words: &'a [u64],
-    /// Words in a row of `words`: those of one source.
+    /// The words of one source's row.
     pub stride: usize,
     /// The bit of the first lane's shading point.
     pub first: usize,
 }
 
 impl Reached<'_> {
-    /// The same bits for lanes that start at shading point `first`.
+    /// Returns the bits of `this` for lanes that start at shading point `first`.
     #[inline(always)]
     pub fn starting_at(this: Option<Self>, first: usize) -> Option<Self> {
         let reached = this?;
         Some(Self { first, ..reached })
     }
 
-    /// Whether `source` reaches the first shading point.
+    /// Returns whether `source` reaches the first shading point.
     pub(crate) fn holds(self, source: usize) -> bool {
         self.bits(source) & 1 == 1
     }
 
-    /// The bits of `source`, the lowest that of the first lane's shading point.
+    /// Returns the bits of `source`, the lowest for the first lane's shading point.
     #[inline(always)]
     fn bits(&self, source: usize) -> u64 {
         let (word, shift) = (source * self.stride + self.first / 64, self.first % 64);
@@ -68,21 +68,21 @@ impl Reached<'_> {
 pub struct Equation<T> {
     /// `ka·color·Ia` per channel; `ka·Ia` where a pattern gives the colour.
     pub ambient: [T; 3],
-    /// One or, of an area light, several per light of the scene, in its order, black ones included.
+    /// The sources of the lights in the scene's order, black ones included: one for each light, or several for an area light.
     pub sources: Vec<Source<T>>,
-    /// Where each light's sources start, and the end.
+    /// The start of each light's sources, and the end of the last.
     starts: Vec<usize>,
     lobe: Lobe<T>,
     fresnel: Option<Fresnel<T>>,
     pattern: Option<Patterned<T>>,
     backfacing: Backfacing,
-    /// A light counts as above the surface from this height over the tangent plane, in camera distances, and this N·L.
+    /// The height over the tangent plane, in camera distances, and the N·L from which a light counts as above the surface.
     /// Below, rounding would switch the highlight on and off.
     grazing: [T; 2],
-    /// V where it is constant.
+    /// V, if it is constant.
     infinite_view: Option<[T; 3]>,
     form: SpecularForm,
-    /// Whether any light is reflected diffusely.
+    /// True if any light is reflected diffusely.
     diffuses: bool,
     /// The eye, world.
     eye: DVec3,
@@ -114,12 +114,12 @@ impl<T: Scalar> Patterned<T> {
 }
 
 impl<T: Scalar> Equation<T> {
-    /// Prepares the equation of `scene`.
+    /// Prepares the equation of `scene`, with lengths in camera distances.
     pub fn new(scene: &Scene) -> Self {
         Self::in_units(scene, scene.camera.distance())
     }
 
-    /// The same with `unit` world units to one camera distance.
+    /// Prepares the equation of `scene`, with lengths in units of `unit` world units.
     pub(crate) fn in_units(scene: &Scene, unit: f64) -> Self {
         let camera = &scene.camera;
         let material = &scene.material;
@@ -140,7 +140,7 @@ impl<T: Scalar> Equation<T> {
                 .map(|color| color.to_array().map(T::from_f64));
             Patterned { fields, colors }
         });
-        // A pattern's colour is a factor of its own, of each point.
+        // A pattern's colour is a separate factor at each point.
         let color = if pattern.is_some() {
             Rgb::ONE
         } else {
@@ -202,12 +202,12 @@ impl<T: Scalar> Equation<T> {
         }
     }
 
-    /// The text of the specular factor that the scene needs.
+    /// Returns the form of the specular factor that the scene needs.
     pub fn form(&self) -> SpecularForm {
         self.form
     }
 
-    /// Leaves out the lights that cannot add anything: they keep no sources, and the specular form goes if none needs it.
+    /// Drops the lights that cannot add anything: they keep no sources, and the specular form becomes `None` if no light needs it.
     pub fn retain_lights(&mut self, keep: impl Fn(usize) -> bool) {
         let mut kept = Vec::with_capacity(self.sources.len());
         let mut starts = vec![0];
@@ -225,7 +225,7 @@ impl<T: Scalar> Equation<T> {
         }
     }
 
-    /// The same equation without its ambient term.
+    /// Returns the equation without its ambient term.
     #[must_use]
     pub(crate) fn without_ambient(self) -> Self {
         Self {
@@ -243,12 +243,12 @@ impl<T: Scalar> Equation<T> {
             .for_each(Source::evaluate_attenuation);
     }
 
-    /// Lights of the scene, those without sources included.
+    /// Returns the number of lights in the scene, those without sources included.
     pub fn light_count(&self) -> usize {
         self.starts.len() - 1
     }
 
-    /// The sources of one light of the scene.
+    /// Returns the indices of one light's sources.
     ///
     /// # Panics
     /// If there is no such light.
@@ -256,12 +256,12 @@ impl<T: Scalar> Equation<T> {
         self.starts[light]..self.starts[light + 1]
     }
 
-    /// World coordinates to the equation's: relative to the eye, in camera distances.
+    /// Converts world coordinates to the equation's: relative to the eye, in camera distances.
     pub fn from_world(&self, world: DVec3) -> DVec3 {
         (world - self.eye) / self.unit
     }
 
-    /// The shading point of a point relative to the eye.
+    /// Returns the shading point at a position relative to the eye.
     #[inline(always)]
     pub fn site<R: Real<Scalar = T>>(&self, position: V3<R>, normal: V3<R>) -> ShadingPoint<R> {
         let inverse_distance = position.dot(position).inverse_sqrt();
@@ -277,7 +277,7 @@ impl<T: Scalar> Equation<T> {
         }
     }
 
-    /// What `source` does at `shading point`: direction, attenuation, Lambert's cosine and the specular factor.
+    /// Evaluates one source at a shading point: its direction, attenuation, Lambert's cosine and the specular factor.
     #[inline(always)]
     pub fn respond<R: Real<Scalar = T>>(
         &self,
@@ -317,7 +317,8 @@ impl<T: Scalar> Equation<T> {
         }
     }
 
-    /// I at `shading point`, per channel. Sources that are not among `reached` are in shadow; none casts a shadow without it.
+    /// Returns I at a shading point, per channel. Sources that are not among `reached` are in shadow; without `reached`
+    /// there are no shadows.
     #[inline(always)]
     pub fn illuminate<R: Real<Scalar = T>>(
         &self,
@@ -327,7 +328,8 @@ impl<T: Scalar> Equation<T> {
         self.illuminate_by(self.form, site, reached)
     }
 
-    /// The same with the form of the specular factor given: where it is a constant, the others are not compiled in.
+    /// Returns I as [`Self::illuminate`] does, by a given form of the specular factor: where it is a constant, the other
+    /// forms are not compiled in.
     #[inline(always)]
     pub fn illuminate_by<R: Real<Scalar = T>>(
         &self,
@@ -384,15 +386,16 @@ fn add<R: Real>(sum: &mut [R; 3], factor: R, color: V3<R>) {
 }
 
 impl Equation<f32> {
-    /// Leaves out powers of a cosine that add nothing to be seen.
+    /// Skips powers of a cosine that add nothing visible.
     pub fn leave_out_faint(&mut self) {
         let most = self.sources.iter().map(Source::greatest_specular).sum();
         self.lobe.leave_out_faint(most);
     }
 }
 
-/// The height over the tangent plane, in camera distances, and the N·L from which a light counts. Positions and directions
-/// are rounded to `rounding`, vertices to `grid` pixels. Two-sided surfaces have no step there; a true surface has no vertices.
+/// Returns the height over the tangent plane, in camera distances, and the N·L from which a light counts. Positions and
+/// directions are rounded to `rounding`, vertices to `grid` pixels. Two-sided surfaces have no step there; a true surface
+/// has no vertices.
 fn grazing(scene: &Scene, unit: f64, rounding: f64, grid: f64) -> [f64; 2] {
     if scene.reflection.backfacing == Backfacing::Flip {
         return [0.0; 2];
@@ -413,40 +416,40 @@ fn grazing(scene: &Scene, unit: f64, rounding: f64, grid: f64) -> [f64; 2] {
     ]
 }
 
-/// What one light does at a point, an area light all its samples together.
+/// The contribution of one light at a point; an area light's samples are combined.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct LightAt {
     /// L, unit; towards the middle of an area light.
     pub l: DVec3,
-    /// V, R and H there, unit.
+    /// V at the point, unit.
     pub v: DVec3,
-    /// L mirrored at N: `2N(N·L) − L`.
+    /// R, L mirrored at N: `2N(N·L) − L`.
     pub r: DVec3,
-    /// Halfway between L and V; zero where these are opposite.
+    /// H, halfway between L and V; zero where these are opposite.
     pub h: DVec3,
-    /// f; the mean of an area light's samples.
+    /// f; the mean over an area light's samples.
     pub attenuation: f64,
-    /// A spot light's part; 1 for other lights.
+    /// The part that a spot light sends this way; 1 for other lights.
     pub spot: f64,
-    /// W per channel; the mean of an area light's samples.
+    /// W per channel; the mean over an area light's samples.
     pub reflectance: Rgb,
-    /// The angle of incidence that W depends on, radians; of the middle of an area light.
+    /// The angle of incidence that W depends on, radians; towards the middle of an area light.
     pub incidence: f64,
-    /// The part of the samples that is not in shadow.
+    /// The fraction of the samples that are not in shadow.
     pub reached: f64,
-    /// f·max(N·L, 0), 0 in shadow; the mean of an area light's samples.
+    /// f·max(N·L, 0), 0 in shadow; the mean over an area light's samples.
     pub diffuse_factor: f64,
-    /// f·S likewise.
+    /// f·S, 0 in shadow; the mean over an area light's samples.
     pub specular_factor: f64,
-    /// What the light adds to the diffuse term, per channel.
+    /// The light's addition to the diffuse term, per channel.
     pub diffuse: Rgb,
-    /// What it adds to the specular term.
+    /// The light's addition to the specular term, per channel.
     pub specular: Rgb,
 }
 
 impl Equation<f64> {
-    /// The vector from a point of the world towards a source, and how many times its length the source is away: almost
-    /// infinite for parallel rays.
+    /// Returns the vector from a point of the world towards a source, and the source's distance in multiples of its length:
+    /// almost infinite for parallel rays.
     ///
     /// # Panics
     /// If there is no such source.
@@ -455,47 +458,47 @@ impl Equation<f64> {
         (DVec3::from(way) * self.unit, times)
     }
 
-    /// A point of the world with normal `n`.
+    /// Returns the shading point at a point of the world with normal `n`.
     fn site_at(&self, point: DVec3, n: DVec3) -> ShadingPoint<f64> {
         self.site(V3::from(self.from_world(point)), V3::from(n))
     }
 
-    /// V at a point of the world.
+    /// Returns V at a point of the world.
     pub fn view_at(&self, point: DVec3) -> DVec3 {
         self.site_at(point, DVec3::ZERO).view.into()
     }
 
-    /// Whether a pattern varies Od.
+    /// Returns whether a pattern varies Od.
     pub fn has_pattern(&self) -> bool {
         self.pattern.is_some()
     }
 
-    /// Od at a point of the world, where a pattern varies it; white where it is part of the coefficients.
+    /// Returns Od at a point of the world where a pattern varies it; white where it is part of the coefficients.
     pub fn pattern_color(&self, point: DVec3) -> Rgb {
         self.pattern.map_or(Rgb::ONE, |pattern| {
             Rgb::from_array(pattern.color(V3::from(self.from_world(point))))
         })
     }
 
-    /// W per channel at the angle of incidence whose cosine is `cosine`.
+    /// Returns W per channel at the angle of incidence whose cosine is `cosine`.
     pub fn reflectance(&self, cosine: f64) -> Rgb {
         self.fresnel.map_or(Rgb::ONE, |fresnel| {
             Rgb::from_array(fresnel.reflectance(cosine))
         })
     }
 
-    /// I at a point of the world with normal `n`, per channel: the reference. Without `reached` all sources reach it.
+    /// Returns I at a point of the world with normal `n`, per channel: the reference. Without `reached` all sources reach it.
     pub fn illuminate_world(&self, point: DVec3, n: DVec3, reached: Option<Reached<'_>>) -> Rgb {
         let site = self.site_at(point, n);
         Rgb::from_array(self.illuminate(&site, reached))
     }
 
-    /// [`Self::respond`] with the scene's specular form.
+    /// Evaluates one source as [`Self::respond`] does, with the scene's specular form.
     pub fn respond_to(&self, source: &Source<f64>, site: &ShadingPoint<f64>) -> LightResponse<f64> {
         self.respond(self.form, source, site)
     }
 
-    /// What the light of index `light` does at a point of the world with normal `n`.
+    /// Returns the contribution of the light of index `light` at a point of the world with normal `n`.
     ///
     /// # Panics
     /// If there is no such light.

@@ -1,4 +1,5 @@
-//! W(θ): what a smooth surface reflects at the angle of incidence θ, by Fresnel's formulas; and T, where light goes that passes.
+//! W(θ), the reflectance of a smooth surface at the angle of incidence θ by Fresnel's formulas; and T, the direction of
+//! transmitted light.
 //!
 //! For a complex index of refraction η + ik, per channel and for unpolarised light (M. Born and E. Wolf, *Principles of
 //! Optics*, 13.2; in this form P. Lapierre and S. Lagarde, *Fresnel term approximations for metals*, 2008). With
@@ -10,7 +11,7 @@
 //! ρ∥ = ρ⊥ · (c²(a² + b²) − 2ac·s² + s⁴)/(c²(a² + b²) + 2ac·s² + s⁴)        W = (ρ⊥ + ρ∥)/2
 //! ```
 //!
-//! W(0°) = ((η − 1)² + k²)/((η + 1)² + k²), W(90°) = 1 but for η = 1, k = 0, where nothing is reflected.
+//! W(0°) = ((η − 1)² + k²)/((η + 1)² + k²), W(90°) = 1 except for η = 1, k = 0, where nothing is reflected.
 
 use super::{Real, Scalar};
 use crate::scene::{Material, Reflectance, Rgb};
@@ -45,7 +46,7 @@ impl Index {
         k: Rgb::new(3.697, 2.455, 1.914),
     };
 
-    /// The index that `material` reflects by; none where W is constant.
+    /// Returns the index that `material` reflects by; `None` where W is constant.
     pub fn of(material: &Material) -> Option<Self> {
         match material.reflectance {
             Reflectance::Constant => None,
@@ -59,7 +60,7 @@ impl Index {
         }
     }
 
-    /// W per channel at the angle of incidence whose cosine is `cosine`.
+    /// Returns W per channel at the angle of incidence whose cosine is `cosine`.
     pub fn reflectance(&self, cosine: f64) -> Rgb {
         Rgb::from_array(Fresnel::<f64>::new(*self).reflectance(cosine))
     }
@@ -84,7 +85,7 @@ impl<T: Scalar> Fresnel<T> {
         }
     }
 
-    /// W per channel.
+    /// Returns W per channel.
     #[inline(always)]
     pub fn reflectance<R: Real<Scalar = T>>(&self, cosine: R) -> [R; 3] {
         let cosine = cosine.max(cosine.number(0.0)).min(cosine.number(1.0));
@@ -115,28 +116,27 @@ impl<T: Scalar> Fresnel<T> {
     }
 }
 
-/// The direction T of a ray that travels along `incident` and passes a surface with normal `n`, by Snell's law
-/// `sin θ₁ = η·sin θ₂`; none where it is totally reflected.
+/// Returns the direction T of a ray that travels along `incident` and passes a surface with normal `n`, by Snell's law `sin
+/// θ₁ = η·sin θ₂`; `None` where it is totally reflected.
 ///
-/// `incident` and `n` are unit vectors, `incident·n` ≤ 0: the ray comes from the side that `n` points to. `eta` is the index
-/// of refraction beyond the surface relative to that before it. T is a unit vector (A. S. Glassner, *An Introduction to
-/// Ray Tracing*, 1989, 4.3):
-/// `T = I/η + (c/η − √(1 − (1 − c²)/η²))·n`, c = −I·n. At η = 1 the ray goes straight on. There is no T where
-/// `sin θ₁ > η`, beyond the critical angle arcsin η, for η < 1.
+/// `incident` and `n` are unit vectors, `incident·n` ≤ 0: the ray comes from the side that `n` points to. `eta` is the
+/// index of refraction beyond the surface relative to that before it. T is a unit vector (A. S. Glassner, *An Introduction
+/// to Ray Tracing*, 1989, 4.3): `T = I/η + (c/η − √(1 − (1 − c²)/η²))·n`, c = −I·n. At η = 1 the ray goes straight on.
+/// There is no T where `sin θ₁ > η`, beyond the critical angle arcsin η, for η < 1.
 pub fn refract(incident: DVec3, n: DVec3, eta: f64) -> Option<DVec3> {
     let cosine = -incident.dot(n);
-    // From the cross product: 1 − cos² would lose what is left of it near the normal.
+    // From the cross product, since 1 − cos² would lose its digits near the normal.
     let sine_squared = incident.cross(n).length_squared() / (eta * eta);
     let rest = 1.0 - sine_squared;
     (rest >= 0.0).then(|| ((incident + n * cosine) / eta - n * rest.sqrt()).normalize_or(incident))
 }
 
-/// The direction of a ray that travels along `incident` and is mirrored at a surface with normal `n`, unit vectors.
+/// Returns the direction of a ray that travels along `incident` and is mirrored at a surface with normal `n`, both unit vectors.
 pub fn mirror(incident: DVec3, n: DVec3) -> DVec3 {
     incident - 2.0 * incident.dot(n) * n
 }
 
-/// The angle of incidence beyond which nothing is transmitted, radians; none for η ≥ 1.
+/// Returns the angle of incidence beyond which nothing is transmitted, radians; `None` for η ≥ 1.
 pub fn critical_angle(eta: f64) -> Option<f64> {
     (eta < 1.0).then(|| eta.asin())
 }

@@ -11,10 +11,10 @@ use fearless_simd::{f32x16, i32x16, mask32x16, prelude::*};
 use std::arch::wasm32::{f32x4_pmax, f32x4_pmin};
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// Lanes of a vector.
+/// The number of lanes in a vector.
 pub const LANES: usize = 16;
 
-/// 0, 1, 2 and so on.
+/// The numbers 0, 1, 2 and so on.
 pub const COUNT: [f32; LANES] = [
     0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0, 11.0, 12.0, 13.0, 14.0, 15.0,
 ];
@@ -22,24 +22,24 @@ pub const COUNT: [f32; LANES] = [
 /// Sixteen numbers: one vector of AVX-512, two of AVX2, four of 128 bits.
 ///
 /// The equation is a long chain in which each step waits for the last. Where vectors are narrower, several chains side by side
-/// keep the machine busy, and what is the same for all lanes is done once for more of them.
+/// keep the machine busy, and work common to all lanes is done once for more of them.
 #[derive(Clone, Copy, Debug)]
 pub struct Lanes<S: Simd>(pub f32x16<S>);
 
 impl<S: Simd> Lanes<S> {
-    /// The same number in every lane.
+    /// Returns a vector with the same number in every lane.
     #[inline(always)]
     pub fn splat(simd: S, value: f32) -> Self {
         Self(f32x16::simd_from(simd, value))
     }
 
-    /// The first [`LANES`] numbers of `values`.
+    /// Loads the first [`LANES`] numbers of `values`.
     #[inline(always)]
     pub fn load(simd: S, values: &[f32]) -> Self {
         Self(f32x16::from_slice(simd, &values[..LANES]))
     }
 
-    /// 0, 1, 2 and so on.
+    /// Returns the numbers 0, 1, 2 and so on.
     #[inline(always)]
     pub fn count_up(simd: S) -> Self {
         Self::load(simd, &COUNT)
@@ -87,20 +87,21 @@ impl<S: Simd> Neg for Lanes<S> {
     }
 }
 
-/// `x²` and `x⁴`. Polynomials are added up in pairs (Estrin's scheme): in a long chain of sums each would wait for the last.
+/// Returns `x²` and `x⁴`. Polynomials are summed in pairs (Estrin's scheme), since in a long chain each sum would wait for
+/// the last.
 #[inline(always)]
 fn powers<S: Simd>(x: Lanes<S>) -> (Lanes<S>, Lanes<S>) {
     let square = x * x;
     (square, square * square)
 }
 
-/// `a·x + b`.
+/// Returns `a·x + b`.
 #[inline(always)]
 fn line<S: Simd>(x: Lanes<S>, a: f32, b: f32) -> Lanes<S> {
     x.constant(a).mul_add(x, x.constant(b))
 }
 
-/// `ln(1 + x)` for −0.293 ≤ x ≤ 0.415 (√½ ≤ 1 + x ≤ √2), relative error under 2·10⁻⁷ (Cephes `logf`).
+/// Returns `ln(1 + x)` for −0.293 ≤ x ≤ 0.415 (√½ ≤ 1 + x ≤ √2), relative error under 2·10⁻⁷ (Cephes `logf`).
 #[inline(always)]
 fn ln_one_plus<S: Simd>(x: Lanes<S>) -> Lanes<S> {
     const P: [f32; 9] = [
@@ -121,7 +122,7 @@ fn ln_one_plus<S: Simd>(x: Lanes<S>) -> Lanes<S> {
     (square * x).mul_add(p, square.mul_add(x.constant(-0.5), x))
 }
 
-/// The functions that vectors have themselves.
+/// Defines the functions that vectors have themselves.
 macro_rules! in_lanes {
     ($($name:ident($($other:ident)?)),*) => {
         $(#[inline(always)]
@@ -131,7 +132,8 @@ macro_rules! in_lanes {
     };
 }
 
-/// WebAssembly's own `max` and `min` look out for NaN and for the sign of 0, which takes a PC eight instructions; these take one.
+/// Defines functions by intrinsics on four lanes. WebAssembly's own `max` and `min` handle NaN and the sign of 0, which
+/// costs a PC eight instructions; these cost one.
 #[cfg(target_feature = "simd128")]
 macro_rules! in_fours {
     ($($name:ident $intrinsic:ident),*) => {
@@ -180,8 +182,8 @@ impl<S: Simd> Real for Lanes<S> {
         self.max(self.constant(1e-36)).inverse_sqrt_of_sound()
     }
 
-    /// The bits' halved exponent as a first guess, then three Newton steps, each of which squares the relative error
-    /// 3.4·10⁻² (times 1.5): 2·10⁻³, 5·10⁻⁶, rounding. No level's own estimate is used, so all give the same digits.
+    /// Takes the bits' halved exponent as a first guess, then three Newton steps. Each squares the relative error 3.4·10⁻²
+    /// (times 1.5): 2·10⁻³, 5·10⁻⁶, rounding. No level's own estimate is used, so all give the same digits.
     #[inline(always)]
     fn inverse_sqrt_of_sound(self) -> Self {
         let simd = self.0.token();

@@ -1,4 +1,4 @@
-//! Two colours laid out over space: which of them a point has.
+//! Patterns of two colours laid out over space.
 
 use super::{Real, Scalar, V3};
 use crate::scene::PatternKind;
@@ -8,21 +8,21 @@ use glam::DVec3;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fields<T> {
     kind: PatternKind,
-    /// That rings lie about.
+    /// The axis that rings lie about.
     axis: usize,
     scale: T,
     offset: [T; 3],
-    /// Half a field and [`BORDER`].
+    /// Half the width of a field, and [`BORDER`].
     half: T,
 }
 
-/// Borders are shifted by this part of the eye's distances from origin and target: more than single precision rounds
+/// The shift of borders, as a part of the eye's distances from origin and target: more than single precision rounds
 /// positions by. So a point on a nominal border, as vertices often are, is in the same field in every precision.
 const BORDER: f64 = 1.0 / (1 << 21) as f64;
 
 impl<T: Scalar> Fields<T> {
-    /// The fields of `kind`, `width` world units wide, rings about axis `axis` (0 to 2), for positions that are `unit`
-    /// world units long and start from `origin`. None where there is no pattern.
+    /// Returns the fields of `kind`, `width` world units wide, rings about axis `axis` (0 to 2), for positions that are
+    /// `unit` world units long and start from `origin`; `None` where there is no pattern.
     pub fn new(
         kind: PatternKind,
         width: f64,
@@ -42,7 +42,7 @@ impl<T: Scalar> Fields<T> {
         })
     }
 
-    /// Whether the pattern lies on a point: its own colour is seen there.
+    /// Returns whether the pattern covers a point, so that its own colour is seen there.
     #[inline(always)]
     pub fn lie_on<R: Real<Scalar = T>>(&self, position: V3<R>) -> R::Mask {
         let like = position.x;

@@ -1,4 +1,4 @@
-//! The number type that the equation is written over, and vectors of it.
+//! The number type over which the equation is written, and vectors of it.
 
 use std::ops::{Add, BitAnd, Div, Mul, Neg, Sub};
 
@@ -6,10 +6,10 @@ use std::ops::{Add, BitAnd, Div, Mul, Neg, Sub};
 pub trait Scalar: Copy + PartialEq + PartialOrd + Default + Send + Sync + 'static {
     /// The grid that vertices are rounded to in the picture, pixels.
     const GRID: f64;
-    /// Rounding error of a few operations on numbers near 1.
+    /// The rounding error of a few operations on numbers near 1.
     const ROUNDING: f64;
 
-    /// Rounds to this type; values beyond its range become its greatest.
+    /// Rounds to this type; values beyond its range become its largest.
     fn from_f64(value: f64) -> Self;
 }
 
@@ -33,7 +33,7 @@ impl Scalar for f64 {
     }
 }
 
-/// One or several real numbers that are computed with alike.
+/// One or several real numbers on which the same operations run.
 ///
 /// Nothing here yields a NaN from finite input as long as nothing overflows.
 pub trait Real:
@@ -45,75 +45,75 @@ pub trait Real:
     + Neg<Output = Self>
     + Mul<Self::Scalar, Output = Self>
 {
-    /// One lane's coefficient type.
+    /// The coefficient type of one lane.
     type Scalar: Scalar;
-    /// One truth value a lane.
+    /// One truth value for each lane.
     type Mask: Copy + BitAnd<Output = Self::Mask>;
 
-    /// The constant in every lane; `self` only tells how many lanes there are.
+    /// Returns the constant in every lane; `self` only gives the number of lanes.
     fn constant(self, value: Self::Scalar) -> Self;
-    /// `value`, rounded to this precision, in every lane of `self`'s kind.
+    /// Returns `value`, rounded to this precision, in every lane; `self` only gives the number of lanes.
     #[inline(always)]
     fn number(self, value: f64) -> Self {
         self.constant(Self::Scalar::from_f64(value))
     }
-    /// `self · a + b`, fused where the machine can.
+    /// Returns `self · a + b`, fused where the machine can.
     fn mul_add(self, a: Self, b: Self) -> Self {
         self * a + b
     }
-    /// The greater of two numbers, lane by lane.
+    /// Returns the larger of two numbers, lane by lane.
     fn max(self, other: Self) -> Self;
-    /// The lesser of two numbers, lane by lane.
+    /// Returns the smaller of two numbers, lane by lane.
     fn min(self, other: Self) -> Self;
-    /// The magnitude.
+    /// Returns the magnitude.
     fn abs(self) -> Self;
-    /// The greatest whole number that is not greater.
+    /// Returns the largest whole number that is not larger than `self`.
     fn floor(self) -> Self;
-    /// `1/√self` for `self` ≥ 0, to 3 units in the last place; finite at 0, so that a zero vector stays zero when
-    /// it is multiplied by the inverse of its length.
+    /// Returns `1/√self` for `self` ≥ 0, to 3 units in the last place; finite at 0, so that a zero vector stays zero when
+    /// multiplied by the inverse of its length.
     fn inverse_sqrt(self) -> Self;
-    /// The same for what is known to be 10⁻³⁶ at least.
+    /// Returns `1/√self` for a number known to be 10⁻³⁶ at least.
     #[inline(always)]
     fn inverse_sqrt_of_sound(self) -> Self {
         self.inverse_sqrt()
     }
-    /// `2^self`; 0 or almost 0 below the range of exponents. Relative error 2·10⁻⁷ in single precision.
+    /// Returns `2^self`; 0 or almost 0 below the range of exponents. Relative error 2·10⁻⁷ in single precision.
     fn exp2(self) -> Self;
-    /// Base-2 logarithm of a positive number, absolute error 2·10⁻⁷ times its size in single precision.
+    /// Returns the base-2 logarithm of a positive number, absolute error 2·10⁻⁷ times its size in single precision.
     fn log2(self) -> Self;
-    /// Base-2 logarithm of `1 − t` for 0 ≤ t ≤ 0.29, relative error 2·10⁻⁷ in single precision: no digits are lost as
-    /// t → 0.
+    /// Returns the base-2 logarithm of `1 − t` for 0 ≤ t ≤ 0.29, relative error 2·10⁻⁷ in single precision: no digits are
+    /// lost as t → 0.
     fn log2_one_minus(t: Self) -> Self;
-    /// Whether `self > other`, lane by lane; false for NaN.
+    /// Returns whether `self > other`, lane by lane; false for NaN.
     fn greater_than(self, other: Self) -> Self::Mask;
-    /// `if_true` where the mask holds, `if_false` elsewhere.
+    /// Returns `if_true` where the mask holds, `if_false` elsewhere.
     fn select(mask: Self::Mask, if_true: Self, if_false: Self) -> Self;
-    /// Whether the mask holds in any lane.
+    /// Returns whether the mask holds in any lane.
     fn any(mask: Self::Mask) -> bool;
-    /// The truth values of as many lanes as there are, the lowest bit the first lane's.
+    /// Returns the mask of `bits`, the lowest bit for the first lane.
     fn mask_of_bits(self, bits: u64) -> Self::Mask;
-    /// Whether all of those truth values are false.
+    /// Returns whether the mask of `bits` holds in no lane.
     fn holds_none(self, bits: u64) -> bool {
         !Self::any(self.mask_of_bits(bits))
     }
 
-    /// `√self` for `self` ≥ 0.
+    /// Returns `√self` for `self` ≥ 0.
     #[inline(always)]
     fn sqrt(self) -> Self {
         self * self.inverse_sqrt()
     }
 
-    /// `1/self` for `self` ≥ 0, finite at 0.
+    /// Returns `1/self` for `self` ≥ 0, finite at 0.
     #[inline(always)]
     fn reciprocal(self) -> Self {
         self.number(1.0) / self.max(self.number(SHORTEST_DIVISOR))
     }
 }
 
-/// Smaller divisors are raised to this.
+/// The smallest divisor; smaller ones are raised to it.
 const SHORTEST_DIVISOR: f64 = 1e-20;
 
-/// The functions that `f64` has itself.
+/// Defines the functions that `f64` has itself.
 macro_rules! from_std {
     ($($name:ident($($other:ident)?)),*) => {
         $(fn $name(self $(, $other: Self)?) -> Self {
@@ -160,16 +160,16 @@ impl Real for f64 {
 /// A vector of three [`Real`]s.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct V3<R> {
-    /// Component along x.
+    /// The component along x.
     pub x: R,
-    /// Component along y.
+    /// The component along y.
     pub y: R,
-    /// Component along z.
+    /// The component along z.
     pub z: R,
 }
 
 impl<R> V3<R> {
-    /// From its components.
+    /// Creates a vector from its components.
     #[inline(always)]
     pub const fn new(x: R, y: R, z: R) -> Self {
         Self { x, y, z }
@@ -177,7 +177,7 @@ impl<R> V3<R> {
 }
 
 impl<R: Real> V3<R> {
-    /// The same vector in every lane of `like`.
+    /// Returns the same vector in every lane of `like`.
     #[inline(always)]
     pub fn constant(like: R, value: [R::Scalar; 3]) -> Self {
         Self::new(
@@ -187,20 +187,20 @@ impl<R: Real> V3<R> {
         )
     }
 
-    /// `x·x' + y·y' + z·z'`, by fused multiply and add where the machine has it.
+    /// Returns `x·x' + y·y' + z·z'`, by fused multiply and add where the machine has it.
     #[inline(always)]
     pub fn dot(self, other: Self) -> R {
         self.x
             .mul_add(other.x, self.y.mul_add(other.y, self.z * other.z))
     }
 
-    /// Each component times `factor`.
+    /// Multiplies each component by `factor`.
     #[inline(always)]
     pub fn scale(self, factor: R) -> Self {
         Self::new(self.x * factor, self.y * factor, self.z * factor)
     }
 
-    /// `self · factor + other`.
+    /// Returns `self · factor + other`.
     #[inline(always)]
     pub fn scale_add(self, factor: R, other: Self) -> Self {
         Self::new(
@@ -210,13 +210,13 @@ impl<R: Real> V3<R> {
         )
     }
 
-    /// The unit vector; zero stays zero.
+    /// Returns the unit vector; zero stays zero.
     #[inline(always)]
     pub fn normalised(self) -> Self {
         self.scale(self.dot(self).inverse_sqrt())
     }
 
-    /// The unit vector, of vectors of at least √`shortest` ≥ 10⁻¹⁸ in length; shorter ones come out shorter.
+    /// Returns the unit vector of a vector at least √`shortest` ≥ 10⁻¹⁸ long; shorter vectors give shorter results.
     #[inline(always)]
     pub fn normalised_from(self, shortest: R) -> Self {
         self.scale(self.dot(self).max(shortest).inverse_sqrt_of_sound())

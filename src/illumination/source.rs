@@ -6,15 +6,15 @@ use glam::DVec3;
 use std::f64::consts::TAU;
 use std::ops::Range;
 
-/// A light farther away than this many camera distances shines in parallel: over an object as large as the camera distance
-/// its direction turns by less than 10⁻¹², over the largest, of 10⁸ camera distances, by less than can be seen.
+/// The distance, in camera distances, beyond which a light's rays count as parallel: over an object as large as the camera
+/// distance its direction turns by less than 10⁻¹², over the largest, of 10⁸ camera distances, by less than can be seen.
 const PARALLEL_BEYOND: f64 = 1e12;
 
-/// Greatest intensity of a surface, from all lights together or from the ambient light. It is far beyond useful values and
-/// leaves single precision room to interpolate intensities and to add up samples.
+/// The largest intensity of a surface, from all lights together or from the ambient light. It is far beyond useful values
+/// and leaves single precision enough range to interpolate intensities and to add up samples.
 pub const BRIGHTEST: f64 = 1e34;
 
-/// Lengths are lifted to this before anything is divided by them, so that a light on the surface stays finite.
+/// The smallest divisor for lengths, so that a light on the surface stays finite.
 const SHORTEST: f64 = 1e-9;
 
 /// One light, or one sample of an area light. Lengths are in camera distances, positions relative to the eye.
@@ -54,14 +54,14 @@ impl<T: Scalar> Cone<T> {
         })
     }
 
-    /// `1 − cos` of the angle between the axis and −`l`.
+    /// Returns `1 − cos` of the angle between the axis and −`l`.
     #[inline(always)]
     fn gap<R: Real<Scalar = T>>(&self, l: V3<R>) -> R {
         let chord = l + V3::constant(l.x, self.axis);
         chord.dot(chord) * T::from_f64(0.5)
     }
 
-    /// The part of the intensity that is sent in the direction −`l`.
+    /// Returns the part of the intensity that is sent in the direction −`l`.
     #[inline(always)]
     fn factor<R: Real<Scalar = T>>(&self, l: V3<R>) -> R {
         let (zero, one) = (l.x.number(0.0), l.x.number(1.0));
@@ -77,7 +77,7 @@ impl<T: Scalar> Cone<T> {
     }
 }
 
-/// A hard edge fades over this part of the cone, far less than a pixel.
+/// The part of the cone over which a hard edge fades, far less than a pixel.
 const HARD_EDGE: f64 = 1e-6;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -88,11 +88,11 @@ enum Place<T> {
     At([T; 3]),
 }
 
-/// The attenuation factor f as a function of a distance in camera distances. It is not greater than the source's intensity
-/// allows (see `Share`): divisors are lifted to `least`, or f is lowered to `greatest`.
+/// The attenuation factor f as a function of a distance in camera distances. It is limited by the source's intensity (see
+/// `Share`): divisors are raised to `least`, or f is lowered to `greatest`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Falloff<T> {
-    /// f is the same everywhere.
+    /// The same f everywhere.
     Constant(T),
     /// `1/(scale·r + k)`, r to the viewer.
     Viewer { scale: T, k: T, least: T },
@@ -104,18 +104,18 @@ enum Falloff<T> {
     InverseSquare { factor: T, greatest: T },
 }
 
-/// What one source may add to an intensity, so that all of them together stay below [`BRIGHTEST`] wherever they stand.
+/// The limit of what one source may add to an intensity, so that all of them together stay below [`BRIGHTEST`] wherever they are.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Share {
-    /// Greatest coefficient of the diffuse term, times f.
+    /// The largest coefficient of the diffuse term, times f.
     pub diffuse: f64,
-    /// Greatest coefficient of the specular term, times f.
+    /// The largest coefficient of the specular term, times f.
     pub specular: f64,
 }
 
 impl Share {
-    /// The share of one of `count` sources of a surface whose colour multiplies by `color` at most, and whose specular factor
-    /// by `specular`.
+    /// Returns the share of one of `count` sources, for a surface whose colour multiplies by at most `color`, and whose
+    /// specular factor by at most `specular`.
     pub fn new(count: usize, color: f64, specular: f64) -> Self {
         let each = 0.5 * BRIGHTEST / count.max(1) as f64;
         Self {
@@ -124,17 +124,17 @@ impl Share {
         }
     }
 
-    /// How great f may be for these coefficients.
+    /// Returns the largest f for these coefficients.
     fn attenuation(self, diffuse: Rgb, specular: Rgb) -> f64 {
-        // Not even a dark source's f may leave the range of numbers.
+        // Even a dark source's f must stay within the range of numbers.
         let most = |share: f64, coefficients: Rgb| share / coefficients.max_element().max(1.0);
         most(self.diffuse, diffuse).min(most(self.specular, specular))
     }
 }
 
 impl<T: Scalar> Source<T> {
-    /// Prepares `light` as one source, or one a sample, seen from `eye`, with lengths measured in `unit`s; `kd_color` and
-    /// `ks` are the material's. None adds more than its `share`.
+    /// Prepares `light` as one source, or one for each sample, seen from `eye`, with lengths measured in `unit`s;
+    /// `kd_color` and `ks` are the material's. None adds more than its `share`.
     pub(super) fn all_of(
         light: &Light,
         eye: DVec3,
@@ -170,8 +170,8 @@ impl<T: Scalar> Source<T> {
         }
     }
 
-    /// Unit vector to the light, the attenuation f and the inverse distance of the light (0 for parallel rays) at `position`,
-    /// whose distance from the eye is `1/inverse_depth`.
+    /// Returns the unit vector to the light, the attenuation f and the inverse distance of the light (0 for parallel rays)
+    /// at `position`, whose distance from the eye is `1/inverse_depth`.
     #[inline(always)]
     pub fn reach<R: Real<Scalar = T>>(&self, position: V3<R>, inverse_depth: R) -> (V3<R>, R, R) {
         let like = position.x;
@@ -210,7 +210,7 @@ impl<T: Scalar> Source<T> {
         (l, f, nearness)
     }
 
-    /// The part of the light's intensity that a spot light sends in the direction −`l`; 1 for other lights.
+    /// Returns the part of the light's intensity that a spot light sends in the direction −`l`; 1 for other lights.
     #[inline(always)]
     pub fn spot<R: Real<Scalar = T>>(&self, l: V3<R>) -> R {
         match &self.cone {
@@ -219,7 +219,7 @@ impl<T: Scalar> Source<T> {
         }
     }
 
-    /// Whether −`l` lies outside a spot light's cone, which sends nothing there.
+    /// Returns whether −`l` lies outside a spot light's cone, which sends nothing there.
     pub fn is_outside_cone(&self, l: V3<T>) -> bool
     where
         T: Real<Scalar = T>,
@@ -229,7 +229,7 @@ impl<T: Scalar> Source<T> {
             .is_some_and(|cone| cone.gap(l) >= cone.edge)
     }
 
-    /// The direction to the source from `position`, and how many times its length the source is away.
+    /// Returns the direction to the source from `position`, and the source's distance in multiples of its length.
     pub(super) fn way(&self, position: V3<T>) -> (V3<T>, T)
     where
         T: Real<Scalar = T>,
@@ -240,7 +240,7 @@ impl<T: Scalar> Source<T> {
         }
     }
 
-    /// Has f evaluated by its formula at each point even where it is 1 everywhere.
+    /// Makes f be evaluated by its formula at each point even where it is 1 everywhere.
     pub(super) fn evaluate_attenuation(&mut self) {
         let one = T::from_f64(1.0);
         if self.falloff == Falloff::Constant(one) {
@@ -252,19 +252,19 @@ impl<T: Scalar> Source<T> {
         }
     }
 
-    /// Whether f differs from point to point.
+    /// Returns whether f differs from point to point.
     pub fn attenuates(&self) -> bool {
         !matches!(self.falloff, Falloff::Constant(_))
     }
 
-    /// Whether L is the same everywhere.
+    /// Returns whether L is the same everywhere.
     pub fn is_parallel(&self) -> bool {
         matches!(self.place, Place::Towards(_))
     }
 }
 
 impl Source<f32> {
-    /// What a highlight of this source adds at most, in any channel.
+    /// Returns the most that a highlight of this source adds, in any channel.
     pub(super) fn greatest_specular(&self) -> f64 {
         let f = match self.falloff {
             Falloff::Constant(f) => f,
@@ -280,8 +280,8 @@ impl Source<f32> {
 }
 
 impl<T: Scalar> Falloff<T> {
-    /// `far` is the distance of a point light that is treated as parallel. A directional light has no distance; what
-    /// depends on the distance to it leaves it as it is.
+    /// Prepares f, limited to `greatest`. `far` is the distance of a point light that is treated as parallel. A directional
+    /// light has no distance, so attenuation by the distance to it has no effect.
     fn new(light: &Light, unit: f64, far: Option<f64>, greatest: f64) -> Self {
         let t = T::from_f64;
         let (least, scale, k) = (t(SHORTEST.max(1.0 / greatest)), t(unit), t(light.k));
@@ -306,8 +306,8 @@ impl<T: Scalar> Falloff<T> {
     }
 }
 
-/// f at `d` world units from the light, or from the viewer where `attenuation` counts from there. At no distance it is
-/// as great as the kernels make it, which do not divide by zero.
+/// Returns f at `d` world units from the light, or from the viewer where `attenuation` counts from there. At distance 0 it
+/// is as large as the kernels make it, which do not divide by zero.
 pub fn attenuation_at(light: &Light, attenuation: Attenuation, d: f64) -> f64 {
     match attenuation {
         Attenuation::None => 1.0,
@@ -319,7 +319,7 @@ pub fn attenuation_at(light: &Light, attenuation: Attenuation, d: f64) -> f64 {
     }
 }
 
-/// Length without overflow or underflow of the squares.
+/// Returns the length, without overflow or underflow of the squares.
 fn length(v: DVec3) -> f64 {
     let largest = v.abs().max_element();
     if largest > 0.0 && largest.is_finite() {
@@ -329,7 +329,7 @@ fn length(v: DVec3) -> f64 {
     }
 }
 
-/// Unit vector of any finite vector but zero, which stays zero.
+/// Returns the unit vector of any finite vector; zero stays zero.
 pub(crate) fn direction(v: DVec3) -> DVec3 {
     let largest = v.abs().max_element();
     if largest > 0.0 {
@@ -343,10 +343,10 @@ fn scalars<T: Scalar>(v: DVec3) -> [T; 3] {
     v.to_array().map(T::from_f64)
 }
 
-/// The golden section turns each row of a sphere's samples against the last.
+/// The golden section, by which each row of a sphere's samples is turned against the last.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
-/// The points that replace an area light, world: the middles of `light.samples` strata of equal area.
+/// Returns the points that replace an area light, world: the middles of `light.samples` strata of equal area.
 ///
 /// The unit square is cut into about √N rows as high as their number of cells, so that all N cells have equal areas. It is
 /// laid over the rectangle, or over the sphere by Archimedes' projection. The midpoint rule's error falls as 1/N where the
@@ -373,7 +373,7 @@ pub fn area_samples(light: &Light) -> Vec<DVec3> {
     }
 }
 
-/// The two sides of a rectangular light, world units long: its width runs level, unless it faces straight up or down.
+/// Returns the two sides of a rectangular light in world units: its width is horizontal, unless it faces straight up or down.
 pub fn rectangle_axes(light: &Light) -> [DVec3; 2] {
     let facing = light.direction.normalize_or(DVec3::NEG_Z);
     let level = DVec3::Y.cross(facing).try_normalize().unwrap_or(DVec3::X);
@@ -381,7 +381,7 @@ pub fn rectangle_axes(light: &Light) -> [DVec3; 2] {
     [level * light.extent[0], up * light.extent[1]]
 }
 
-/// The samples of each row of a rectangular light of `count` samples: those of a row lie on a line.
+/// Returns the samples of each row of a rectangular light of `count` samples; those of a row lie on a line.
 fn area_rows(count: u32) -> impl Iterator<Item = Range<u32>> {
     let rows = row_count(count);
     let end = move |row: u32| (u64::from(count) * u64::from(row) / u64::from(rows)) as u32;
@@ -392,7 +392,8 @@ fn row_count(count: u32) -> u32 {
     (f64::from(count).sqrt().round() as u32).clamp(1, count.max(1))
 }
 
-/// Corners of a polyhedron that holds an area light: a rectangle's own, in their order; those of the cube about a sphere.
+/// Returns the corners of a polyhedron that holds an area light: a rectangle's own, in their order; those of the cube about
+/// a sphere.
 pub fn area_hull(light: &Light) -> Vec<DVec3> {
     match light.shape {
         AreaShape::Rectangle => {
@@ -416,7 +417,7 @@ pub fn area_hull(light: &Light) -> Vec<DVec3> {
     }
 }
 
-/// The middles of `count` cells of equal area in the unit square, and the row that each stands in.
+/// Returns the middles of `count` cells of equal area in the unit square, each with its row.
 fn strata(count: u32) -> Vec<([f64; 2], usize)> {
     let mut middles = Vec::with_capacity(count as usize);
     for (row, range) in area_rows(count).enumerate() {

@@ -1,10 +1,10 @@
-//! The specular factor S: Phong's `(R·V)^n` and Blinn's `(N·H)^n`, each in two forms, and Cook and Torrance's microfacets; and
-//! how wide a highlight is.
+//! The specular factor S: Phong's `(R·V)^n` and Blinn's `(N·H)^n`, each in two forms, and Cook and Torrance's microfacets;
+//! and the width of a highlight.
 //!
 //! A power of a cosine is stiff: an error δ of the cosine becomes n·δ of the result, and near the lobe's axis the cosine
-//! itself is rounded to a few 10⁻⁸ in single precision. With the chord between the two unit vectors,
-//! `1 − a·b = |a − b|²/2`, the distance from the axis keeps its digits, and `(a·b)^n = exp(n·ln(1 − |a − b|²/2))`. At
-//! small n the plain cosine is the better form, because the lobe is wide and the chord long.
+//! itself is rounded to a few 10⁻⁸ in single precision. With the chord between the two unit vectors, `1 − a·b = |a −
+//! b|²/2`, the distance from the axis keeps its digits, and `(a·b)^n = exp(n·ln(1 − |a − b|²/2))`. At small n the plain
+//! cosine is the better form, because the lobe is wide and the chord long.
 
 use super::{Real, Scalar, V3};
 use crate::scene::{Distribution, Material, ReflectionModel, Rgb, Scene, ShadingMode};
@@ -13,9 +13,9 @@ use std::f64::consts::{FRAC_PI_2, LN_2, LOG2_E};
 /// A point where the equation is evaluated. Lengths are camera distances, positions relative to the eye.
 #[derive(Clone, Copy, Debug)]
 pub struct ShadingPoint<R> {
-    /// N, unit unless the shading mode forgets to make it so.
+    /// N, unit unless the shading mode leaves it unnormalised.
     pub normal: V3<R>,
-    /// Relative to the eye, in camera distances.
+    /// The position relative to the eye, in camera distances.
     pub position: V3<R>,
     /// V, unit.
     pub view: V3<R>,
@@ -23,10 +23,10 @@ pub struct ShadingPoint<R> {
     pub inverse_distance: R,
 }
 
-/// Which form of the specular factor a scene needs.
+/// The form of the specular factor that a scene needs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum SpecularForm {
-    /// No light is reflected specularly.
+    /// No specular reflection of any light.
     None,
     /// `(R·V)^n` from the cosine, for n below [`Self::CHORD_FROM`] or normals that are not unit.
     PhongCosine,
@@ -38,20 +38,20 @@ pub enum SpecularForm {
     BlinnChord,
     /// Cook and Torrance's model with Beckmann's distribution, cos α = N·H from the chord between N and H.
     Beckmann,
-    /// The same from the cosine, for normals that are not unit.
+    /// Beckmann's distribution with cos α taken directly, for normals that are not unit.
     BeckmannCosine,
     /// Cook and Torrance's model with the distribution of Walter et al., from the chord.
     Ggx,
-    /// The same from the cosine, for normals that are not unit.
+    /// The distribution of Walter et al. from the cosine, for normals that are not unit.
     GgxCosine,
 }
 
 impl SpecularForm {
-    /// From this n on the chord form is used. Where the chord's logarithm ends, at `1 − a·b` = 0.29, the power is then
-    /// below 0.71⁶⁴ = 3·10⁻¹⁰ and counts as 0, and below it the cosine form loses less than 64 · 10⁻⁷.
+    /// The n from which the chord form is used. Where the chord's logarithm ends, at `1 − a·b` = 0.29, the power is then
+    /// below 0.71⁶⁴ = 3·10⁻¹⁰ and counts as 0; for smaller n the cosine form loses less than 64 · 10⁻⁷.
     pub const CHORD_FROM: f64 = 64.0;
 
-    /// The form that `scene` needs. Normals that are left short of unit length have no chord.
+    /// Returns the form that `scene` needs. Normals that are left short of unit length have no chord.
     pub fn of(scene: &Scene) -> Self {
         let (soloing, ks) = (
             scene.soloing(),
@@ -68,13 +68,13 @@ impl SpecularForm {
         }
     }
 
-    /// Whether light is mirrored at H, so that W depends on the angle between L and H instead of that between L and N.
+    /// Returns whether light is mirrored at H, so that W depends on the angle between L and H instead of that between L and N.
     #[inline(always)]
     pub fn at_halfway(self) -> bool {
         matches!(self, Self::BlinnCosine | Self::BlinnChord) || self.has_microfacets()
     }
 
-    /// Whether the model is Cook and Torrance's.
+    /// Returns whether the model is Cook and Torrance's.
     pub(crate) fn has_microfacets(self) -> bool {
         matches!(
             self,
@@ -82,9 +82,9 @@ impl SpecularForm {
         )
     }
 
-    /// S at a shading point for the unit direction `l` to the light and `n_dot_l` = N·L.
+    /// Returns S at a shading point for the unit direction `l` to the light and `n_dot_l` = N·L.
     ///
-    /// The form is chosen here, once for so many points as there are lanes, so that the kernels are compiled only once.
+    /// The form is chosen here, once for all lanes, so that the kernels are compiled only once.
     #[inline(always)]
     pub fn factor<R: Real>(
         self,
@@ -117,7 +117,7 @@ impl SpecularForm {
         }
     }
 
-    /// The cosine of the angle of incidence.
+    /// Returns the cosine of the angle of incidence.
     #[inline(always)]
     pub(super) fn incidence<R: Real>(self, site: &ShadingPoint<R>, l: V3<R>, n_dot_l: R) -> R {
         if self.at_halfway() {
@@ -129,7 +129,7 @@ impl SpecularForm {
         }
     }
 
-    /// The form that `scene` would need whatever its coefficients.
+    /// Returns the form that `scene` would need whatever its coefficients.
     pub(super) fn of_model(scene: &Scene) -> Self {
         let shading = &scene.shading;
         let unit_normals = shading.renormalise || shading.mode != ShadingMode::Phong;
@@ -149,19 +149,19 @@ impl SpecularForm {
     }
 }
 
-/// `R = 2N(N·L) − L`, L mirrored at N.
+/// Returns `R = 2N(N·L) − L`, L mirrored at N.
 #[inline(always)]
 pub(super) fn reflect<R: Real>(n: V3<R>, l: V3<R>, n_dot_l: R) -> V3<R> {
     n.scale_add(n_dot_l + n_dot_l, -l)
 }
 
-/// `H = (L + V)/|L + V|`, half-way between the light and the viewer.
+/// Returns `H = (L + V)/|L + V|`, halfway between the light and the viewer.
 #[inline(always)]
 pub(super) fn halfway<R: Real>(l: V3<R>, v: V3<R>) -> V3<R> {
     (l + v).normalised()
 }
 
-/// `max(c, 0)^n`, from the cosine, which rounding may take past 1.
+/// Returns `max(c, 0)^n` from the cosine, which rounding may take past 1.
 #[inline(always)]
 fn power_of_cosine<R: Real>(c: R, lobe: &Lobe<R::Scalar>) -> R {
     let (zero, one) = (c.number(0.0), c.number(1.0));
@@ -173,7 +173,7 @@ fn power_of_cosine<R: Real>(c: R, lobe: &Lobe<R::Scalar>) -> R {
     R::select(c.greater_than(zero), power, c.constant(lobe.at_zero))
 }
 
-/// `(a·b)^n` of two unit vectors, from the chord between them.
+/// Returns `(a·b)^n` of two unit vectors from the chord between them.
 #[inline(always)]
 fn power_of_chord<R: Real>(a: V3<R>, b: V3<R>, lobe: &Lobe<R::Scalar>) -> R {
     let chord = a - b;
@@ -186,14 +186,14 @@ fn power_of_chord<R: Real>(a: V3<R>, b: V3<R>, lobe: &Lobe<R::Scalar>) -> R {
     R::select(limit.greater_than(t), power, zero)
 }
 
-/// What narrows the highlight, prepared: the exponent n, or the microfacets' roughness.
+/// The parameter that narrows the highlight, prepared: the exponent n, or the microfacets' roughness.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lobe<T> {
-    /// n, finite: a mirror's is so large that all but the axis itself vanishes.
+    /// n, finite: a mirror's is so large that the lobe vanishes off its axis.
     n: T,
     /// `0^n`: 1 for n = 0, otherwise 0.
     at_zero: T,
-    /// Cosines up to this one need no power: what it would add is not seen.
+    /// The cosine up to which no power is needed, because it would add nothing visible.
     faint: T,
     /// The square of the roughness.
     roughness_squared: T,
@@ -201,21 +201,21 @@ pub struct Lobe<T> {
     inverse_roughness_squared: T,
 }
 
-/// Stands for n = ∞: any angle that single precision can tell from 0 gives 0; rounding errors of double precision give 1.
+/// A finite n for ∞: any angle that single precision can tell from 0 gives 0; rounding errors of double precision give 1.
 const MIRROR: f64 = 1e24;
 
-/// Below all cosines.
+/// A number below all cosines.
 const NEVER_FAINT: f64 = -2.0;
 
-/// Adding this to an intensity changes no stored value: it is below half a unit in the last place, in single precision, of
-/// any intensity that is not stored as 0.
+/// An addition to an intensity that changes no stored value: it is below half a unit in the last place, in single
+/// precision, of any intensity that is not stored as 0.
 const UNSEEN: f64 = 1.0 / (1_u64 << 38) as f64;
 
-/// Powers of two per step of a highlight's brightness.
+/// The powers of two in a step of a highlight's brightness.
 const STEP: f64 = 4.0;
 
 impl<T: Scalar> Lobe<T> {
-    /// The lobe of `material`, whose n may be infinite.
+    /// Returns the lobe of `material`, whose n may be infinite.
     pub fn of(material: &Material) -> Self {
         Self::new(material.n, material.roughness)
     }
@@ -232,7 +232,7 @@ impl<T: Scalar> Lobe<T> {
 }
 
 impl Lobe<f32> {
-    /// Leaves out powers that add nothing to be seen where a highlight of all sources together adds `most`.
+    /// Skips powers that add nothing visible where a highlight of all sources together adds at most `most`.
     pub(super) fn leave_out_faint(&mut self, most: f64) {
         let n = f64::from(self.n);
         if n > 0.0 && most > 0.0 {
@@ -257,7 +257,7 @@ struct Facet<R> {
 }
 
 impl<R: Real> Facet<R> {
-    /// The facets at a shading point; `by_chord` says that N is unit, so that 1 − N·H is half the square of its chord to H.
+    /// Returns the facets at a shading point; `by_chord` says that N is unit, so that 1 − N·H is half the square of its chord to H.
     #[inline(always)]
     fn new(site: &ShadingPoint<R>, l: V3<R>, by_chord: bool) -> Self {
         let h = halfway(l, site.view);
@@ -278,7 +278,7 @@ impl<R: Real> Facet<R> {
         }
     }
 
-    /// S from `π·D` and `G/(N·V)`; no facet faces inwards.
+    /// Returns S from `π·D` and `G/(N·V)`; no facet faces inwards.
     #[inline(always)]
     fn factor(&self, distribution: R, geometry: R) -> R {
         let zero = geometry.number(0.0);
@@ -287,29 +287,29 @@ impl<R: Real> Facet<R> {
     }
 }
 
-/// Cosines are lifted to this before anything is divided by them. The quotients stay finite and go to their limits.
+/// The smallest divisor among cosines. With it the quotients stay finite and approach their limits.
 const SMALLEST_COSINE: f64 = 1e-4;
 
-/// Upper bound of `π·D·G/(4(N·V))` at roughness m for both distributions: π·D is below 1.5/m², and G/(N·V) below 1 over the
-/// smallest cosine for cavities, below 4 times that for Smith's G over α.
+/// Returns an upper bound of `π·D·G/(4(N·V))` at roughness m for both distributions: π·D is below 1.5/m², and G/(N·V) below
+/// 1 over the smallest cosine for cavities, below 4 times that for Smith's G over α.
 pub(super) fn greatest_factor(roughness: f64) -> f64 {
     1.0 / (SMALLEST_COSINE * roughness * roughness)
 }
 
-/// `π·D` of Beckmann's distribution, `exp(−tan²α/m²)/(m²·cos⁴α)`, for `gap` = 1 − cos α.
+/// Returns `π·D` of Beckmann's distribution, `exp(−tan²α/m²)/(m²·cos⁴α)`, for `gap` = 1 − cos α.
 ///
 /// m is the root mean square slope. sin²α = gap·(2 − gap) keeps its digits near α = 0, where the lobe is stiff.
 #[inline(always)]
 fn beckmann<R: Real>(gap: R, lobe: &Lobe<R::Scalar>) -> R {
     let (cos2, sin2) = squares(gap);
-    // Lifted so that neither the quotient nor the fourth power leaves the range of single precision.
+    // Raised so that neither the quotient nor the fourth power leaves the range of single precision.
     let cos2 = cos2.max(gap.number(1e-8));
     let tan2 = sin2 / cos2;
     let power = (tan2 * lobe.inverse_roughness_squared * R::Scalar::from_f64(-LOG2_E)).exp2();
     power * lobe.inverse_roughness_squared / (cos2 * cos2)
 }
 
-/// `π·D` of the distribution of Walter et al. (EGSR 2007), `α²/((α² − 1)·cos² + 1)²`, for `gap` = 1 − cos.
+/// Returns `π·D` of the distribution of Walter et al. (EGSR 2007), `α²/((α² − 1)·cos² + 1)²`, for `gap` = 1 − cos.
 #[inline(always)]
 fn ggx<R: Real>(gap: R, lobe: &Lobe<R::Scalar>) -> R {
     let (cos2, sin2) = squares(gap);
@@ -319,7 +319,7 @@ fn ggx<R: Real>(gap: R, lobe: &Lobe<R::Scalar>) -> R {
     quotient * quotient * lobe.inverse_roughness_squared
 }
 
-/// cos² and sin² of the angle whose 1 − cos is `gap`.
+/// Returns cos² and sin² of the angle whose 1 − cos is `gap`.
 #[inline(always)]
 fn squares<R: Real>(gap: R) -> (R, R) {
     let one = gap.number(1.0);
@@ -327,8 +327,8 @@ fn squares<R: Real>(gap: R) -> (R, R) {
     (cosine * cosine, gap * (one + cosine))
 }
 
-/// `G/(N·V)` of the V-shaped cavities of Torrance and Sparrow (J. Opt. Soc. Am. 57, 1967):
-/// G = min(1, 2(N·H)(N·V)/(V·H), 2(N·H)(N·L)/(V·H)).
+/// Returns `G/(N·V)` of the V-shaped cavities of Torrance and Sparrow (J. Opt. Soc. Am. 57, 1967): G = min(1,
+/// 2(N·H)(N·V)/(V·H), 2(N·H)(N·L)/(V·H)).
 #[inline(always)]
 fn geometric_over_view<R: Real>(n_dot_h: R, n_dot_l: R, n_dot_v: R, v_dot_h: R) -> R {
     let least = n_dot_v.number(SMALLEST_COSINE);
@@ -339,9 +339,11 @@ fn geometric_over_view<R: Real>(n_dot_h: R, n_dot_l: R, n_dot_v: R, v_dot_h: R) 
         .min(cavity * n_dot_l * inverse_view)
 }
 
-/// `min(1, max(0, 1 + 4·N·V))`: 1 where the surface faces the viewer. At the outline of a coarse mesh the interpolated
-/// normal turns some degrees away from the viewer; there the limit of `G/(N·V)` at N·V = 0 fades out until N·V = −¼. This is
-/// our choice: the published models end at N·V = 0, which would cut the rim off.
+/// Returns `min(1, max(0, 1 + 4·N·V))`: 1 where the surface faces the viewer.
+///
+/// At the outline of a coarse mesh the interpolated normal turns some degrees away from the viewer; there the limit of
+/// `G/(N·V)` at N·V = 0 fades out until N·V = −¼. This is our choice: the published models end at N·V = 0, which would cut
+/// the rim off.
 #[inline(always)]
 fn seen<R: Real>(n_dot_v: R) -> R {
     let (zero, one) = (n_dot_v.number(0.0), n_dot_v.number(1.0));
@@ -350,8 +352,8 @@ fn seen<R: Real>(n_dot_v: R) -> R {
         .min(one)
 }
 
-/// `G/(N·V)` by Smith's method for the distribution of Walter et al.: G = G₁(N·L)·G₁(N·V) with
-/// G₁(x) = 2x/(x + √(α² + (1 − α²)x²)).
+/// Returns `G/(N·V)` by Smith's method for the distribution of Walter et al.: G = G₁(N·L)·G₁(N·V) with G₁(x) = 2x/(x + √(α²
+/// + (1 − α²)x²)).
 #[inline(always)]
 fn smith_over_view<R: Real>(n_dot_l: R, n_dot_v: R, lobe: &Lobe<R::Scalar>) -> R {
     let least = n_dot_v.number(SMALLEST_COSINE);
@@ -360,38 +362,39 @@ fn smith_over_view<R: Real>(n_dot_l: R, n_dot_v: R, lobe: &Lobe<R::Scalar>) -> R
     four / (smith_divisor(l, lobe) * smith_divisor(v, lobe))
 }
 
-/// `x + √(α² + (1 − α²)x²)`.
+/// Returns `x + √(α² + (1 − α²)x²)`.
 #[inline(always)]
 fn smith_divisor<R: Real>(x: R, lobe: &Lobe<R::Scalar>) -> R {
     let squared = x.constant(lobe.roughness_squared);
     x + (x.number(1.0) - squared).mul_add(x * x, squared).sqrt()
 }
 
-/// The angle φ at which cosⁿφ has fallen to one half, radians: half the width of the lobe at half its height. From
-/// cos φ = 2^(−1/n); 0 for a mirror, a right angle for n = 0, where nothing falls.
+/// Returns the angle φ at which cosⁿφ has fallen to one half, radians: half the lobe's width at half its height.
+///
+/// From cos φ = 2^(−1/n); 0 for a mirror, a right angle for n = 0, where the lobe does not fall off.
 pub fn half_width(n: f64) -> f64 {
     let exponent = LN_2 / n;
     // 1 − cos φ = 1 − e^(−x) and φ = 2·asin(√((1 − cos φ)/2)): no digits are lost for large n.
     2.0 * (0.5 * -(-exponent).exp_m1()).sqrt().asin()
 }
 
-/// The n of `(N·H)^n` whose highlight is as wide as that of `(R·V)^n` with `n`: in the plane of incidence H turns by half
-/// the angle of R, so half its half-width is wanted. About 4n.
+/// Returns the n of `(N·H)^n` whose highlight is as wide as that of `(R·V)^n` with `n`, about 4n: in the plane of incidence
+/// H turns by half the angle of R, so the half-width is halved.
 pub fn blinn_from_phong(n: f64) -> f64 {
     of_half_width(0.5 * half_width(n), 4.0 * n)
 }
 
-/// The inverse of [`blinn_from_phong`], as far as there is one: a half-width over 45° has no n for Phong's model and gives 0.
+/// Returns the inverse of [`blinn_from_phong`] where there is one: a half-width over 45° has no n for Phong's model and gives 0.
 pub fn phong_from_blinn(n: f64) -> f64 {
     of_half_width(2.0 * half_width(n), 0.25 * n)
 }
 
-/// Beckmann's m whose highlight is as narrow as that of `(N·H)^n`: m = √(2/(n + 2)) (Walter et al. 2007, appendix).
+/// Returns Beckmann's m whose highlight is as narrow as that of `(N·H)^n`: m = √(2/(n + 2)) (Walter et al. 2007, appendix).
 pub fn roughness_from_exponent(n: f64) -> f64 {
     (2.0 / (n + 2.0)).sqrt()
 }
 
-/// n = −ln 2/ln cos φ, or `narrow` where the angle is too small for its cosine to be told from 1.
+/// Returns n = −ln 2/ln cos φ, or `narrow` where the angle is too small for its cosine to be told from 1.
 fn of_half_width(angle: f64, narrow: f64) -> f64 {
     if angle >= FRAC_PI_2 {
         return 0.0;
