@@ -1,8 +1,8 @@
-//! What is drawn, as plain data: camera, object, material, lights and settings.
+//! The scene as plain data: camera, object, material, lights and settings.
 //!
-//! A [`Scene`] is what a scene file holds, what the window edits and what every other part of the program reads. Lengths
+//! A [`Scene`] is read from a scene file, edited in the window and used by every other part of the program. Lengths
 //! are world units, angles degrees, intensities linear with 1 the display's white. The types hold any number; a scene
-//! that came through [`Scene::parse`], [`Scene::with_override`] or [`Scene::validate`] is sound (see there).
+//! that came through [`Scene::parse`], [`Scene::with_override`] or [`Scene::validate`] is valid (see there).
 
 mod access;
 pub mod camera;
@@ -55,8 +55,8 @@ pub type Rgb = glam::DVec3;
 
 /// Everything that a picture depends on.
 ///
-/// Fields can be set as they are; [`Scene::validate`] says what is wrong then. [`Scene::parse`], [`Scene::to_toml`] and
-/// [`Scene::with_overrides`] go by the keys of [`parameter`].
+/// Fields can be set directly; [`Scene::validate`] then reports what is wrong. [`Scene::parse`], [`Scene::to_toml`] and
+/// [`Scene::with_overrides`] use the keys of [`parameter`].
 ///
 /// ```
 /// use shading_lab::scene::{LightKind, Scene};
@@ -75,11 +75,11 @@ pub type Rgb = glam::DVec3;
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
-    /// Version of the file format; 1.
+    /// The version of the file format; 1.
     pub version: u32,
     /// `[about]`: title, sentence and topic.
     pub about: About,
-    /// `[camera]`: where the picture is seen from.
+    /// `[camera]`: the eye and its projection.
     pub camera: Camera,
     /// `[image]`: its size and background.
     pub image: Image,
@@ -91,11 +91,11 @@ pub struct Scene {
     pub pattern: Pattern,
     /// `[transparency]`: light that passes through the surface.
     pub transparency: Transparency,
-    /// `[reflection]`: the specular model, and what happens on the side away from a light.
+    /// `[reflection]`: the specular model, and the policy for the side away from a light.
     pub reflection: Reflection,
-    /// `[shading]`: where the equation is evaluated, and shadows.
+    /// `[shading]`: the points where the equation is evaluated, and shadows.
     pub shading: Shading,
-    /// `[display]`: how intensities become stored values.
+    /// `[display]`: the conversion of intensities to stored values.
     pub display: Display,
     /// `[ground]`: a level floor.
     pub ground: Ground,
@@ -105,8 +105,8 @@ pub struct Scene {
     pub depth_cueing: DepthCueing,
     /// `[ambient]`: the light that arrives from all sides.
     pub ambient: Ambient,
-    /// The lights, whose contributions are summed. A file without any `[[light]]` gets the default one; `light = []`
-    /// means darkness.
+    /// The lights, whose contributions are summed. A file without any `[[light]]` gets the default one; `light = []` means
+    /// darkness.
     pub lights: Vec<Light>,
     /// `[compare]`: panes that differ in some keys.
     pub compare: Compare,

@@ -1,4 +1,4 @@
-//! Where a parameter's value lives in a scene, and how it is read and written.
+//! Access to a parameter's value in a scene.
 
 use super::Scene;
 use super::choice::{Choice, ChoiceOption};
@@ -8,11 +8,11 @@ use std::fmt::{self, Debug};
 use toml::de::DeValue;
 use toml::{Spanned, Value};
 
-/// The field of a scene that holds a value. `usize` is the number of the light or the pane that it belongs to.
+/// The field of a scene that holds a value. The `usize` is the number of its light or pane.
 pub struct Access<T: 'static> {
-    /// The value, in the list's entry of this number; none where the list is shorter.
+    /// Returns the value, in the list's entry of this number; `None` where the list is shorter.
     pub get: fn(&Scene, usize) -> Option<&T>,
-    /// The same to be changed.
+    /// Returns the value for changing it; `None` where the list is shorter.
     pub get_mut: fn(&mut Scene, usize) -> Option<&mut T>,
 }
 
@@ -24,18 +24,18 @@ impl<T> Debug for Access<T> {
 
 /// A field of a scene, whatever its type.
 pub trait Field: Debug + Sync {
-    /// Its value, as a scene file holds it; none where the scene has no such light.
+    /// Returns its value in the form of a scene file; `None` where the scene has no such light.
     fn value(&self, scene: &Scene, index: usize) -> Option<Value>;
-    /// Sets it to a value of a scene file; its limits are not looked at.
+    /// Sets it to a value of a scene file without checking its limits.
     fn read(
         &self,
         scene: &mut Scene,
         index: usize,
         value: &Spanned<DeValue<'_>>,
     ) -> Result<(), Finding>;
-    /// Sets it to what it is in another scene.
+    /// Copies its value from another scene.
     fn copy(&self, from: &Scene, to: &mut Scene, index: usize);
-    /// Whether two scenes agree in it, for numbers bit by bit.
+    /// Returns whether two scenes agree in it, for numbers bit by bit.
     fn agrees(&self, a: &Scene, b: &Scene, index: usize) -> bool;
 }
 
@@ -71,13 +71,13 @@ impl<T: Datum> Field for Access<T> {
     }
 }
 
-/// A field that holds one of several values, by their places among the options.
+/// A field that holds one of several values, identified by their positions among the options.
 pub trait ChoiceField: Field {
-    /// The values that it can have.
+    /// Returns the values that it can have.
     fn options(&self) -> &'static [ChoiceOption];
-    /// The place of its value among the options; none where the scene has no such light or pane.
+    /// Returns the position of its value among the options; `None` where the scene has no such light or pane.
     fn chosen(&self, scene: &Scene, index: usize) -> Option<usize>;
-    /// Sets it to the option at this place; nothing happens where there is none.
+    /// Sets it to the option at this position; does nothing where there is none.
     fn choose(&self, scene: &mut Scene, index: usize, option: usize);
 }
 
@@ -108,7 +108,7 @@ pub enum List {
 }
 
 impl List {
-    /// How the keys of its elements begin.
+    /// Returns the beginning of its elements' keys.
     pub const fn key(self) -> &'static str {
         match self {
             Self::Lights => "light",
@@ -116,7 +116,7 @@ impl List {
         }
     }
 
-    /// The list that a key belongs to, as the table of parameters has it.
+    /// Returns the list that a key of the table of parameters belongs to.
     pub fn of(key: &str) -> Option<Self> {
         [Self::Lights, Self::Panes].into_iter().find(|list| {
             key.strip_prefix(list.key())
@@ -124,7 +124,7 @@ impl List {
         })
     }
 
-    /// How many entries it has in a scene.
+    /// Returns the number of its entries in a scene.
     pub fn len(self, scene: &Scene) -> usize {
         match self {
             Self::Lights => scene.lights.len(),

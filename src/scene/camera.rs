@@ -1,4 +1,4 @@
-//! What a scene is about, the camera, the picture and its display.
+//! The scene's description, the camera, the picture and its display.
 
 use super::choice::choices;
 use super::material::no_light;
@@ -10,11 +10,11 @@ use glam::DVec3;
 use std::ops::RangeInclusive;
 
 table! {
-    /// What a scene shows, for its readers. All of it may be empty.
+    /// The description of a scene for its readers. All of it may be empty.
     pub struct About = [about] in about {
-        /// What the scene is called; one line of at most 80 characters.
+        /// The scene's title; one line of at most 80 characters.
         TITLE title: String = String::new(), Text(80);
-        /// What to look at and what to try; one line of at most 300 characters.
+        /// A sentence on what to look at and what to try; one line of at most 300 characters.
         SENTENCE sentence: String = String::new(), Text(300);
         /// The chapter that it belongs to; one line of at most 80 characters.
         TOPIC topic: String = String::new(), Text(80);
@@ -27,13 +27,13 @@ const ANGLE: Slider = Slider::linear(-180.0, 180.0).decimals(1);
 const FIELD_OF_VIEW: Slider = Slider::linear(5.0, 120.0).decimals(1);
 
 table! {
-    /// The camera: where the picture is seen from, and where the equation's viewer stands.
+    /// The camera: the point from which the picture is seen, and the position of the equation's viewer.
     pub struct Camera = [camera] in camera {
         /// Position of the eye, world.
         EYE eye: DVec3 = DVec3::new(0.0, 0.0, 4.0), Point.measured_in(Unit::World);
         /// The point at the picture's centre, world; not the eye.
         TARGET target: DVec3 = DVec3::ZERO, Point.measured_in(Unit::World);
-        /// What points upwards in the picture; of any length but zero, not parallel to the viewing direction.
+        /// The direction that points upwards in the picture; of any length but zero, not parallel to the viewing direction.
         UP up: DVec3 = DVec3::Y, Direction(|_, _| true);
         /// Turn of the picture about its centre, degrees counter-clockwise.
         ROLL roll: f64 = 0.0, Number(Limits::FINITE, ANGLE).measured_in(Unit::Degrees);
@@ -42,12 +42,12 @@ table! {
         /// Angle of view in perspective projection, degrees, 0.001 to 179, across the side that `framing` names.
         FOV_Y fov_y: f64 = 40.0, Number(Limits::within(&Camera::FOV_Y), FIELD_OF_VIEW)
             .measured_in(Unit::Degrees).idle(no_perspective);
-        /// Size of what is seen in orthographic projection, world units, across the side that `framing` names.
+        /// Size of the visible region in orthographic projection, world units, across the side that `framing` names.
         HEIGHT height: f64 = 2.5, Number(Limits::new(LEAST_LENGTH, GREATEST_LENGTH), Slider::logarithmic(0.1, 20.0))
             .measured_in(Unit::World).idle(not_orthographic);
-        /// Which side of the picture `fov_y` and `height` span.
+        /// The side of the picture that `fov_y` and `height` span.
         FRAMING framing: Framing = Framing::Height, Choice;
-        /// Where the equation's V points.
+        /// The point or direction that the equation's V points to.
         VIEWER viewer: Viewer = Viewer::Local, Choice.letter("V", Symbol::Viewer).idle(no_viewer);
     }
 }
@@ -67,10 +67,11 @@ fn no_viewer(scene: &Scene, index: usize) -> Option<&'static str> {
 }
 
 impl Camera {
-    /// Degrees. Below, a pixel is narrower than single precision resolves; above, the picture is all rim.
+    /// The range of the field of view, degrees. Below it a pixel is narrower than single precision resolves; above it the
+    /// picture is nearly all rim.
     pub const FOV_Y: RangeInclusive<f64> = 1e-3..=179.0;
 
-    /// The side of a picture of `width` and `height`, in any unit, that the field of view or the height spans.
+    /// Returns the side of a picture of `width` and `height`, in any unit, that the field of view or the height spans.
     pub fn span(&self, [width, height]: [f64; 2]) -> f64 {
         match self.framing {
             Framing::Height => height,
@@ -78,7 +79,7 @@ impl Camera {
         }
     }
 
-    /// Distance from eye to target, world units: the scene's own measure of length.
+    /// Returns the distance from eye to target, world units: the scene's own measure of length.
     pub fn distance(&self) -> f64 {
         let span = self.eye - self.target;
         let largest = span.abs().max_element();
@@ -91,7 +92,7 @@ impl Camera {
 }
 
 choices! {
-    /// How points are projected onto the picture plane.
+    /// The projection of points onto the picture plane.
     pub enum Projection = "projection" {
         /// As seen by an eye: what is farther away is smaller.
         Perspective = "perspective";
@@ -101,7 +102,7 @@ choices! {
 }
 
 choices! {
-    /// Which side of the picture the field of view or the height spans.
+    /// The side of the picture that the field of view or the height spans.
     pub enum Framing = "framing" {
         /// From bottom to top: a narrow picture shows less.
         Height = "height";
@@ -111,7 +112,7 @@ choices! {
 }
 
 choices! {
-    /// Where the equation's V points.
+    /// The point or direction that the equation's V points to.
     pub enum Viewer = "viewer" {
         /// From each point to the eye.
         Local = "local";
@@ -125,7 +126,7 @@ table! {
     pub struct Image = [image] in image {
         /// Width and height in pixels, each 1 to 16384, with at most [`Self::MAX_PIXELS`] together.
         SIZE size: [u32; 2] = [768, 768], Other("kind-two-whole", picture_sizes).measured_in(Unit::Pixels);
-        /// Linear colour where nothing is seen, 0 to 10³⁰.
+        /// Linear colour where nothing is visible, 0 to 10³⁰.
         BACKGROUND background: Rgb = Rgb::ZERO, Colour(Limits::INTENSITY);
     }
 }
@@ -139,29 +140,29 @@ fn picture_sizes() -> String {
 }
 
 impl Image {
-    /// The longest side of a picture, in pixels: what the rasterizer's fixed-point coordinates carry.
+    /// The longest side of a picture, in pixels: the range of the rasterizer's fixed-point coordinates.
     pub const MAX_SIDE: u32 = 16_384;
 
-    /// Most pixels in a picture: 16384 × 8192, half a gigabyte as stored.
+    /// The most pixels in a picture: 16384 × 8192, half a gigabyte as stored.
     pub const MAX_PIXELS: u64 = 1 << 27;
 }
 
 table! {
-    /// How intensities become what is stored and shown.
+    /// The conversion of intensities to stored and displayed values.
     pub struct Display = [display] in display {
-        /// What is shown where an intensity is above 1.
+        /// The treatment of intensities above 1.
         OVERFLOW overflow: Overflow = Overflow::Clamp, Choice.symbol(Symbol::Intensity);
-        /// How linear intensity becomes the stored value.
+        /// The conversion of linear intensity to the stored value.
         ENCODING encoding: Encoding = Encoding::Raw, Choice.letter("I", Symbol::Intensity);
     }
 }
 
 choices! {
-    /// What happens where I > 1.
+    /// The treatment of I > 1.
     pub enum Overflow = "overflow" {
         /// Values above 1 are stored as 1.
         Clamp = "clamp";
-        /// The whole picture is divided by its greatest value.
+        /// The whole picture is divided by its largest value.
         Scale = "scale";
         /// Pixels with a channel above 1 are hatched.
         Mark = "mark";
@@ -169,7 +170,7 @@ choices! {
 }
 
 choices! {
-    /// From linear intensity to the stored value.
+    /// The conversion of linear intensity to the stored value.
     pub enum Encoding = "encoding" {
         /// Value × 255, rounded.
         Raw = "raw";

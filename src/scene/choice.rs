@@ -5,19 +5,19 @@ use crate::text::text;
 /// One value of a choice.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChoiceOption {
-    /// As in a scene file.
+    /// The word in a scene file.
     pub word: &'static str,
-    /// The keys of its label and its meaning in the catalogue.
+    /// The message keys of its label and its meaning in the catalogue.
     pub messages: [&'static str; 2],
 }
 
 impl ChoiceOption {
-    /// As on screen.
+    /// Returns the label on screen.
     pub fn label(&self) -> &'static str {
         text!(self.messages[0])
     }
 
-    /// What it means.
+    /// Returns the meaning, in a sentence.
     pub fn help(&self) -> &'static str {
         text!(self.messages[1])
     }
@@ -27,10 +27,10 @@ impl ChoiceOption {
 pub trait Choice: Copy + PartialEq + 'static {
     /// Every value, in the order of menus.
     const VALUES: &'static [Self];
-    /// What the values are called, in the same order.
+    /// The words and messages of the values, in the same order.
     const OPTIONS: &'static [ChoiceOption];
 
-    /// Its place among the values.
+    /// Returns its position among the values.
     fn place(self) -> usize {
         Self::VALUES
             .iter()
@@ -38,22 +38,22 @@ pub trait Choice: Copy + PartialEq + 'static {
             .unwrap_or(0)
     }
 
-    /// As in a scene file.
+    /// Returns the word in a scene file.
     fn word(self) -> &'static str {
         Self::OPTIONS[self.place()].word
     }
 
-    /// As on screen.
+    /// Returns the label on screen.
     fn label(self) -> &'static str {
         Self::OPTIONS[self.place()].label()
     }
 
-    /// What it means.
+    /// Returns the meaning, in a sentence.
     fn help(self) -> &'static str {
         Self::OPTIONS[self.place()].help()
     }
 
-    /// The value of a word in a scene file.
+    /// Returns the value of a word in a scene file.
     fn from_word(word: &str) -> Option<Self> {
         Self::OPTIONS
             .iter()
@@ -62,8 +62,8 @@ pub trait Choice: Copy + PartialEq + 'static {
     }
 }
 
-/// Defines an enumeration; each value has its word. Of `pub enum Mode = "shading" { Flat = "flat"; }` the label is the message
-/// `choice-shading-flat`, and the meaning its `.help`.
+/// Defines an enumeration whose values each have a word. For `pub enum Mode = "shading" { Flat = "flat"; }` the label is
+/// the message `choice-shading-flat`, and the meaning its `.help`.
 macro_rules! choices {
     ($(#[$about:meta])* pub enum $name:ident = $messages:literal {
         $($(#[$detail:meta])* $value:ident = $word:literal;)+

@@ -1,4 +1,4 @@
-//! Several pictures of one scene side by side: each pane is the scene with a few of its keys replaced.
+//! Comparison of several pictures of one scene: each pane is the scene with a few of its keys replaced.
 
 use super::Scene;
 use super::camera::Overflow;
@@ -14,21 +14,22 @@ use super::shading::{Interpolation, MODE, ShadingMode};
 use crate::text::text;
 
 table! {
-    /// What is compared and how. The first pane is the scene itself; one is the reference that the others are measured against.
+    /// The panes of a comparison and how they are shown. The first pane is the scene itself; one is the reference against
+    /// which the others are measured.
     pub struct Compare = [compare] in compare with (/// The panes beside the scene itself, at most [`Self::MAX_PANES`].
         panes: Vec<Pane> = vec![]) {
-        /// How the panes are shown.
+        /// The arrangement of the panes.
         COMPARE_VIEW view: CompareView = CompareView::Single, Choice;
-        /// What the pane is called that is the scene itself; at most 64 characters.
+        /// Name of the pane that is the scene itself; at most 64 characters.
         SCENE_NAME name: String = String::new(), Text(Pane::MAX_NAME).idle(no_panes);
-        /// Number of the pane that the others are measured against; 0 is the scene itself.
+        /// Number of the pane against which the others are measured; 0 is the scene itself.
         REFERENCE reference: u32 = 0,
             Whole(|scene| Limits::new(0.0, scene.pane_count() as f64), PANE_NUMBERS).idle(no_panes);
-        /// Place of the line as a part of the picture's width. The reference is seen to its right, the first other pane to
-        /// its left.
+        /// Position of the line as a fraction of the picture's width. The reference is to its right, the first other pane
+        /// to its left.
         WIPE wipe: f64 = 0.5, Number(Limits::UNIT, Slider::UNIT)
             .idle(|scene, _| (scene.compare.view != CompareView::Wipe).then(|| text!("idle-no-wipe")));
-        /// What the difference picture shows.
+        /// The content of the difference picture.
         DIFFERENCE difference: DifferenceKind = DifferenceKind::Signed, Choice.idle(no_difference);
         /// Factor of the difference, 1 to 64.
         GAIN gain: f64 = 8.0, Number(Limits::new(1.0, Compare::MAX_GAIN), GAINS).idle(no_difference);
@@ -51,16 +52,16 @@ fn no_difference(scene: &Scene, _: usize) -> Option<&'static str> {
 }
 
 impl Compare {
-    /// Most panes beside the scene itself.
+    /// The most panes beside the scene itself.
     pub const MAX_PANES: usize = 5;
-    /// Greatest gain of the difference picture.
+    /// The largest gain of the difference picture.
     pub const MAX_GAIN: f64 = 64.0;
-    /// Most keys that one pane replaces.
+    /// The most keys that one pane replaces.
     pub const MAX_SETTINGS: usize = 64;
 }
 
 choices! {
-    /// How the panes are shown.
+    /// The arrangement of the panes.
     pub enum CompareView = "compare" {
         /// The scene alone.
         Single = "single";
@@ -74,7 +75,7 @@ choices! {
 }
 
 choices! {
-    /// What a difference picture shows of each pixel's difference d.
+    /// The content of a difference picture, from each pixel's difference d.
     pub enum DifferenceKind = "difference" {
         /// gain·d of the luminance, from blue (darker) through white to orange (brighter).
         Signed = "signed";
@@ -86,20 +87,20 @@ choices! {
 }
 
 table! {
-    /// A pane beside the scene itself: what is different in it.
+    /// A pane beside the scene itself, given by its differences.
     pub struct Pane = [compare.pane.N] in [compare.panes] {
-        /// What it is called; at most 64 characters.
+        /// The pane's name; at most 64 characters.
         PANE_NAME name: String = String::new(), Text(Pane::MAX_NAME);
-        /// What differs from the scene, `KEY=VALUE` as `--set` takes it; at most 64.
+        /// The differences from the scene, `KEY=VALUE` as `--set` takes it; at most 64.
         PANE_SET set: Vec<String> = vec![], Other("kind-settings", || at_most(Compare::MAX_SETTINGS));
     }
 }
 
 impl Pane {
-    /// Most characters of a pane's name.
+    /// The most characters of a pane's name.
     pub const MAX_NAME: usize = 64;
 
-    /// A pane in which these keys have other values.
+    /// Returns a pane with these settings.
     pub fn of(settings: &[&str]) -> Self {
         Self {
             name: String::new(),
@@ -107,7 +108,7 @@ impl Pane {
         }
     }
 
-    /// The value that it gives to `key`, as written.
+    /// Returns the value that it gives to `key`, as written.
     pub fn value(&self, key: &str) -> Option<&str> {
         self.set.iter().rev().find_map(|setting| {
             let (name, value) = setting.split_once('=')?;
@@ -121,7 +122,7 @@ impl Pane {
         self.set.push(format!("{key}={value}"));
     }
 
-    /// Lets `key` follow the scene again.
+    /// Makes `key` follow the scene again.
     pub fn take(&mut self, key: &str) {
         self.set.retain(|setting| {
             setting
@@ -132,12 +133,12 @@ impl Pane {
 }
 
 impl Scene {
-    /// How many panes there are, the scene itself counted.
+    /// Returns the number of panes, the scene itself included.
     pub fn pane_count(&self) -> usize {
         1 + self.compare.panes.len()
     }
 
-    /// The panes that its view shows, by their numbers from 0.
+    /// Returns the numbers, from 0, of the panes that the view shows.
     pub fn shown_panes(&self) -> Vec<usize> {
         let last = self.compare.panes.len();
         match self.compare.view {
@@ -151,7 +152,7 @@ impl Scene {
         }
     }
 
-    /// The number of the pane that the others are measured against, from 0.
+    /// Returns the number, from 0, of the pane against which the others are measured.
     pub fn reference_pane(&self) -> usize {
         let last = self.compare.panes.len();
         (self.compare.reference as usize)
@@ -159,7 +160,7 @@ impl Scene {
             .map_or(last, |pane| pane.min(last))
     }
 
-    /// Makes a pane the one that the others are measured against.
+    /// Makes a pane the reference.
     pub fn set_reference(&mut self, pane: usize) {
         let last = pane >= self.compare.panes.len();
         #[expect(clippy::cast_possible_truncation, reason = "there are a few panes")]
@@ -167,11 +168,11 @@ impl Scene {
         self.compare.reference = number;
     }
 
-    /// Moves a pane to another place. Every pane goes on showing what it showed: the one that comes to stand first becomes
-    /// the scene itself, and the others set what they have different from it.
+    /// Moves a pane to another position. Every pane keeps its picture: the one that becomes first becomes the scene itself,
+    /// and the others are given their differences from it.
     ///
     /// # Errors
-    /// What is wrong with the panes' settings; then nothing is moved.
+    /// The problems in the panes' settings; then nothing is moved.
     pub fn move_pane(&mut self, from: usize, to: usize) -> Result<(), SceneError> {
         let count = self.pane_count();
         if from >= count || to >= count {
@@ -213,7 +214,7 @@ impl Scene {
         Ok(())
     }
 
-    /// Removes a pane; without the scene itself, the second pane becomes the scene.
+    /// Removes a pane; if it is the scene itself, the second pane becomes the scene.
     ///
     /// # Errors
     /// As for [`Self::move_pane`].
@@ -232,7 +233,7 @@ impl Scene {
         Ok(())
     }
 
-    /// Shows all shading modes side by side, measured against the exact one.
+    /// Compares all shading modes side by side, measured against the exact one.
     pub fn compare_all_modes(&mut self) {
         let (first, others) = (ShadingMode::VALUES[0], &ShadingMode::VALUES[1..]);
         self.shading.mode = first;
@@ -245,11 +246,11 @@ impl Scene {
         };
     }
 
-    /// The scene that a pane shows, 0 the scene itself; it compares nothing further.
+    /// Returns the scene that a pane shows, without further panes; 0 is the scene itself. A number past the last pane
+    /// counts as the last.
     ///
     /// # Errors
-    /// What is wrong with the pane's settings. A scene that [`Scene::validate`] accepts has none. A number past the last
-    /// pane is the last one's.
+    /// The problems in the pane's settings. A scene that [`Scene::validate`] accepts has none.
     pub fn pane(&self, index: usize) -> Result<Self, SceneError> {
         let alone = Self {
             compare: Compare::default(),
@@ -266,7 +267,7 @@ impl Scene {
         }
     }
 
-    /// The name that a pane has been given, if any.
+    /// Returns the name that a pane has been given, or an empty one.
     fn given_name(&self, index: usize) -> &str {
         match index.checked_sub(1) {
             None => &self.compare.name,
@@ -274,14 +275,14 @@ impl Scene {
         }
     }
 
-    /// What a pane is called: its name, or what is different in it.
+    /// Returns a pane's name: the one given, or its differences in words.
     pub fn pane_name(&self, index: usize) -> String {
         let given = self.given_name(index);
         if !given.is_empty() {
             return given.to_owned();
         }
         let own = self.pane(index).unwrap_or_else(|_| self.clone());
-        // Panes of one mode are called by what else tells them apart, the first one too.
+        // Panes of one mode are named by their other differences, the first one too.
         if self.panes_share_mode() {
             let words = self.settings_apart(&own);
             if !words.is_empty() {
@@ -303,7 +304,7 @@ impl Scene {
         words.join(", ")
     }
 
-    /// Whether no pane sets another mode of shading than the first.
+    /// Returns whether no pane sets a shading mode other than the first pane's.
     fn panes_share_mode(&self) -> bool {
         let mode = self.shading.mode.word();
         let same = |pane: &Pane| {
@@ -313,7 +314,7 @@ impl Scene {
         self.compare.panes.iter().all(same)
     }
 
-    /// The values that a pane's scene has for what is set in any pane, in words.
+    /// Returns in words the values that a pane's scene has for the keys set in any pane.
     fn settings_apart(&self, scene: &Self) -> Vec<String> {
         let settings = self.compare.panes.iter().flat_map(|pane| &pane.set);
         let mut keys: Vec<&str> = Vec::new();
@@ -330,13 +331,13 @@ impl Scene {
         present.collect()
     }
 
-    /// Whether what the display clamps is to be compared clamped.
+    /// Returns whether intensities are compared after clamping, as the display clamps them.
     pub fn clamps(&self) -> bool {
         self.display.overflow == Overflow::Clamp
     }
 }
 
-/// A setting in few words, where its value says what it is about.
+/// Returns a setting in few words, if its value says what it is about.
 fn short_words(setting: &str) -> Option<String> {
     let (key, value) = setting.split_once('=')?;
     let value = value.trim().trim_matches(['"', '\'']);
@@ -351,7 +352,7 @@ fn short_words(setting: &str) -> Option<String> {
             ReflectionModel::from_word(value).map(|model| model.label().to_owned())
         }
         key => {
-            // Only a material's letters say what they are without a word.
+            // Only a material's letters are clear without a word.
             let named = Parameter::by_word(key).filter(|one| one.section() == "material");
             let letter = named.map_or("", |parameter| parameter.letter);
             match value.parse::<f64>() {
@@ -367,7 +368,7 @@ fn short_words(setting: &str) -> Option<String> {
 /// Tables and keys that all panes share.
 const SHARED: [&str; 5] = ["version", "camera", "image", "compare", "object.path"];
 
-/// What is wrong with the panes of a scene that is otherwise sound.
+/// Returns the problems of the panes of an otherwise valid scene.
 pub(super) fn problems(scene: &Scene) -> Vec<Finding> {
     let Compare { panes, view, .. } = &scene.compare;
     if panes.len() > Compare::MAX_PANES {

@@ -1,7 +1,7 @@
 //! The scene file: TOML in, TOML out.
 //!
-//! Reading names every unknown key, every value of a wrong type or, where there is none, out of range, with its line.
-//! Writing and reading again gives the same scene, bit for bit.
+//! Reading reports every unknown key and every value of a wrong type or, if there are none of these, out of range, with its line.
+//! Writing a scene and reading it again gives the same scene, bit for bit.
 
 mod datum;
 mod reader;
@@ -18,7 +18,7 @@ use toml::de::{DeTable, DeValue};
 pub(super) use datum::{Datum, list_of, read_coefficient, value_text};
 pub(super) use reader::set;
 
-/// Tables that are left out where all of it has its default.
+/// Tables that are left out if all their keys have their defaults.
 const OPTIONAL: [&str; 7] = [
     "about",
     "pattern",
@@ -33,11 +33,11 @@ impl Scene {
     /// The version of the format that this program reads and writes.
     pub const VERSION: u32 = 1;
 
-    /// The longest scene file, in bytes. A thousand lights with every key take a quarter of a megabyte; the parser
-    /// takes up to a hundred times the text.
+    /// The longest scene file, in bytes. A thousand lights with every key take a quarter of a megabyte; the parser needs up
+    /// to a hundred times as much memory as the text.
     pub const MAX_TEXT: usize = 4 << 20;
 
-    /// Reads a scene file's text. `name` stands for the file in messages.
+    /// Reads a scene file's text. Messages call the file `name`.
     ///
     /// # Guarantees
     /// The scene is one that [`Scene::validate`] accepts.
@@ -90,8 +90,8 @@ impl Scene {
         Ok(scene)
     }
 
-    /// The scene as the text of a scene file. Keys of a light that its kind and attenuation do not read are left out
-    /// where they have their default.
+    /// Returns the scene as the text of a scene file. Keys of a light that its kind and attenuation do not read are left
+    /// out if they have their default.
     pub fn to_toml(&self) -> String {
         let mut text = format!("# A scene of shading-lab\nversion = {}\n", self.version);
         if self.lights.is_empty() {
@@ -136,7 +136,7 @@ fn write_table(
             " = ",
         ]);
         match &value {
-            // A list of lists has a line for each.
+            // A list of lists is written one to a line.
             Value::Array(list) if list.first().is_some_and(Value::is_array) => {
                 text.push_str("[\n");
                 list.iter()
@@ -149,7 +149,7 @@ fn write_table(
     }
 }
 
-/// Empty texts and lists are left out, and keys of a light that have their default and no effect.
+/// Returns whether a value is left out: empty texts and lists, and keys of a light that have their default and no effect.
 fn is_left_out(parameter: &Parameter, value: &Value, scene: &Scene, index: usize) -> bool {
     let empty = match value {
         Value::String(text) => text.is_empty(),
@@ -157,12 +157,12 @@ fn is_left_out(parameter: &Parameter, value: &Value, scene: &Scene, index: usize
         _ => false,
     };
     let off = matches!(parameter.kind, Kind::Switch(_)) || (parameter.idle)(scene, index).is_some();
-    // As texts, which tell 0 from −0.
+    // Compared as texts, which distinguish 0 from −0.
     let default = || parameter.default().as_ref().map(value_text);
     empty || (parameter.of_light() && off && Some(value_text(value)) == default())
 }
 
-/// Counts lines, going through the text once however many are asked for in their order.
+/// A line counter that goes through the text once, however many offsets are looked up in ascending order.
 struct Lines<'a> {
     text: &'a [u8],
     offset: usize,
@@ -170,7 +170,7 @@ struct Lines<'a> {
 }
 
 impl Lines<'_> {
-    /// The line of a byte, counted from 1. Offsets must not decrease from call to call.
+    /// Returns the line of a byte, counted from 1. Offsets must not decrease from call to call.
     fn line_of(&mut self, offset: usize) -> usize {
         let passed = self
             .text
@@ -182,7 +182,7 @@ impl Lines<'_> {
     }
 }
 
-/// Where `key` stands in the document, or the innermost table round it that does.
+/// Returns the offset of `key` in the document, or of the innermost enclosing table that is in it.
 fn offset_of(document: &DeTable<'_>, key: &str) -> usize {
     let mut segments = key.split('.');
     let Some((name, mut value)) = segments
@@ -210,7 +210,7 @@ fn offset_of(document: &DeTable<'_>, key: &str) -> usize {
     offset
 }
 
-/// A scene travels as the text of its file.
+/// Serializes a scene as the text of its file.
 impl Serialize for Scene {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(&self.to_toml())

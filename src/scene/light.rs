@@ -17,22 +17,22 @@ const EXPONENTS: Slider = Slider::logarithmic(0.0, Light::MAX_EXPONENT).decimals
 const COUNT: Slider = Slider::logarithmic(1.0, Light::MAX_SAMPLES as f64).decimals(0);
 
 table! {
-    /// One light source. Fields that its kind or its attenuation does not read keep their value, so that switching back
-    /// and forth loses nothing.
+    /// One light source. Fields that its kind or its attenuation does not read keep their value, so that switching back and
+    /// forth loses nothing.
     pub struct Light = [light.N] in [lights] {
-        /// What it is called; at most 64 characters.
+        /// The light's name; at most 64 characters.
         NAME name: String = String::new(), Text(Light::MAX_NAME).symbol(Symbol::Lights);
-        /// Which kind of source.
+        /// The kind of source.
         KIND kind: LightKind = LightKind::Point, Choice.symbol(Symbol::Lights);
-        /// Whether it is off.
+        /// A switch that turns the light off.
         MUTE mute: bool = false, Switch.symbol(Symbol::Lights);
-        /// Whether only soloed lights shine.
+        /// A switch that leaves only soloed lights on.
         SOLO solo: bool = false, Switch.symbol(Symbol::Lights);
-        /// Where it stands, world; the centre of an area light. Not read of directional lights.
+        /// The light's position, world; the centre of an area light. Not read for directional lights.
         POSITION position: DVec3 = DVec3::new(2.0, 2.0, 3.0), Point.letter("L", Symbol::Light).measured_in(Unit::World)
             .idle(|scene, index| unless(scene, index, |light| light.kind.has_position(), "idle-no-position"));
-        /// Where its light goes: the axis of a spot light, the normal of a rectangle; of any length but zero, also where it is
-        /// not read, so that every light can become one of any kind.
+        /// The direction of its light: the axis of a spot light, the normal of a rectangle. Of any length but zero, even
+        /// where it is not read, so that every light can become one of any kind.
         DIRECTION direction: DVec3 = DVec3::new(-2.0, -2.0, -3.0), Direction(|_, _| true).letter("D", Symbol::Light)
             .idle(|scene, index| unless(scene, index, Light::has_direction, "idle-no-direction"));
         /// Intensity Ip, linear, 0 to 10³⁰.
@@ -53,10 +53,10 @@ table! {
         /// Radius of a sphere, world units.
         RADIUS radius: f64 = 0.5, Number(Limits::LENGTH, LENGTHS)
             .symbol(Symbol::Light).measured_in(Unit::World).idle(no_sphere);
-        /// Points N that stand for an area light, 1 to 1024.
+        /// Number N of points that stand for an area light, 1 to 1024.
         SAMPLES samples: u32 = 16, Whole(|_| Limits::new(1.0, Light::MAX_SAMPLES as f64), COUNT)
             .letter("N", Symbol::Light).idle(no_area);
-        /// Which f(d).
+        /// The law f(d).
         ATTENUATION attenuation: Attenuation = Attenuation::None, Choice.letter("f", Symbol::Attenuation);
         /// Constant k of 1/(r + k), world units.
         K k: f64 = 1.0, Number(Limits::LENGTH, CONSTANT)
@@ -72,7 +72,7 @@ table! {
     }
 }
 
-/// The message `reason`, where the light does not satisfy `used`.
+/// Returns the message `reason` if the light does not satisfy `used`.
 fn unless(
     scene: &Scene,
     index: usize,
@@ -122,7 +122,7 @@ fn no_sphere(scene: &Scene, index: usize) -> Option<&'static str> {
     ))
 }
 
-/// Why the constant of 1/(r + k) has no effect.
+/// Tells why the constant of 1/(r + k) has no effect.
 fn no_sum(scene: &Scene, index: usize) -> Option<&'static str> {
     unused(scene, index, |form| {
         matches!(form, Attenuation::Viewer | Attenuation::Light)
@@ -133,7 +133,7 @@ fn no_quadratic(scene: &Scene, index: usize) -> Option<&'static str> {
     unused(scene, index, |form| form == Attenuation::Quadratic)
 }
 
-/// Why a constant that these forms of the attenuation read has no effect.
+/// Tells why a constant that these forms of the attenuation read has no effect.
 fn unused(scene: &Scene, index: usize, read: fn(Attenuation) -> bool) -> Option<&'static str> {
     let light = scene.lights.get(index)?;
     let far = light.kind == LightKind::Directional && light.attenuation != Attenuation::Viewer;
@@ -142,7 +142,7 @@ fn unused(scene: &Scene, index: usize, read: fn(Attenuation) -> bool) -> Option<
         .or(far.then(|| text!("idle-far-light")))
 }
 
-/// Whether the attenuation follows the eye although V is taken as constant.
+/// Returns whether the attenuation follows the eye although V is taken as constant.
 pub fn viewer_far(scene: &Scene, index: usize) -> bool {
     let camera = &scene.camera;
     let constant =
@@ -157,11 +157,11 @@ pub fn viewer_far(scene: &Scene, index: usize) -> bool {
 choices! {
     /// The kinds of light sources.
     pub enum LightKind = "light-kind" {
-        /// From a point in all directions.
+        /// A point that shines in all directions.
         Point = "point";
-        /// Parallel rays, as sunlight.
+        /// Parallel rays, like sunlight.
         Directional = "directional";
-        /// From a point into a cone.
+        /// A point that shines into a cone.
         Spot = "spot";
         /// A rectangle or a sphere, by points spread evenly over it.
         Area = "area";
@@ -169,26 +169,26 @@ choices! {
 }
 
 impl LightKind {
-    /// Whether the light stands somewhere.
+    /// Returns whether the light has a position.
     pub fn has_position(self) -> bool {
         self != Self::Directional
     }
 }
 
 impl Light {
-    /// Degrees from a spot light's axis to the edge of its cone.
+    /// The range of the angle from a spot light's axis to the edge of its cone, degrees.
     pub const CONE: RangeInclusive<f64> = 0.1..=90.0;
 
-    /// Greatest exponent of a spot light: its beam is then 4° wide.
+    /// The largest exponent of a spot light: its beam is then 4° wide.
     pub const MAX_EXPONENT: f64 = 1e3;
 
-    /// Most characters of a light's name.
+    /// The most characters of a light's name.
     pub const MAX_NAME: usize = 64;
 
-    /// Most points that one area light is replaced by.
+    /// The most points that one area light is replaced by.
     pub const MAX_SAMPLES: u32 = 1024;
 
-    /// Whether `direction` is read.
+    /// Returns whether `direction` is read.
     pub fn has_direction(&self) -> bool {
         match self.kind {
             LightKind::Point => false,
@@ -197,12 +197,12 @@ impl Light {
         }
     }
 
-    /// Whether the light is on: not muted, and soloed if any light is (`soloing`, see [`Scene::soloing`]).
+    /// Returns whether the light is on: not muted, and soloed if any light is (`soloing`, see [`Scene::soloing`]).
     pub fn shines(&self, soloing: bool) -> bool {
         !self.mute && (self.solo || !soloing)
     }
 
-    /// Radius of a ball about its position that holds an area light, world units; 0 for other lights.
+    /// Returns the radius of a ball about its position that holds an area light, world units; 0 for other lights.
     pub fn reach(&self) -> f64 {
         match (self.kind, self.shape) {
             (LightKind::Area, AreaShape::Rectangle) => 0.5 * self.extent[0].hypot(self.extent[1]),
@@ -211,7 +211,7 @@ impl Light {
         }
     }
 
-    /// Points that the light is replaced by: 1, or an area light's samples.
+    /// Returns the number of points that the light is replaced by: 1, or an area light's samples.
     pub fn sample_count(&self) -> u32 {
         if self.kind == LightKind::Area {
             self.samples
@@ -222,7 +222,7 @@ impl Light {
 }
 
 impl Scene {
-    /// Whether any light is soloed, so that the others are silent.
+    /// Returns whether any light is soloed, so that the others are off.
     pub fn soloing(&self) -> bool {
         self.lights.iter().any(|light| light.solo)
     }
@@ -231,7 +231,7 @@ impl Scene {
 choices! {
     /// The shape of an area light.
     pub enum AreaShape = "area-shape" {
-        /// Its points shine to all sides.
+        /// A rectangle whose points shine to all sides.
         Rectangle = "rectangle";
         /// A globe.
         Sphere = "sphere";

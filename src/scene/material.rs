@@ -16,12 +16,12 @@ const INDEX: Slider = Slider::linear(0.0, 5.0);
 table! {
     /// The reflecting material: the coefficients of the illumination equation.
     pub struct Material = [material] in material {
-        /// Ambient coefficient Ka, 0 to 10⁶ a channel.
+        /// Ambient coefficient Ka, 0 to 10⁶ per channel.
         KA ka: Rgb = Rgb::splat(0.1), Coefficient(COEFFICIENT, Slider::UNIT)
             .letter("Ka", Symbol::Ka).idle(|scene, _| no_ambient(scene));
-        /// Diffuse coefficient Kd, 0 to 10⁶ a channel.
+        /// Diffuse coefficient Kd, 0 to 10⁶ per channel.
         KD kd: Rgb = Rgb::splat(0.7), Coefficient(COEFFICIENT, Slider::UNIT).letter("Kd", Symbol::Kd).idle(no_light);
-        /// Specular coefficient Ks, 0 to 10⁶ a channel.
+        /// Specular coefficient Ks, 0 to 10⁶ per channel.
         KS ks: Rgb = Rgb::splat(0.4), Coefficient(COEFFICIENT, Slider::UNIT).letter("Ks", Symbol::Ks).idle(no_light);
         /// Specular exponent n of Phong and Blinn, 0 or more.
         N n: f64 = 32.0, Number(Limits::new(0.0, f64::INFINITY), EXPONENTS).letter("n", Symbol::Exponent).idle(no_exponent);
@@ -32,41 +32,42 @@ table! {
         /// Root mean square slope m of the microfacets, 0.001 to 1. Cook–Torrance only.
         ROUGHNESS roughness: f64 = 0.25, Number(Limits::within(&Material::ROUGHNESS), SLOPES)
             .letter("m", Symbol::Facets).idle(no_facets);
-        /// How W(θ) is found.
+        /// The source of W(θ).
         REFLECTANCE reflectance: Reflectance = Reflectance::Constant, Choice
             .letter("W", Symbol::Reflectance).idle(no_highlight);
-        /// Index of refraction η, 0.01 to 100 a channel. `reflectance = "custom"` only.
+        /// Index of refraction η, 0.01 to 100 per channel. `reflectance = "custom"` only.
         IOR ior: Rgb = Rgb::splat(1.5), Channels(Limits::within(&Material::IOR), INDEX)
             .letter("η", Symbol::Reflectance).idle(no_index);
-        /// Extinction coefficient k, 0 to 100 a channel. `reflectance = "custom"` only.
+        /// Extinction coefficient k, 0 to 100 per channel. `reflectance = "custom"` only.
         EXTINCTION extinction: Rgb = Rgb::ZERO, Channels(Limits::new(0.0, *Material::IOR.end()), INDEX)
             .letter("k", Symbol::Reflectance).idle(no_index);
     }
 }
 
 impl Material {
-    /// Greatest reflection coefficient. Above 1 a surface sends out more than it receives, which is no physics but
-    /// shows what overflows; the bound keeps every product far from the end of single precision.
+    /// The largest reflection coefficient. Above 1 a surface emits more than it receives, which is not physical but shows
+    /// what overflows; the bound keeps every product far from the end of single precision.
     pub const MAX_COEFFICIENT: f64 = 1e6;
 
-    /// Below, the highlight is narrower than single precision tells directions apart; above, slopes pass 45° mostly.
+    /// The range of the roughness. Below it the highlight is narrower than single precision distinguishes directions; above
+    /// it most slopes exceed 45°.
     pub const ROUGHNESS: RangeInclusive<f64> = 1e-3..=1.0;
 
-    /// Indices of refraction: no material known lies outside.
+    /// The range of indices of refraction: no known material lies outside.
     pub const IOR: RangeInclusive<f64> = 0.01..=100.0;
 }
 
-/// Why nothing that a light does can be seen.
+/// Tells why no effect of a light is visible.
 pub(super) fn no_light(scene: &Scene, _: usize) -> Option<&'static str> {
     scene.lights.is_empty().then(|| text!("idle-no-light"))
 }
 
-/// Why the ambient term is not seen.
+/// Tells why the ambient term is not visible.
 pub(super) fn no_ambient(scene: &Scene) -> Option<&'static str> {
     (scene.ambient.color == Rgb::ZERO).then(|| text!("idle-no-ambient"))
 }
 
-/// Why the specular term is not seen.
+/// Tells why the specular term is not visible.
 pub fn no_highlight(scene: &Scene, index: usize) -> Option<&'static str> {
     no_light(scene, index).or((scene.material.ks == Rgb::ZERO).then(|| text!("idle-no-highlight")))
 }
@@ -87,7 +88,7 @@ fn no_index(scene: &Scene, index: usize) -> Option<&'static str> {
             .then(|| text!("idle-index-not-custom")))
 }
 
-/// Why the surface's own colour is not seen.
+/// Tells why the surface's own colour is not visible.
 fn colourless(scene: &Scene, _: usize) -> Option<&'static str> {
     (scene.material.ka == Rgb::ZERO && scene.material.kd == Rgb::ZERO)
         .then(|| text!("idle-colourless"))
@@ -100,24 +101,24 @@ choices! {
         Constant = "constant";
         /// Fresnel's formulas with the index of crown glass, N-BK7.
         Glass = "glass";
-        /// With the index of silver (Johnson and Christy 1972).
+        /// Fresnel's formulas with the index of silver (Johnson and Christy 1972).
         Silver = "silver";
-        /// With the index of gold (Johnson and Christy 1972).
+        /// Fresnel's formulas with the index of gold (Johnson and Christy 1972).
         Gold = "gold";
-        /// With [`Material::ior`] and [`Material::extinction`].
+        /// Fresnel's formulas with [`Material::ior`] and [`Material::extinction`].
         Custom = "custom";
     }
 }
 
 table! {
-    /// The specular term, and what happens on the side away from a light.
+    /// The specular term, and the policy for the side away from a light.
     pub struct Reflection = [reflection] in reflection {
         /// The specular term.
         MODEL model: ReflectionModel = ReflectionModel::Phong, Choice.symbol(Symbol::Reflected).idle(no_highlight);
-        /// D of the microfacets. Cook–Torrance only.
+        /// Distribution D of the microfacets. Cook–Torrance only.
         DISTRIBUTION distribution: Distribution = Distribution::Beckmann, Choice
             .letter("D", Symbol::Masking).idle(no_facets);
-        /// What a light behind the surface does.
+        /// The policy for a light behind the surface.
         BACKFACING backfacing: Backfacing = Backfacing::Clamp, Choice.symbol(Symbol::Normal).idle(no_light);
     }
 }
@@ -135,7 +136,7 @@ choices! {
 }
 
 choices! {
-    /// How the slopes of microfacets are spread.
+    /// The distribution of the microfacets' slopes.
     pub enum Distribution = "distribution" {
         /// Normally distributed slopes (Beckmann and Spizzichino 1963), with the V-cavities of Torrance and Sparrow 1967.
         Beckmann = "beckmann";
@@ -145,7 +146,7 @@ choices! {
 }
 
 choices! {
-    /// What happens where N·L < 0.
+    /// The policy where N·L < 0.
     pub enum Backfacing = "backfacing" {
         /// The light adds nothing.
         Clamp = "clamp";
@@ -160,7 +161,7 @@ table! {
         /// Ia, linear, 0 to 10³⁰.
         AMBIENT_COLOR color: Rgb = Rgb::ONE, Colour(Limits::INTENSITY).letter("Ia", Symbol::Ia)
             .idle(|scene, _| (scene.material.ka == Rgb::ZERO).then(|| text!("idle-no-ambient-reflected")));
-        /// Whether Ia is constant or gathered from other surfaces.
+        /// The source of Ia: constant, or gathered from other surfaces.
         AMBIENT_SOURCE source: AmbientSource = AmbientSource::Constant, Choice.letter("Ia", Symbol::Bounce).idle(no_bounce);
     }
 }
@@ -171,7 +172,7 @@ fn no_bounce(scene: &Scene, _: usize) -> Option<&'static str> {
 }
 
 impl Ambient {
-    /// Ia as the equation has it: nothing where light from other surfaces takes its place in the whole picture.
+    /// Returns Ia as the equation uses it: zero where light from other surfaces replaces it in the whole picture.
     pub fn constant(&self) -> Rgb {
         if self.source == AmbientSource::Bounce {
             Rgb::ZERO
@@ -182,7 +183,7 @@ impl Ambient {
 }
 
 choices! {
-    /// What stands for the light that arrives from all sides.
+    /// The model of the light that arrives from all sides.
     pub enum AmbientSource = "ambient-source" {
         /// Ia everywhere.
         Constant = "constant";
@@ -196,7 +197,7 @@ choices! {
 table! {
     /// A second colour of the surface, laid out by object coordinates, so that no picture file is needed.
     pub struct Pattern = [pattern] in pattern {
-        /// Which pattern.
+        /// The kind of pattern.
         PATTERN_KIND kind: PatternKind = PatternKind::None, Choice.symbol(Symbol::Od).idle(colourless);
         /// Its second colour, linear. The material's colour is seen between.
         PATTERN_COLOR color: Rgb = Rgb::new(0.95, 0.92, 0.85), Colour(COEFFICIENT)
@@ -207,12 +208,12 @@ table! {
     }
 }
 
-/// Widths of a pattern's fields.
+/// The limits of the widths of a pattern's fields.
 pub(super) const FIELD: Limits = Limits::within(&Pattern::SCALE);
 pub(super) const FIELD_SLIDER: Slider = Slider::logarithmic(0.01, 4.0);
 
 impl Pattern {
-    /// World units. Fields narrower than the least are not told apart in single precision.
+    /// The range of the width of a field, world units. Narrower fields are not distinguished in single precision.
     pub const SCALE: RangeInclusive<f64> = 1e-4..=1e4;
 }
 
@@ -243,13 +244,13 @@ table! {
         /// Index of refraction η of the inside relative to the outside, 0.1 to 10.
         TRANSPARENCY_IOR ior: f64 = 1.5, Number(Limits::within(&Transparency::IOR), Slider::linear(0.5, 3.0))
             .letter("η", Symbol::Transmitted).idle(opaque);
-        /// Whether the ray is refracted once or also where it leaves.
+        /// The number of refractions: on entry only, or also on exit.
         THROUGH through: Through = Through::Solid, Choice.symbol(Symbol::Transmitted).idle(opaque);
     }
 }
 
 impl Transparency {
-    /// Indices of refraction, either way through the surface.
+    /// The range of indices of refraction, either way through the surface.
     pub const IOR: RangeInclusive<f64> = 0.1..=10.0;
 }
 
@@ -258,11 +259,11 @@ fn opaque(scene: &Scene, _: usize) -> Option<&'static str> {
 }
 
 choices! {
-    /// How far a transmitted ray is followed.
+    /// The extent to which a transmitted ray is followed.
     pub enum Through = "through" {
-        /// Refracted once: everything behind the surface is inside the material.
+        /// Refraction once: everything behind the surface is inside the material.
         Surface = "surface";
-        /// Refracted on entry and exit, with total reflection inside.
+        /// Refraction on entry and exit, with total reflection inside.
         Solid = "solid";
     }
 }

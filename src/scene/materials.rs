@@ -2,7 +2,7 @@
 //!
 //! The numbers are those of `teapots.c` by Mark J. Kilgard (1994, GLUT 3.7, `progs/redbook`), the program of the *OpenGL
 //! Programming Guide*'s plate of 24 teapots: ambient, diffuse and specular reflectance per channel, and a shininess
-//! whose 128-fold is the exponent. OpenGL measures it from N to H, as Blinn's model does; under Phong's the same n makes
+//! which times 128 is the exponent. OpenGL measures it from N to H, as Blinn's model does; under Phong's the same n makes
 //! a highlight twice as wide.
 
 use super::{Material, Rgb};
@@ -11,7 +11,7 @@ use crate::text::text;
 /// A material with a name.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NamedMaterial {
-    /// What the command line calls it: lower-case words with hyphens.
+    /// The name on the command line: lower-case words with hyphens.
     pub name: &'static str,
     /// The message that names it.
     message: &'static str,
@@ -54,7 +54,7 @@ pub const NAMED: &[NamedMaterial] = &[
     named("yellow-rubber", "material-yellow-rubber", [0.05, 0.05, 0.0], [0.5, 0.5, 0.4], [0.7, 0.7, 0.04], 0.078125),
 ];
 
-/// How many of a kind follow each other in [`NAMED`].
+/// The number of consecutive materials of a kind in [`NAMED`].
 pub const OF_A_KIND: usize = 6;
 
 const fn named(
@@ -80,24 +80,24 @@ const fn named(
     }
 }
 
-/// The material of that name.
+/// Finds the material of that name.
 pub fn find(name: &str) -> Option<&'static NamedMaterial> {
     NAMED.iter().find(|material| material.name == name)
 }
 
-/// The name of a material, if it is one of these.
+/// Finds the named material that equals `material`, if there is one.
 pub fn recognise(material: &Material) -> Option<&'static NamedMaterial> {
     NAMED.iter().find(|named| named.material() == *material)
 }
 
 impl NamedMaterial {
-    /// What people call it.
+    /// Returns the title for people.
     pub fn title(&self) -> &'static str {
         text!(self.message)
     }
 
-    /// The material: its colours are in its coefficients, and its roughness is that whose highlight is as narrow as that
-    /// of its n, m = √(2/(n + 2)).
+    /// Returns the material: its colours are in its coefficients, and its roughness is that whose highlight is as narrow as
+    /// that of its n, m = √(2/(n + 2)).
     pub fn material(&self) -> Material {
         let Self { ka, kd, ks, n, .. } = *self;
         Material {

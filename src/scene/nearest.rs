@@ -1,10 +1,10 @@
-//! The known word that a mistyped one probably meant.
+//! The search for the known word that a mistyped one probably meant.
 
-/// Words longer than this are not compared: no known word is near them.
+/// The longest word that is compared: no known word is near longer ones.
 const LONGEST: usize = 64;
 
-/// The known word with the fewest changed, added, dropped or exchanged letters, if those are at most a third of the
-/// word's own (and one in the shortest), or the one that the word begins.
+/// Returns the known word with the fewest changed, added, dropped or exchanged letters, if those are at most a third of the
+/// word's own (and one in the shortest), or else the known word that begins with this one.
 pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let length = word.chars().take(LONGEST + 1).count();
     if !(1..=LONGEST).contains(&length) {

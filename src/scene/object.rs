@@ -1,4 +1,4 @@
-//! The object: which shape, how finely it is made of polygons, and where its vertex normals come from.
+//! The object: its shape, the fineness of its polygons, and the source of its vertex normals.
 
 use super::choice::choices;
 use super::parameter::{Limits, Slider, Unit, at_most, table};
@@ -9,13 +9,13 @@ use crate::text::text;
 use glam::DVec3;
 use std::path::PathBuf;
 
-/// The slider of a number of divisions; more can be typed.
+/// The slider of a number of divisions; larger numbers can be typed.
 const DIVISIONS: Slider = Slider::logarithmic(1.0, 512.0).decimals(0);
 
 table! {
-    /// The object: which shape, how finely it is made of polygons, and where its vertex normals come from.
+    /// The object: its shape, the fineness of its polygons, and the source of its vertex normals.
     pub struct Object = [object] in object {
-        /// Which shape.
+        /// The shape.
         KIND kind: ObjectKind = ObjectKind::Sphere, Choice;
         /// Polygons round the axis, 3 to 4096 (a plane's from 1, a corrugated sheet's from 2).
         SEGMENTS segments: u32 = 32, Whole(|scene| divisions(scene.object.min_segments()), DIVISIONS)
@@ -23,33 +23,33 @@ table! {
         /// Polygons along the axis, up to 4096; [`Self::min_rings`] has the fewest.
         RINGS rings: u32 = 16, Whole(|scene| divisions(scene.object.min_rings()), DIVISIONS)
             .symbol(Symbol::Normal).idle(polygons_unused);
-        /// Where vertex normals come from.
+        /// The source of the vertex normals.
         NORMALS normals: NormalSource = NormalSource::Averaged, Choice.symbol(Symbol::Normal).idle(normals_unused);
         /// Weight of each polygon in an averaged normal.
         WEIGHTING weighting: Weighting = Weighting::Equal, Choice.symbol(Symbol::Normal).idle(not_averaged);
         /// Wavefront OBJ file of a model, for the kind `obj`.
         PATH path: Option<PathBuf> = None, Other("kind-path", String::new);
-        /// Whether a model is centred and scaled into the unit sphere.
+        /// A switch that centres a model and scales it into the unit sphere.
         FIT fit: bool = true, Switch
             .idle(|scene, _| (scene.object.kind != ObjectKind::Obj).then(|| text!("idle-no-model")));
         /// Vertices of the scene's own polygons, world, for the kind `polygons`; at most 16384.
         VERTICES vertices: Shared<DVec3> = Shared::default(), Other("kind-points", || at_most(Object::MAX_POLYGONS))
             .measured_in(Unit::World);
-        /// Its own polygons: numbers of vertices from 0, counter-clockwise from outside.
+        /// The scene's own polygons: numbers of vertices from 0, counter-clockwise from outside.
         FACES faces: Shared<Shared<u32>> = Shared::default(),
             Other("kind-faces", || text!("range-faces", count = Object::MAX_POLYGONS, corners = Object::MAX_ALL_CORNERS));
-        /// Normals at its own vertices, none or one each, for `normals = "file"`. Of any length but zero.
+        /// Normals at the scene's own vertices, none or one each, for `normals = "file"`. Of any length but zero.
         VERTEX_NORMALS vertex_normals: Shared<DVec3> = Shared::default(),
             Other("kind-directions", || text!("range-vertex-normals").to_owned());
     }
 }
 
 impl Object {
-    /// The finest tessellation in either direction: 4096 × 4096 quads are 33 million triangles.
+    /// The most divisions in either direction: 4096 × 4096 quads are 33 million triangles.
     pub const MAX_DIVISIONS: u32 = 4096;
 
-    /// Returns where its vertex normals come from, which is what `normals` says as far as it is there: a built-in shape comes
-    /// with no file's normals, so they are averaged, and a model or a scene's polygons have no true surface beyond their own.
+    /// Returns the source of its vertex normals: that of `normals` where it exists. A built-in shape has no normals from a
+    /// file, so they are averaged; a model or a scene's polygons have no true surface behind them.
     pub fn normal_source(&self) -> NormalSource {
         match self.normals {
             NormalSource::File if self.kind.has_surface() => NormalSource::Averaged,
@@ -58,8 +58,8 @@ impl Object {
         }
     }
 
-    /// Whether vertex normals from this source may be averaged over faces: a surface has its own everywhere, but a model or a scene's
-    /// polygons may lack some.
+    /// Returns whether vertex normals from this source may be averaged over faces: a true surface has its own everywhere,
+    /// but a model or a scene's polygons may lack some.
     pub fn averages(&self, source: NormalSource) -> bool {
         match source {
             NormalSource::Averaged | NormalSource::File => true,
@@ -68,8 +68,8 @@ impl Object {
         }
     }
 
-    /// Fewest polygons round the axis: fewer than three enclose nothing. A plane's are counted across it, and so are a
-    /// corrugated sheet's slopes, at least one up and one down.
+    /// Returns the fewest polygons round the axis: fewer than three enclose nothing. A plane's are counted across it, and
+    /// so are a corrugated sheet's slopes, at least one up and one down.
     pub fn min_segments(&self) -> u32 {
         match self.kind {
             ObjectKind::Plane => 1,
@@ -78,7 +78,7 @@ impl Object {
         }
     }
 
-    /// Fewest polygons along the axis: a sphere needs both of its caps, the tube of a torus encloses something.
+    /// Returns the fewest polygons along the axis: a sphere needs both of its caps, and the tube of a torus must enclose something.
     pub fn min_rings(&self) -> u32 {
         match self.kind {
             ObjectKind::Sphere => 2,
@@ -92,7 +92,7 @@ fn divisions(least: u32) -> Limits {
     Limits::new(f64::from(least), f64::from(Object::MAX_DIVISIONS))
 }
 
-/// Why the number of polygons makes no difference.
+/// Tells why the number of polygons makes no difference.
 pub fn polygons_unused(scene: &Scene, _: usize) -> Option<&'static str> {
     match scene.object.kind {
         ObjectKind::Obj | ObjectKind::Polygons => Some(text!("idle-own-polygons")),
@@ -118,8 +118,8 @@ fn not_averaged(scene: &Scene, index: usize) -> Option<&'static str> {
 }
 
 choices! {
-    /// The shapes. All but models and polygons fit into the unit sphere about the origin, the plane but for its corners. Their
-    /// axis is y, but for the plane and the corrugated sheet, which face +z.
+    /// The shapes. All but models and polygons fit into the unit sphere about the origin, except for the plane's corners.
+    /// Their axis is y; that of the plane and the corrugated sheet, which face +z, is z.
     pub enum ObjectKind = "object-kind" {
         /// Radius 1.
         Sphere = "sphere";
@@ -138,7 +138,7 @@ choices! {
         /// A sheet folded to and fro at ridges parallel to y, facing +z: −0.75 ≤ x ≤ 0.75, −0.65 ≤ y ≤ 0.65, between z = −0.1
         /// and 0.1. `segments` slopes, at least 2, the first rising from a trough at its left border.
         Corrugated = "corrugated";
-        /// Polygons of the scene itself.
+        /// The polygons listed in the scene.
         Polygons = "polygons";
         /// A Wavefront OBJ model.
         Obj = "obj";
@@ -146,27 +146,27 @@ choices! {
 }
 
 impl ObjectKind {
-    /// Whether it faces +z, so that this is its axis; otherwise that is y.
+    /// Returns whether it faces +z, so that z is its axis; otherwise y is.
     pub fn faces_viewer(self) -> bool {
         matches!(self, Self::Plane | Self::Corrugated)
     }
 
-    /// Whether there is a true surface that the polygons stand for. A model and a scene's own polygons are all there is.
+    /// Returns whether there is a true surface that the polygons stand for. A model and a scene's own polygons have none.
     pub fn has_surface(self) -> bool {
         !matches!(self, Self::Obj | Self::Polygons)
     }
 }
 
 choices! {
-    /// Where vertex normals come from.
+    /// The source of vertex normals.
     pub enum NormalSource = "normals" {
         /// The weighted mean over the polygons that meet at the vertex.
         Averaged = "averaged";
         /// Those of the true surface.
         Exact = "exact";
-        /// Those of the model or of the scene; averaged where it gives none.
+        /// Those of the model or of the scene; averaged where they are missing.
         File = "file";
-        /// Each polygon's own: no smoothing.
+        /// Each polygon's own normal: no smoothing.
         Facet = "facet";
     }
 }
@@ -174,7 +174,7 @@ choices! {
 choices! {
     /// The weight of each polygon in an averaged vertex normal.
     pub enum Weighting = "weighting" {
-        /// The same for each polygon (Gouraud 1971).
+        /// Equal weight for each polygon (Gouraud 1971).
         Equal = "equal";
         /// The polygon's area.
         Area = "area";

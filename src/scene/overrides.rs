@@ -1,4 +1,4 @@
-//! Keys of a scene replaced, as `--set` and the panes of a comparison do it.
+//! Replacement of keys of a scene, as `--set` and the panes of a comparison do it.
 
 use super::Scene;
 use super::format::set;
@@ -9,20 +9,20 @@ use toml::Spanned;
 use toml::de::{DeArray, DeValue};
 
 impl Scene {
-    /// The scene with one key replaced by `KEY=VALUE`, as in `material.n=inf`, `light.0.position=[2,2,3]` or
-    /// `shading.mode=gouraud`: tables and lists by names and numbers between dots, values as in the scene file, words
-    /// also without quotation marks and lists of numbers without brackets.
+    /// Returns the scene with one key replaced by `KEY=VALUE`, as in `material.n=inf`, `light.0.position=[2,2,3]` or
+    /// `shading.mode=gouraud`: tables and lists are addressed by names and numbers between dots, values are written as in
+    /// the scene file, words also without quotation marks and lists of numbers without brackets.
     ///
     /// # Errors
-    /// As [`Scene::parse`], in the place of the override.
+    /// As [`Scene::parse`], at the place of the override.
     pub fn with_override(&self, assignment: &str) -> Result<Self, SceneError> {
         self.with_overrides(&[assignment])
     }
 
-    /// The scene with several keys replaced, one after the other. Their values need to agree at the end only.
+    /// Returns the scene with several keys replaced, one after the other. Only the final values need to agree with each other.
     ///
     /// # Errors
-    /// As [`Scene::parse`], each in the place of the override at fault.
+    /// As [`Scene::parse`], each at the place of the override at fault.
     pub fn with_overrides(&self, assignments: &[impl AsRef<str>]) -> Result<Self, SceneError> {
         let mut scene = self.clone();
         for assignment in assignments.iter().map(AsRef::as_ref) {
@@ -38,7 +38,7 @@ impl Scene {
     }
 }
 
-/// Replaces one key; limits are not looked at.
+/// Replaces one key without checking limits.
 fn replace(scene: &mut Scene, assignment: &str) -> Vec<Finding> {
     let Some((key, value)) = key_and_value(assignment) else {
         let words = text!("problem-no-equals").to_owned();
@@ -56,7 +56,7 @@ pub(super) fn key_and_value(assignment: &str) -> Option<(&str, &str)> {
     (!key.is_empty()).then_some((key, value.trim()))
 }
 
-/// A TOML value, a word without its quotation marks, or numbers without the brackets of their list.
+/// Parses a TOML value, a word without its quotation marks, or numbers without the brackets of their list.
 pub(super) fn parse_value(text: &str) -> Result<Spanned<DeValue<'_>>, Cause> {
     match DeValue::parse(text) {
         Ok(value) => Ok(value),
@@ -71,7 +71,7 @@ pub(super) fn parse_value(text: &str) -> Result<Spanned<DeValue<'_>>, Cause> {
     }
 }
 
-/// `2,2,3` as the list `[2,2,3]`: links, and some shells, do not take brackets as they are.
+/// Parses `2,2,3` as the list `[2,2,3]`: links, and some shells, do not take brackets literally.
 fn numbers(text: &str) -> Option<Spanned<DeValue<'_>>> {
     let number = |text| {
         let value = DeValue::parse(text).ok()?;
@@ -84,7 +84,7 @@ fn numbers(text: &str) -> Option<Spanned<DeValue<'_>>> {
     Some(Spanned::new(0..0, DeValue::Array(list)))
 }
 
-/// The last override that has to do with `key`: of the key itself, of its table, of something inside, or at all.
+/// Finds the last override related to `key`: of the key itself, of its table, of something inside it, or of anything.
 fn at_fault<'a>(key: &str, assignments: &'a [impl AsRef<str>]) -> Option<&'a str> {
     let section = key.split('.').next().unwrap_or(key);
     let last = |wanted: &dyn Fn(&str) -> bool| {
@@ -96,7 +96,7 @@ fn at_fault<'a>(key: &str, assignments: &'a [impl AsRef<str>]) -> Option<&'a str
         .or_else(|| last(&|_| true))
 }
 
-/// Whether a key is `outer` or something inside it.
+/// Returns whether a key is `outer` or something inside it.
 pub(super) fn is_inside(key: &str, outer: &str) -> bool {
     key.strip_prefix(outer)
         .is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))

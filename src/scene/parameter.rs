@@ -1,8 +1,8 @@
-//! Every key of a scene, described once: what it is called, its unit, limits, default and help, and where its value lives.
+//! Every key of a scene, described once: its names, unit, limits, default and help, and the field that holds its value.
 //!
 //! Validation, the window's controls, undo, `docs/scene-file.md` and `shading-lab parameters` all read this table. No other
-//! place states a parameter's limits. Each is a line of the `table!` that defines its struct, and a constant beside it, for
-//! example `material::N`. What several parameters must be together is in `validation.rs`.
+//! place states a parameter's limits. Each parameter is a line of the `table!` that defines its struct, and a constant
+//! beside it, for example `material::N`. Conditions on several parameters together are in `validation.rs`.
 //!
 #![doc = include_str!("../../docs/scene-file.md")]
 
@@ -19,27 +19,26 @@ use std::sync::LazyLock;
 use toml::de::DeValue;
 use toml::{Spanned, Value};
 
-/// Greatest coordinate and greatest length, world units: its square stays far below the greatest `f64`, and so do the
-/// squares' sums.
+/// The largest coordinate and length, world units: its square, and sums of such squares, stay far below the largest `f64`.
 pub const GREATEST_LENGTH: f64 = 1e30;
 
-/// Shortest length that counts as one, world units: its square is still a normal number.
+/// The shortest nonzero length, world units: its square is still a normal number.
 pub const LEAST_LENGTH: f64 = 1e-30;
 
-/// Greatest intensity of a light or of the background, in units of the display's white.
+/// The largest intensity of a light or of the background, in units of the display's white.
 pub const GREATEST_INTENSITY: f64 = 1e30;
 
 /// A key of a scene file and the keys of its messages in the catalogue.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Keys {
-    /// As in the scene file.
+    /// The key in the scene file.
     pub(super) key: &'static str,
     pub(super) name: &'static str,
     pub(super) label: &'static str,
     pub(super) help: &'static str,
 }
 
-/// One key of a scene. What people read about it is in the catalogue: its name, a label for its row in the window and a
+/// One key of a scene. Its texts for people are in the catalogue: its name, a label for its row in the window and a
 /// sentence that says what it means.
 #[derive(Debug)]
 ///
@@ -58,22 +57,22 @@ pub(super) struct Keys {
 /// # Ok::<(), shading_lab::scene::SceneError>(())
 /// ```
 pub struct Parameter {
-    /// As in the scene file, for example `material.n`. `light.N.` stands for the light of any number.
+    /// The key in the scene file, for example `material.n`. `light.N.` stands for the light of any number.
     pub key: &'static str,
     /// Its letter in the equation; empty where it has none.
     pub letter: &'static str,
     /// The symbol of the equation that it belongs to.
     pub symbol: Option<Symbol>,
-    /// What it is measured in; none for pure numbers, colours and everything that is no number.
+    /// The unit; none for pure numbers, colours and everything that is not a number.
     pub unit: Option<Unit>,
-    /// What values it has, and where they live.
+    /// The kind of value, with access to it.
     pub kind: Kind,
     messages: Keys,
-    /// Why it has no effect in a scene at present; for a light's parameters, on the light of this number.
+    /// Tells why it has no effect in a scene at present; for a light's parameters, in the light of this number.
     pub idle: fn(&Scene, usize) -> Option<&'static str>,
 }
 
-/// What values a parameter has, where they live, the limits of a number and its slider.
+/// The kind of a parameter's value, with access to it, the limits of a number and its slider.
 #[derive(Debug)]
 pub enum Kind {
     /// A number.
@@ -84,25 +83,25 @@ pub enum Kind {
     Pair(&'static Access<[f64; 2]>, Limits, Slider),
     /// RGB values, or one for all channels.
     Coefficient(&'static Access<Rgb>, Limits, Slider),
-    /// RGB values that are no colour.
+    /// RGB values that are not a colour.
     Channels(&'static Access<Rgb>, Limits, Slider),
     /// A linear colour, no channel negative.
     Colour(&'static Access<Rgb>, Limits),
     /// A point, world units.
     Point(&'static Access<DVec3>),
-    /// Of any length but zero where that is needed.
+    /// A direction, of any length but zero where the condition requires it.
     Direction(&'static Access<DVec3>, fn(&Scene, usize) -> bool),
     /// One of a few words.
     Choice(&'static dyn ChoiceField),
     /// True or false.
     Switch(&'static Access<bool>),
-    /// A line of so many characters at most.
+    /// A line of at most this many characters.
     Text(&'static Access<String>, usize),
-    /// What has its own checks and controls; the message that names its kind, and its limits in words.
+    /// A value with checks and controls of its own; the message that names its kind, and its limits in words.
     Other(&'static dyn Field, &'static str, fn() -> String),
 }
 
-/// What a number is measured in.
+/// The unit of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Unit {
@@ -119,7 +118,7 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// Its name in the language of the moment.
+    /// Returns its name in the current language.
     pub fn name(self) -> &'static str {
         match self {
             Self::Pixels => text!("unit-pixels"),
@@ -138,13 +137,14 @@ pub(super) trait Table: Sized + 'static {
     fn of_mut(scene: &mut Scene, index: usize) -> Option<&mut Self>;
 }
 
-/// Defines a struct of a scene, which is a table of the scene file, and describes each of its keys: the parameter's constant,
-/// the field with its type and default, and the kind with its limits and slider. What else there is to say follows as calls:
+/// Defines a struct of a scene, which is a table of the scene file, and describes each of its keys: the parameter's
+/// constant, the field with its type and default, and the kind with its limits and slider. Further properties follow as
+/// calls:
 ///
 /// `ROLL roll: f64 = 0.0, Number(Limits::FINITE, ANGLE).measured_in(Unit::Degrees);`
 ///
-/// The key `camera.roll` has the messages `parameter-camera-roll`, `.label` and `.help`. `in material` says which field of
-/// the scene the struct is; `in [lights]`, that the scene has a list of them.
+/// The key `camera.roll` has the messages `parameter-camera-roll`, `.label` and `.help`. `in material` names the field of
+/// the scene that holds the struct; `in [lights]`, the list of such structs.
 macro_rules! table {
     (
         $(#[$about:meta])*
@@ -252,61 +252,61 @@ static VERSION: Parameter = Parameter::new(
     ),
 );
 
-/// The least and the greatest value that a scene may have.
+/// The smallest and the largest value that a scene may have.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
-    /// The least value.
+    /// The smallest value.
     pub least: f64,
-    /// The greatest value.
+    /// The largest value.
     pub greatest: f64,
 }
 
 impl Limits {
-    /// 0 to 1.
+    /// The limits 0 to 1.
     pub const UNIT: Self = Self::new(0.0, 1.0);
-    /// A length or a distance.
+    /// The limits of a length or a distance.
     pub const LENGTH: Self = Self::new(0.0, GREATEST_LENGTH);
-    /// A coordinate.
+    /// The limits of a coordinate.
     pub const COORDINATE: Self = Self::new(-GREATEST_LENGTH, GREATEST_LENGTH);
-    /// Intensity of a light or of the background: 0 to [`GREATEST_INTENSITY`].
+    /// The limits of the intensity of a light or of the background: 0 to [`GREATEST_INTENSITY`].
     pub const INTENSITY: Self = Self::new(0.0, GREATEST_INTENSITY);
-    /// Any finite number.
+    /// The limits of any finite number.
     pub const FINITE: Self = Self::new(f64::MIN, f64::MAX);
 
-    /// Both ends belong to it.
+    /// Creates limits that include both ends.
     pub const fn new(least: f64, greatest: f64) -> Self {
         Self { least, greatest }
     }
 
-    /// Those of a range.
+    /// Returns the limits of a range.
     pub const fn within(range: &RangeInclusive<f64>) -> Self {
         Self::new(*range.start(), *range.end())
     }
 
-    /// False for what is not a number.
+    /// Returns whether a value is within the limits; false for NaN.
     pub fn contains(self, value: f64) -> bool {
         (self.least..=self.greatest).contains(&value)
     }
 }
 
-/// What a slider spans. More can be typed, within the limits.
+/// The range of a slider. Values beyond it can be typed, within the limits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slider {
     /// Value at the left end.
     pub from: f64,
     /// Value at the right end.
     pub to: f64,
-    /// Whether equal ways multiply the value instead of adding to it.
+    /// True if equal distances multiply the value instead of adding to it.
     pub logarithmic: bool,
-    /// Digits after the point at most.
+    /// The most digits after the point.
     pub decimals: usize,
 }
 
 impl Slider {
-    /// 0 to 1.
+    /// A slider from 0 to 1.
     pub const UNIT: Self = Self::linear(0.0, 1.0);
 
-    /// Equal ways add equal amounts; three decimals.
+    /// Creates a slider on which equal distances add equal amounts, with three decimals.
     pub const fn linear(from: f64, to: f64) -> Self {
         Self {
             from,
@@ -316,7 +316,7 @@ impl Slider {
         }
     }
 
-    /// Equal ways multiply by equal factors; three decimals. `from` is above 0.
+    /// Creates a slider on which equal distances multiply by equal factors, with three decimals. `from` is above 0.
     pub const fn logarithmic(from: f64, to: f64) -> Self {
         Self {
             from,
@@ -326,14 +326,14 @@ impl Slider {
         }
     }
 
-    /// The same with so many digits after the point at most.
+    /// Sets the most digits after the point.
     pub const fn decimals(self, decimals: usize) -> Self {
         Self { decimals, ..self }
     }
 }
 
 impl Parameter {
-    /// A parameter without a letter or a unit, which always has an effect.
+    /// Creates a parameter without a letter or a unit, which always has an effect.
     pub(super) const fn new(messages: Keys, kind: Kind) -> Self {
         let idle = |_: &Scene, _: usize| None;
         Self {
@@ -373,27 +373,27 @@ impl Parameter {
         Self { idle, ..self }
     }
 
-    /// What it is called.
+    /// Returns its name.
     pub fn name(&self) -> &'static str {
         text!(self.messages.name)
     }
 
-    /// A short form of the name for its row in the window.
+    /// Returns a short form of the name for its row in the window.
     pub fn label(&self) -> &'static str {
         text!(self.messages.label)
     }
 
-    /// What it means, in a sentence.
+    /// Returns its meaning, in a sentence.
     pub fn help(&self) -> &'static str {
         text!(self.messages.help)
     }
 
-    /// What it is measured in; empty where it has no unit.
+    /// Returns its unit; empty where it has none.
     pub fn unit(&self) -> &'static str {
         self.unit.map_or("", Unit::name)
     }
 
-    /// Every parameter, in the order of the scene file.
+    /// Returns every parameter, in the order of the scene file.
     pub fn all() -> impl Iterator<Item = &'static Self> {
         let tables = [
             super::About::PARAMETERS,
@@ -417,7 +417,7 @@ impl Parameter {
         std::iter::once(&VERSION).chain(tables.into_iter().flatten().copied())
     }
 
-    /// Those in a table of the scene file and in the tables inside it.
+    /// Returns the parameters of a table of the scene file and of the tables inside it.
     pub(super) fn in_table(table: &str) -> impl Iterator<Item = &'static Self> {
         Self::all().filter(move |parameter| {
             table.is_empty()
@@ -428,7 +428,7 @@ impl Parameter {
         })
     }
 
-    /// The names of the keys and the tables in a table of the scene file.
+    /// Returns the names of the keys and the tables in a table of the scene file.
     pub(super) fn names_in(table: &str) -> Vec<&'static str> {
         let skipped = if table.is_empty() { 0 } else { table.len() + 1 };
         let mut names: Vec<_> = Self::in_table(table)
@@ -438,12 +438,12 @@ impl Parameter {
         names
     }
 
-    /// The table of the scene file that it stands in, for example `material` or `light.N`; none for the version.
+    /// Returns its table in the scene file, for example `material` or `light.N`; `None` for the version.
     pub(super) fn table(&'static self) -> Option<&'static str> {
         self.key.rsplit_once('.').map(|(table, _)| table)
     }
 
-    /// Finds the parameter of a key as `--set` takes it, as in `material.n` or `light.0.k`, and the number in that: which light it belongs to.
+    /// Finds the parameter of a key as `--set` takes it, as in `material.n` or `light.0.k`, and the number of its light in the key.
     pub fn of_key(key: &str) -> Option<(&'static Self, Option<usize>)> {
         let index: Option<usize> = key.split('.').nth(1).and_then(|part| part.parse().ok());
         let mut all = Self::all();
@@ -451,9 +451,9 @@ impl Parameter {
         Some((parameter, index))
     }
 
-    /// The parameter of a key, as in `material.n`, or of the last word of one, as in `n`.
+    /// Finds the parameter of a key, as in `material.n`, or of the last word of one, as in `n`.
     pub fn by_word(word: &str) -> Option<&'static Self> {
-        // The material's letters are meant where a word could be another key's as well.
+        // A word that could be several keys refers to the material's letter.
         let material = Self::all().filter(|parameter| parameter.section() == "material");
         let last = |parameter: &&Self| parameter.key.rsplit('.').next() == Some(word);
         let of_key = Self::of_key(word).map(|(parameter, _)| parameter);
@@ -462,27 +462,27 @@ impl Parameter {
             .or_else(|| material.chain(Self::all()).find(last))
     }
 
-    /// Whether each light has one of its own.
+    /// Returns whether each light has one of its own.
     pub fn of_light(&self) -> bool {
         List::of(self.key) == Some(List::Lights)
     }
 
-    /// How many of it a scene has: one, or one for each light or pane.
+    /// Returns the number of its values in a scene: one, or one for each light or pane.
     pub fn count(&self, scene: &Scene) -> usize {
         List::of(self.key).map_or(1, |list| list.len(scene))
     }
 
-    /// The table of the scene file that it stands in, for example `material`.
+    /// Returns its section of the scene file, for example `material`.
     pub fn section(&self) -> &'static str {
         self.key.split('.').next().unwrap_or(self.key)
     }
 
-    /// The key as `--set` takes it, for the light of number `index` where it is a light's.
+    /// Returns the key as `--set` takes it, for the light of number `index` where it is a light's.
     pub fn key(&self, index: usize) -> String {
         self.key.replacen(".N.", &format!(".{index}."), 1)
     }
 
-    /// Its value, as a scene file holds it; none where the scene has no such light.
+    /// Returns its value in the form of a scene file; `None` where the scene has no such light.
     pub fn value(&self, scene: &Scene, index: usize) -> Option<Value> {
         match self.kind {
             Kind::Coefficient(at, ..) if is_grey(*(at.get)(scene, index)?) => {
@@ -492,7 +492,7 @@ impl Parameter {
         }
     }
 
-    /// Sets it to a value of a scene file; its limits are not looked at.
+    /// Sets it to a value of a scene file without checking its limits.
     pub(super) fn read(
         &self,
         scene: &mut Scene,
@@ -509,12 +509,12 @@ impl Parameter {
         Ok(())
     }
 
-    /// Sets it to what it is in another scene.
+    /// Copies its value from another scene.
     pub fn copy(&self, from: &Scene, to: &mut Scene, index: usize) {
         self.field().copy(from, to, index);
     }
 
-    /// Where its value lives.
+    /// Returns the field that holds its value.
     pub(super) fn field(&self) -> &'static dyn Field {
         match self.kind {
             Kind::Number(at, ..) => at,
@@ -529,7 +529,7 @@ impl Parameter {
         }
     }
 
-    /// Its value as the right side of `--set`.
+    /// Returns its value as the right side of `--set`.
     pub fn setting(&self, scene: &Scene, index: usize) -> String {
         match self.value(scene, index) {
             Some(Value::String(word)) if is_word(&word) => word,
@@ -537,17 +537,17 @@ impl Parameter {
         }
     }
 
-    /// Its value in a scene of nothing but defaults.
+    /// Returns its value in a scene of only defaults.
     pub fn default(&self) -> Option<Value> {
         self.value(defaults(), 0)
     }
 
-    /// Whether two scenes agree in it, for numbers bit by bit.
+    /// Returns whether two scenes agree in it, for numbers bit by bit.
     pub fn agrees(&self, a: &Scene, b: &Scene, index: usize) -> bool {
         self.field().agrees(a, b, index)
     }
 
-    /// Its letter and its name, for the light of number `index` where it is a light's.
+    /// Returns its letter and its name, for the light of number `index` where it is a light's.
     pub fn full_name(&self, index: usize) -> String {
         match (self.of_light(), self.letter) {
             (true, _) => text!("parameter-of-light", number = index + 1, name = self.name()),
@@ -556,7 +556,7 @@ impl Parameter {
         }
     }
 
-    /// What its slider spans, where it has one.
+    /// Returns its slider, where it has one.
     pub fn slider(&self) -> Option<Slider> {
         match self.kind {
             Kind::Number(.., slider)
@@ -568,7 +568,7 @@ impl Parameter {
         }
     }
 
-    /// What kind of value it has, in a word or two.
+    /// Returns the kind of its value, in a word or two.
     pub fn kind_name(&self) -> &'static str {
         match self.kind {
             Kind::Number(..) => text!("kind-number"),
@@ -586,7 +586,7 @@ impl Parameter {
         }
     }
 
-    /// The limits of a number, or of each number in it.
+    /// Returns the limits of a number, or of each number in it.
     pub fn limits(&self, scene: &Scene) -> Option<Limits> {
         match self.kind {
             Kind::Number(_, limits, _)
@@ -600,13 +600,13 @@ impl Parameter {
         }
     }
 
-    /// Its default as a scene file has it; empty where it has none.
+    /// Returns its default in the form of a scene file; empty where it has none.
     pub fn default_text(&self) -> String {
         self.default()
             .map_or_else(String::new, |value| plain(&value))
     }
 
-    /// What it can be set to, where that is one of a few words.
+    /// Returns its options, where its value is one of a few words.
     pub fn options(&self) -> &'static [ChoiceOption] {
         match &self.kind {
             Kind::Choice(choice) => choice.options(),
@@ -616,7 +616,7 @@ impl Parameter {
 }
 
 impl Scene {
-    /// The parameters in which two scenes differ, each with the number of its light or pane.
+    /// Finds the parameters in which two scenes differ, each with the number of its light or pane.
     pub fn differences<'s>(
         &'s self,
         other: &'s Self,
@@ -630,31 +630,31 @@ impl Scene {
     }
 }
 
-/// The limits of a list of at most `count`, in words.
+/// Returns the limits of a list of at most `count` elements, in words.
 pub(super) fn at_most(count: usize) -> String {
     text!("range-at-most", count = count)
 }
 
-/// Whether a text can stand without quotation marks.
+/// Returns whether a text needs no quotation marks.
 fn is_word(text: &str) -> bool {
     let plain = |c: char| c.is_ascii_alphanumeric() || c == '-';
     // `5` and `true` would be read as a number and a switch.
     !text.is_empty() && text.chars().all(plain) && DeValue::parse(text).is_err()
 }
 
-/// Whether a coefficient is the same in all channels, bit by bit.
+/// Returns whether a coefficient is the same in all channels, bit by bit.
 pub(super) fn is_grey(value: Rgb) -> bool {
     let [r, g, b] = value.to_array().map(f64::to_bits);
     r == g && g == b
 }
 
-/// A scene of nothing but defaults.
+/// Returns a scene of only defaults.
 pub fn defaults() -> &'static Scene {
     static DEFAULTS: LazyLock<Scene> = LazyLock::new(Scene::default);
     &DEFAULTS
 }
 
-/// A value as a scene's author would write it: no `.0` at whole numbers.
+/// Returns a value as a scene's author would write it: without `.0` at whole numbers.
 fn plain(value: &Value) -> String {
     match value {
         Value::Float(number) => number.to_string(),

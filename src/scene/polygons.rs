@@ -1,8 +1,8 @@
-//! Polygons written in the scene itself, and which of them can be drawn.
+//! Polygons listed in the scene itself, and the conditions under which they can be drawn.
 //!
-//! A polygon is taken as it appears along its own normal (Newell's): it need not be plane, but seen so it must have an
-//! area, and its edges may meet in its corners only. A straight corner is one, so that a vertex of one polygon may lie on
-//! the edge of another.
+//! A polygon is examined as it appears along its own normal (Newell's): it need not be plane, but seen that way it must
+//! have an area, and its edges may meet only in its corners. A straight corner counts as a corner, so that a vertex of one
+//! polygon may lie on the edge of another.
 
 use super::Object;
 use super::format::list_of;
@@ -13,21 +13,21 @@ use crate::text::text;
 use glam::{DVec2, DVec3};
 use std::sync::LazyLock;
 
-/// Edges that are nearer to each other than this part of their polygon's extent touch: what rounding leaves of a distance.
+/// The part of a polygon's extent below which two edges touch: the rounding of a distance.
 const TOUCH: f64 = 1e-9;
 
 /// Polygons over shared vertices.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Polygons {
-    /// World.
+    /// The vertices, world.
     pub vertices: Shared<DVec3>,
     /// The vertices of each polygon, counter-clockwise from outside.
     pub faces: Shared<Shared<u32>>,
-    /// One for each vertex, of any length but zero; or none.
+    /// One normal for each vertex, of any length but zero; or none.
     pub normals: Shared<DVec3>,
 }
 
-/// What is shown where a scene has polygons but says nothing of them: a quadrilateral of four unequal sides.
+/// The polygons of a scene that has none of its own: a quadrilateral of four unequal sides.
 static QUADRILATERAL: LazyLock<Polygons> = LazyLock::new(|| {
     let corners = [[-0.9, -0.6], [0.7, -0.8], [0.85, 0.4], [-0.5, 0.75]];
     Polygons {
@@ -41,17 +41,17 @@ static QUADRILATERAL: LazyLock<Polygons> = LazyLock::new(|| {
 });
 
 impl Object {
-    /// Most vertices of polygons in a scene, and most polygons: their text is then shorter than
+    /// The most vertices of polygons in a scene, and the most polygons: their text is then shorter than
     /// [`Scene::MAX_TEXT`](super::Scene::MAX_TEXT).
     pub const MAX_POLYGONS: usize = 1 << 14;
 
-    /// Most corners of a polygon in a scene.
+    /// The most corners of a polygon in a scene.
     pub const MAX_CORNERS: usize = 256;
 
-    /// Most corners of all polygons in a scene.
+    /// The most corners of all polygons in a scene.
     pub const MAX_ALL_CORNERS: usize = 1 << 16;
 
-    /// The polygons of the kind `polygons`: those of the scene, or a quadrilateral where it gives none.
+    /// Returns the polygons of the kind `polygons`: those of the scene, or a quadrilateral where it has none.
     pub fn polygons(&self) -> Polygons {
         if self.vertices.is_empty() && self.faces.is_empty() {
             return QUADRILATERAL.clone();
@@ -63,13 +63,13 @@ impl Object {
         }
     }
 
-    /// The scene's own vertices to be changed. Where it gives none it is first given those that are shown.
+    /// Returns the scene's own vertices for changing them. Where it has none it first gets those that are shown.
     pub fn vertices_mut(&mut self) -> &mut [DVec3] {
         self.own_polygons();
         self.vertices.make_mut()
     }
 
-    /// Puts what [`Object::polygons`] shows into the scene, so that it can be edited.
+    /// Copies the result of [`Object::polygons`] into the scene, so that it can be edited.
     pub fn own_polygons(&mut self) {
         let Polygons {
             vertices,
@@ -79,7 +79,7 @@ impl Object {
         (self.vertices, self.faces, self.vertex_normals) = (vertices, faces, normals);
     }
 
-    /// What is wrong with the polygons, whether or not they are shown.
+    /// Reports the problems of the polygons, whether or not they are shown.
     pub(super) fn check_polygons(&self, checks: &mut Checks) {
         let Self {
             vertices,
@@ -135,7 +135,7 @@ impl Object {
     }
 }
 
-/// What is wrong with a polygon; its shape is looked at where the vertices are sound.
+/// Reports the problems of a polygon; its shape is examined only if the vertices are valid.
 fn check_face(key: &str, face: &[u32], vertices: &[DVec3], sound: bool, checks: &mut Checks) {
     if !(3..=Object::MAX_CORNERS).contains(&face.len()) {
         let expected = text!("expected-corners", most = Object::MAX_CORNERS);
@@ -174,7 +174,7 @@ fn check_face(key: &str, face: &[u32], vertices: &[DVec3], sound: bool, checks: 
 }
 
 impl Polygons {
-    /// The first polygon that cannot be drawn now that vertex `moved` has been; only those that have it are looked at.
+    /// Finds the first polygon that cannot be drawn after vertex `moved` has been moved; only those that have it are examined.
     pub fn spoilt_by(&self, moved: u32) -> Option<usize> {
         let known = |face: &[u32]| {
             face.len() >= 3 && face.iter().all(|&v| (v as usize) < self.vertices.len())
@@ -186,7 +186,7 @@ impl Polygons {
     }
 }
 
-/// Why a polygon of different, known vertices cannot be drawn: what it is, and what was expected.
+/// Tells why a polygon of different, known vertices cannot be drawn: its fault, and what was expected.
 fn unsound(face: &[u32], vertices: &[DVec3]) -> Option<(String, &'static str)> {
     let no_area = || (text!("found-no-area").to_owned(), text!("expected-area"));
     let first = vertices[face[0] as usize];
@@ -214,7 +214,7 @@ fn unsound(face: &[u32], vertices: &[DVec3]) -> Option<(String, &'static str)> {
     (area.length() < TOUCH).then(no_area)
 }
 
-/// The points seen along `axis`, in any frame; along z where it is zero.
+/// Returns the points seen along `axis`, in any frame; along z where it is zero.
 fn flattened(points: &[DVec3], axis: DVec3) -> Vec<DVec2> {
     let (u, v) = axis.normalize_or(DVec3::Z).any_orthonormal_pair();
     points
@@ -223,7 +223,7 @@ fn flattened(points: &[DVec3], axis: DVec3) -> Vec<DVec2> {
         .collect()
 }
 
-/// Two edges of a polygon about 1 across that meet elsewhere than in the corner between them.
+/// Finds two edges of a polygon about 1 across that meet elsewhere than in the corner between them.
 fn meeting_edges(points: &[DVec2]) -> Option<[usize; 2]> {
     let count = points.len();
     let edge = |k: usize| [points[k], points[(k + 1) % count]];
@@ -245,7 +245,7 @@ fn meeting_edges(points: &[DVec2]) -> Option<[usize; 2]> {
     None
 }
 
-/// The distance between two segments; 0 where they cross.
+/// Returns the distance between two segments; 0 where they cross.
 fn distance([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> f64 {
     let side = |p: DVec2, q: DVec2, r: DVec2| (q - p).perp_dot(r - p);
     let cross = side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0;
@@ -261,7 +261,7 @@ fn distance([a, b]: [DVec2; 2], [c, d]: [DVec2; 2]) -> f64 {
     ends.into_iter().fold(f64::INFINITY, f64::min)
 }
 
-/// The distance of a point from a segment.
+/// Returns the distance of a point from a segment.
 fn distance_to(point: DVec2, [from, to]: [DVec2; 2]) -> f64 {
     let along = to - from;
     let squared = along.length_squared();
@@ -273,8 +273,8 @@ fn distance_to(point: DVec2, [from, to]: [DVec2; 2]) -> f64 {
     point.distance(from + along * t)
 }
 
-/// The area of a polygon times its unit normal, by Newell's formula ½ Σ pᵢ × pᵢ₊₁, with the points taken relative to the
-/// first one, which keeps the digits of a small polygon far from the origin.
+/// Returns the area of a polygon times its unit normal, by Newell's formula ½ Σ pᵢ × pᵢ₊₁. The points are taken relative to
+/// the first one, which keeps the digits of a small polygon far from the origin.
 pub(crate) fn area_vector(mut points: impl Iterator<Item = DVec3>) -> DVec3 {
     let Some(first) = points.next() else {
         return DVec3::ZERO;

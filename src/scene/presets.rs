@@ -1,5 +1,5 @@
-//! The built-in scenes: the scene files of `assets/scenes`, compiled in and read when first asked for. What people read
-//! about them is in the catalogue: `scene-NAME` with its `.sentence`, and `topic-TOPIC`.
+//! The built-in scenes: the scene files of `assets/scenes`, compiled in and read at first use. Their texts for people are
+//! in the catalogue: `scene-NAME` with its `.sentence`, and `topic-TOPIC`.
 
 use super::{About, Scene};
 use crate::text::{Language, in_language, text};
@@ -8,7 +8,7 @@ use std::sync::LazyLock;
 /// A scene that comes with the program.
 #[derive(Debug)]
 pub struct Preset {
-    /// What the command line calls it: lower-case words with hyphens.
+    /// The name on the command line: lower-case words with hyphens.
     pub name: &'static str,
     /// The chapter that it belongs to, one of [`topics`].
     pub topic: &'static str,
@@ -18,7 +18,7 @@ pub struct Preset {
 }
 
 impl Preset {
-    /// The scene with what it is about in English, as scene files have it whatever the language.
+    /// Returns the scene with its description in English, as scene files have it whatever the language.
     pub fn scene(&self) -> Scene {
         Scene {
             about: in_language(Language::English, || self.about()),
@@ -26,27 +26,27 @@ impl Preset {
         }
     }
 
-    /// What the scene is called, in the language of the moment.
+    /// Returns the scene's title in the current language.
     pub fn title(&self) -> &'static str {
         text!(self.messages[0])
     }
 
-    /// What to look at and what to try.
+    /// Returns the sentence on what to look at and what to try.
     pub fn sentence(&self) -> &'static str {
         text!(self.messages[1])
     }
 
-    /// What its chapter is called.
+    /// Returns the title of its chapter.
     pub fn topic_title(&self) -> &'static str {
         text!(self.messages[2])
     }
 
-    /// The view of the window that opens with it; may be empty.
+    /// Returns the view of the window that opens with it; may be empty.
     pub fn view(&self) -> &str {
         &self.scene.about.view
     }
 
-    /// Title, sentence, topic and view in the language of the moment.
+    /// Returns title, sentence, topic and view in the current language.
     pub fn about(&self) -> About {
         About {
             title: self.title().to_owned(),
@@ -94,35 +94,35 @@ fn read(name: &str, text: &str) -> Scene {
         .unwrap_or_else(|error| unreachable!("the tests read every built-in scene: {error}"))
 }
 
-/// The built-in scene of that name.
+/// Finds the built-in scene of that name.
 pub fn find(name: &str) -> Option<&'static Preset> {
     ALL.iter().find(|preset| preset.name == name)
 }
 
-/// The topics of the built-in scenes, each once, in their order.
+/// Returns the topics of the built-in scenes, each once, in their order.
 pub fn topics() -> Vec<&'static str> {
     let mut topics: Vec<_> = ALL.iter().map(|preset| preset.topic).collect();
     topics.dedup();
     topics
 }
 
-/// What a topic is called.
+/// Returns the title of a topic; empty where there is none.
 pub fn topic_title(topic: &str) -> &'static str {
     let preset = ALL.iter().find(|preset| preset.topic == topic);
     preset.map_or("", Preset::topic_title)
 }
 
-/// What the built-in scene of that name is called; empty where there is none.
+/// Returns the title of the built-in scene of that name; empty where there is none.
 pub fn title(name: &str) -> &'static str {
     find(name).map_or("", Preset::title)
 }
 
-/// What to look at in the built-in scene of that name and what to try; empty where there is none.
+/// Returns the sentence on what to look at in the built-in scene of that name and what to try; empty where there is none.
 pub fn sentence(name: &str) -> &'static str {
     find(name).map_or("", Preset::sentence)
 }
 
-/// The scene shown when none is named.
+/// Returns the scene shown when none is named.
 pub fn default_scene() -> Scene {
     find(DEFAULT).map(Preset::scene).unwrap_or_default()
 }

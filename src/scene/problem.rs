@@ -1,4 +1,4 @@
-//! What can be wrong with a scene, where, and what was expected instead.
+//! Problems of a scene: what is wrong, where, and what was expected instead.
 
 use super::nearest::nearest;
 use crate::text::text;
@@ -13,11 +13,11 @@ pub struct SceneError {
     unlisted: usize,
 }
 
-/// Most problems that are listed; the rest are counted.
+/// The most problems that are listed; the rest are counted.
 const MOST_LISTED: usize = 100;
 
 impl SceneError {
-    /// `Err` with what was found, or `Ok` where that is nothing.
+    /// Returns `Err` with the findings, or `Ok` if there are none.
     pub(super) fn check(
         findings: Vec<Finding>,
         mut place: impl FnMut(&Finding) -> Place,
@@ -36,7 +36,7 @@ impl SceneError {
         }
     }
 
-    /// At least one, and the first hundred at most, in the order of their lines.
+    /// Returns the problems in the order of their lines: at least one, at most the first hundred.
     pub fn problems(&self) -> &[Problem] {
         &self.problems
     }
@@ -68,23 +68,23 @@ impl fmt::Display for SceneError {
 /// One thing that is wrong with a scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Problem {
-    /// Where it was met.
+    /// The place of the problem.
     pub place: Place,
-    /// The key as `--set` takes it, for example `light.0.position`; empty where the whole text is meant.
+    /// The key as `--set` takes it, for example `light.0.position`; empty for a problem of the whole text.
     pub key: String,
-    /// What is wrong there.
+    /// The fault.
     pub cause: Cause,
 }
 
-/// Where a problem was met.
+/// The place of a problem.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Place {
     /// In a text, at a line counted from 1.
     Line {
-        /// What the text is called: its file's path, or a built-in scene's name.
+        /// The text's name: its file's path, or a built-in scene's name.
         file: String,
-        /// Counted from 1.
+        /// The line, counted from 1.
         line: usize,
     },
     /// In an override, `KEY=VALUE`.
@@ -93,23 +93,23 @@ pub enum Place {
     Scene,
 }
 
-/// What is wrong.
+/// The cause of a problem.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Cause {
-    /// A table has no such key.
+    /// A key that its table does not have.
     UnknownKey {
         /// The keys that the table has.
         known: Vec<&'static str>,
     },
-    /// What is wrong with a key: the words that follow it in a message.
+    /// A fault of a key: the words that follow the key in a message.
     Key(String),
-    /// What is wrong with a text as a whole, in a sentence.
+    /// A fault of a text as a whole, in a sentence.
     Text(String),
 }
 
 impl Cause {
-    /// A value that cannot be what the key means, by its type or by its number.
+    /// Describes a value that the key cannot have, by its type or its number.
     pub(super) fn value(found: impl fmt::Display, expected: impl fmt::Display) -> Self {
         Self::Key(text!(
             "problem-value",
@@ -118,7 +118,7 @@ impl Cause {
         ))
     }
 
-    /// A choice that is not offered.
+    /// Describes a choice that is not offered.
     pub(super) fn unknown_word(word: &str, known: &[&'static str]) -> Self {
         Self::Key(text!(
             "problem-unknown-word",
@@ -127,7 +127,7 @@ impl Cause {
         ))
     }
 
-    /// The file's version is not one that this program reads.
+    /// Describes a version of the file that this program does not read.
     pub(super) fn version(found: impl fmt::Display) -> Self {
         let (program, version) = (env!("CARGO_PKG_VERSION"), super::Scene::VERSION);
         Self::Text(text!(
@@ -139,12 +139,12 @@ impl Cause {
     }
 }
 
-/// Something to object to, before its place is known.
+/// A problem before its place is known.
 #[derive(Debug)]
 pub struct Finding {
-    /// The key; while a value is read, what follows the value's own key, for example `.2`.
+    /// The key; while a value is read, the part after the value's own key, for example `.2`.
     pub key: String,
-    /// The byte of the text, where that is not the key's own.
+    /// The byte of the text, if it is not the key's own.
     pub offset: Option<usize>,
     pub cause: Cause,
 }
@@ -158,12 +158,12 @@ impl Finding {
         }
     }
 
-    /// Of the value that is being read.
+    /// Creates a finding about the value that is being read.
     pub fn value(found: impl fmt::Display, expected: impl fmt::Display) -> Self {
         Self::new("", Cause::value(found, expected))
     }
 
-    /// What is wrong, without the place.
+    /// Describes the problem without its place.
     pub fn in_words(key: &str, cause: &Cause) -> String {
         let short = shortened(key);
         match cause {
@@ -179,7 +179,7 @@ impl Finding {
 }
 
 impl Problem {
-    /// What is wrong, without the place.
+    /// Describes the problem without its place.
     pub fn words(&self) -> String {
         Finding::in_words(&self.key, &self.cause)
     }
@@ -196,7 +196,7 @@ impl fmt::Display for Problem {
     }
 }
 
-/// The words to choose from, with the one probably meant.
+/// Returns the words to choose from, with the one probably meant.
 fn choices(word: &str, known: &[&'static str]) -> String {
     let meant = nearest(word, known.iter().copied());
     let expected = match known {
@@ -209,7 +209,7 @@ fn choices(word: &str, known: &[&'static str]) -> String {
     }
 }
 
-/// A piece of the user's text in quotation marks, short and without control characters.
+/// Quotes a piece of the user's text, shortened and without control characters.
 pub(super) fn quoted(text: &str) -> String {
     format!("\"{}\"", shortened(text))
 }

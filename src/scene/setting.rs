@@ -1,4 +1,4 @@
-//! In words: a setting, such as `shading.mode=gouraud`, and what a parameter can be set to.
+//! Settings in words, such as `shading.mode=gouraud`, and the possible values of a parameter.
 
 use super::Scene;
 use super::choice::Choice;
@@ -7,7 +7,7 @@ use super::overrides::key_and_value;
 use super::parameter::{Kind, Limits, Parameter, defaults};
 use crate::text::{text, with_minus};
 
-/// `KEY=VALUE` as people read it: what the key is called, and the value's own word. What is no setting stays as it is.
+/// Puts `KEY=VALUE` into words for people: the key's name, and the value's own word. Text that is not a setting stays as it is.
 pub fn setting_words(setting: &str) -> String {
     let Some((key, written)) = key_and_value(setting) else {
         return setting.to_owned();
@@ -43,7 +43,7 @@ pub fn setting_words(setting: &str) -> String {
     }
 }
 
-/// The number in `light.0.position`, and the key with `N` in its place.
+/// Splits `light.0.position` into its number and the key with `N` in its place.
 fn without_number(key: &str) -> (Option<u32>, String) {
     let found = key
         .split('.')
@@ -54,7 +54,7 @@ fn without_number(key: &str) -> (Option<u32>, String) {
 }
 
 impl Parameter {
-    /// What it can be set to, in words.
+    /// Returns the possible values, in words.
     pub fn range_text(&self) -> String {
         match self.kind {
             Kind::Other(.., limits) => limits(),
@@ -76,7 +76,7 @@ impl Parameter {
     }
 }
 
-/// Returns the limits of a whole number in words: those that most shapes have, and from where the others count.
+/// Returns the limits of a whole number in words: those of most shapes, and the value from which the others count.
 fn range_of_shapes(limits: fn(&Scene) -> Limits) -> String {
     let of = |kind: ObjectKind| {
         let mut scene = defaults().clone();

@@ -1,4 +1,4 @@
-//! Where the equation is evaluated, and how values get from vertices to pixels.
+//! The points where the equation is evaluated, and the interpolation from vertices to pixels.
 
 use super::Scene;
 use super::choice::choices;
@@ -8,18 +8,18 @@ use super::symbol::Symbol;
 use crate::text::text;
 
 table! {
-    /// Where the equation is evaluated, and how values get from vertices to pixels.
+    /// The points where the equation is evaluated, and the interpolation from vertices to pixels.
     pub struct Shading = [shading] in shading {
-        /// Where the equation is evaluated.
+        /// The points where the equation is evaluated.
         MODE mode: ShadingMode = ShadingMode::Phong, Choice.symbol(Symbol::Normal);
-        /// Where a flat polygon takes its shade from.
+        /// The source of a flat polygon's shade.
         FLAT_AT flat_at: FlatAt = FlatAt::Centre, Choice.symbol(Symbol::Normal).idle(not_flat);
-        /// How values between vertices are found.
+        /// The interpolation of values between vertices.
         INTERPOLATION interpolation: Interpolation = Interpolation::Perspective, Choice
             .symbol(Symbol::Normal).idle(not_interpolated);
-        /// Whether Phong shading scales interpolated normals to unit length.
+        /// A switch that makes Phong shading scale interpolated normals to unit length.
         RENORMALISE renormalise: bool = true, Switch.symbol(Symbol::Normal).idle(not_phong);
-        /// Whether light is blocked by the object.
+        /// A switch that makes the object block light.
         SHADOWS shadows: bool = false, Switch.symbol(Symbol::Shadows).idle(no_light);
     }
 }
@@ -38,9 +38,9 @@ fn not_phong(scene: &Scene, _: usize) -> Option<&'static str> {
 }
 
 choices! {
-    /// Where the illumination equation is evaluated.
+    /// The points where the illumination equation is evaluated.
     pub enum ShadingMode = "shading" {
-        /// Once a polygon.
+        /// Once for each polygon.
         Flat = "flat";
         /// At the vertices with the polygon's own normal; intensities are interpolated.
         Interpolated = "interpolated";
@@ -54,7 +54,7 @@ choices! {
 }
 
 choices! {
-    /// Where a flat polygon takes its one shade from.
+    /// The source of a flat polygon's one shade.
     pub enum FlatAt = "flat-at" {
         /// At the polygon's centre with its own normal.
         Centre = "centre";
@@ -66,7 +66,7 @@ choices! {
 }
 
 choices! {
-    /// How values between vertices are found.
+    /// The interpolation of values between vertices.
     pub enum Interpolation = "interpolation" {
         /// Linear on the polygon in space.
         Perspective = "perspective";

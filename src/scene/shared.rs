@@ -5,19 +5,19 @@ use std::fmt;
 use std::ops::Deref;
 use std::sync::Arc;
 
-/// A list that is not copied when its scene is: a clone is the same list, and two are compared by what they hold only
-/// where they are not one. So a scene with many vertices is compared with the last one drawn in no time.
+/// A list that is not copied when its scene is: a clone is the same list, and only different lists are compared by their
+/// elements. So a scene with many vertices is compared with the last one drawn in no time.
 pub struct Shared<T>(Arc<[T]>);
 
 impl<T> Shared<T> {
-    /// Whether both are one list.
+    /// Returns whether both are one list.
     pub fn is(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
     }
 }
 
 impl<T: Clone> Shared<T> {
-    /// The elements to be changed; other holders of the list keep it as it was.
+    /// Returns the elements for changing them; other holders of the list keep it as it was.
     pub fn make_mut(&mut self) -> &mut [T] {
         Arc::make_mut(&mut self.0)
     }

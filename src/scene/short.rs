@@ -1,4 +1,4 @@
-//! Settings as short as `--set` takes them, for links and for the lines of lessons.
+//! Settings in the shortest form that `--set` takes, for links and for the lines of lessons.
 
 use super::Scene;
 use super::format::value_text;
@@ -8,8 +8,8 @@ use toml::Value;
 use toml::de::DeValue;
 
 impl Parameter {
-    /// Its value as the right side of `--set`, as short as it can be: no `.0` at whole numbers, lists of numbers without
-    /// brackets. None where it has no value, and for lists of anything else, which take a scene file.
+    /// Returns its value as the right side of `--set`, as short as possible: without `.0` at whole numbers, lists of
+    /// numbers without brackets. `None` where it has no value, and for lists of anything else, which need a scene file.
     pub fn short_setting(&self, scene: &Scene, index: usize) -> Option<String> {
         let value = self.value(scene, index)?;
         let Value::Array(list) = &value else {
@@ -27,8 +27,8 @@ impl Parameter {
 }
 
 impl Scene {
-    /// Returns the settings, as `--set` takes them, that make `base` into this scene, bit by bit. Where the two have different
-    /// numbers of lights or panes, that list begins anew. A model's path cannot be taken away.
+    /// Returns the settings, as `--set` takes them, that turn `base` into this scene, bit by bit. Where the two have
+    /// different numbers of lights or panes, that list begins anew. A model's path cannot be removed.
     pub fn settings_from(&self, base: &Self) -> Vec<String> {
         let (mut base, mut settings) = (base.clone(), Vec::new());
         for list in [List::Lights, List::Panes] {
@@ -60,7 +60,7 @@ fn short(value: &Value) -> String {
     }
 }
 
-/// Whether a text is read as itself without quotation marks.
+/// Returns whether a text is read as itself without quotation marks.
 fn is_bare(text: &str) -> bool {
     let read = parse_value(text).ok();
     let itself =

@@ -1,4 +1,4 @@
-//! What is not the object: the ground under it, the wall behind it, and the fog before it.
+//! The surroundings of the object: the ground under it, the wall behind it, and the fog before it.
 
 use super::choice::choices;
 use super::material::{COEFFICIENT, FIELD, FIELD_SLIDER, PatternKind, no_ambient, no_light};
@@ -8,10 +8,10 @@ use super::{Rgb, Scene};
 use crate::text::text;
 
 table! {
-    /// A level floor that receives light and shadows: it is seen from above, behind the object, and before what of the wall
-    /// is farther away.
+    /// A horizontal floor that receives light and shadows. It is visible from above, behind the object, and in front of the
+    /// parts of the wall that are farther away.
     pub struct Ground = [ground] in ground {
-        /// Whether there is one.
+        /// A switch that shows the floor.
         GROUND_VISIBLE visible: bool = false, Switch;
         /// Its y, world units.
         GROUND_HEIGHT height: f64 = -1.0, Number(Limits::COORDINATE, Slider::linear(-3.0, 3.0))
@@ -32,12 +32,12 @@ fn no_ground(scene: &Scene, _: usize) -> Option<&'static str> {
 }
 
 table! {
-    /// A patterned wall behind the object, upright to the viewing direction, without end. Between the pattern it has the
-    /// background's colour; it hides what of the ground lies beyond it.
+    /// A patterned wall behind the object, perpendicular to the viewing direction and without end. Between the pattern it
+    /// has the background's colour; it hides the parts of the ground beyond it.
     pub struct Backdrop = [backdrop] in backdrop {
-        /// Its pattern; none is no wall.
+        /// Its pattern; without one there is no wall.
         BACKDROP_PATTERN pattern: PatternKind = PatternKind::None, Choice;
-        /// Colour of the pattern, linear: what the eye sees, not lit.
+        /// Colour of the pattern, linear: displayed as it is, not lit.
         BACKDROP_COLOR color: Rgb = Rgb::new(0.85, 0.83, 0.78), Colour(Limits::INTENSITY).idle(no_backdrop);
         /// Width of a field, world units.
         BACKDROP_SCALE scale: f64 = 0.4, Number(FIELD, FIELD_SLIDER).measured_in(Unit::World).idle(no_backdrop);
@@ -57,23 +57,23 @@ table! {
     /// Depth cueing after Foley, van Dam, Feiner and Hughes 1990, section 16.1.4: `I' = s0·I + (1 − s0)·Idc`.
     ///
     /// s0 depends on the depth z, the distance from the eye along the viewing direction: it is [`Self::front_scale`] up to
-    /// [`Self::front`], [`Self::back_scale`] from [`Self::back`] on, and linear between the two. It is the object that
-    /// fades; ground, backdrop and background keep their colours.
+    /// [`Self::front`], [`Self::back_scale`] from [`Self::back`] on, and linear between the two. Only the object fades;
+    /// ground, backdrop and background keep their colours.
     #[derive(Copy)]
     pub struct DepthCueing = [depth_cueing] in depth_cueing {
-        /// Where s0 is evaluated, or that nothing fades.
+        /// The points where s0 is evaluated, or no fading.
         CUED_BY by: CuedBy = CuedBy::Off, Choice.symbol(Symbol::Depth);
         /// Depth at which fading begins, world units.
         FRONT front: f64 = 3.0, Number(Limits::LENGTH, DEPTHS)
             .letter("z", Symbol::Depth).measured_in(Unit::World).idle(no_cueing);
-        /// Depth at which it ends, world units.
+        /// Depth at which fading ends, world units.
         BACK back: f64 = 5.0, Number(Limits::LENGTH, DEPTHS)
             .letter("z", Symbol::Depth).measured_in(Unit::World).idle(no_cueing);
         /// s0 up to [`Self::front`], 0 to 1.
         FRONT_SCALE front_scale: f64 = 1.0, Number(Limits::UNIT, Slider::UNIT).letter("s0", Symbol::Depth).idle(no_cueing);
         /// s0 from [`Self::back`] on, 0 to 1.
         BACK_SCALE back_scale: f64 = 0.0, Number(Limits::UNIT, Slider::UNIT).letter("s0", Symbol::Depth).idle(no_cueing);
-        /// The colour Idc that things fade to, linear.
+        /// The colour Idc to which the object fades, linear.
         CUE_COLOR color: Rgb = Rgb::ZERO, Colour(Limits::INTENSITY).letter("Idc", Symbol::Depth).idle(no_cueing);
     }
 }
@@ -83,7 +83,7 @@ fn no_cueing(scene: &Scene, _: usize) -> Option<&'static str> {
 }
 
 impl DepthCueing {
-    /// s0 at `depth`: what is left of the intensity there.
+    /// Returns s0 at `depth`: the fraction of the intensity that remains there.
     pub fn scale_at(&self, depth: f64) -> f64 {
         // 1 at the front, 0 at the back.
         let nearness = ((self.back - depth) / (self.back - self.front)).clamp(0.0, 1.0);
@@ -92,14 +92,14 @@ impl DepthCueing {
 }
 
 choices! {
-    /// Where s0 is evaluated.
+    /// The points where s0 is evaluated.
     pub enum CuedBy = "depth-cueing" {
         /// Nothing fades.
         Off = "off";
-        /// Where intensities live at vertices or faces, they fade there, before they are interpolated; in Phong shading s0
-        /// itself is interpolated between the vertices. Exact shading has no vertices and takes each pixel's.
+        /// Fading where intensities are known, at vertices or faces, before they are interpolated; in Phong shading s0
+        /// itself is interpolated between the vertices. Exact shading has no vertices and uses each pixel's depth.
         Vertex = "vertex";
-        /// By the depth of each pixel.
+        /// Fading by the depth of each pixel.
         Pixel = "pixel";
     }
 }

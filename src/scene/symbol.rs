@@ -1,8 +1,8 @@
-//! The symbols of the equation, and what each means.
+//! The symbols of the equation and their meanings.
 
 use crate::text::text;
 
-/// Defines the symbols, each with the messages of its meaning and of what its numbers are measured in.
+/// Defines the symbols, each with the messages of its meaning and of its numbers' unit.
 macro_rules! symbols {
     ($($(#[$detail:meta])* $name:ident = $meaning:literal, $unit:literal;)+) => {
         /// A symbol of the equation that something in the window controls.
@@ -13,14 +13,14 @@ macro_rules! symbols {
         }
 
         impl Symbol {
-            /// What the symbol stands for, in a phrase.
+            /// Returns the meaning, in a phrase.
             pub fn meaning(self) -> &'static str {
                 match self {
                     $(Self::$name => text!($meaning),)+
                 }
             }
 
-            /// What its numbers are measured in.
+            /// Returns the unit of its numbers.
             pub fn unit(self) -> &'static str {
                 match self {
                     $(Self::$name => text!($unit),)+
@@ -31,7 +31,7 @@ macro_rules! symbols {
 }
 
 symbols! {
-    /// I, what a pixel has before the display.
+    /// I, a pixel's intensity before the display.
     Intensity = "symbol-intensity", "measure-intensity";
     /// Ka, the ambient coefficient.
     Ka = "symbol-ka", "measure-none";
@@ -53,7 +53,7 @@ symbols! {
     Light = "symbol-light", "measure-vector";
     /// Ks, the specular coefficient.
     Ks = "symbol-ks", "measure-none";
-    /// R or H, which the highlight is about.
+    /// R or H, the axis of the highlight.
     Reflected = "symbol-reflected", "measure-vector";
     /// V, the direction to the viewer.
     Viewer = "symbol-viewer", "measure-vector";
@@ -69,12 +69,12 @@ symbols! {
     Masking = "symbol-masking", "measure-none";
     /// Kt, the transparency.
     Kt = "symbol-kt", "measure-none";
-    /// It, what is seen through the surface.
+    /// It, the light transmitted through the surface.
     Transmitted = "symbol-transmitted", "measure-intensity";
-    /// S, whether light arrives.
+    /// S, the visibility of a light.
     Shadows = "symbol-shadows", "measure-none";
     /// Light that other surfaces have scattered once.
     Bounce = "symbol-bounce", "measure-intensity";
-    /// s0, what depth cueing leaves.
+    /// s0, the fraction that depth cueing leaves.
     Depth = "symbol-depth", "measure-none";
 }

@@ -1,4 +1,4 @@
-//! What a valid scene is: every value within the limits of its parameter, and no two that contradict each other.
+//! The validity of a scene: every value is within the limits of its parameter, and no two contradict each other.
 
 use super::camera::Camera;
 use super::compare;
@@ -14,24 +14,24 @@ use crate::text::text;
 use glam::DVec3;
 use std::fmt;
 
-/// Eye and target are two points when they are further apart than this part of their distance from the origin: of the
-/// 16 digits of an `f64`, 6 are left for the viewing direction.
+/// The smallest distance of eye and target as a part of their distance from the origin: of the 16 digits of an `f64`, 6 are
+/// left for the viewing direction.
 const LEAST_SEPARATION: f64 = 1e-10;
 
-/// Sine of the smallest angle between the viewing direction and the direction that appears upwards.
+/// The sine of the smallest angle between the viewing direction and the direction that appears upwards.
 const LEAST_TILT: f64 = 1e-6;
 
 impl Scene {
-    /// Most lights in a scene. Each adds a term to every pixel.
+    /// The most lights in a scene. Each adds a term to every pixel.
     pub const MAX_LIGHTS: usize = 1000;
 
-    /// Most points that all lights together are replaced by.
+    /// The most points that all lights together are replaced by.
     pub const MAX_LIGHT_SAMPLES: u64 = 4096;
 
-    /// Most pixels times light samples of a picture with shadows: a gigabyte of bits.
+    /// The most pixels times light samples of a picture with shadows: a gigabyte of bits.
     pub const MAX_SHADOW_BITS: u64 = 1 << 33;
 
-    /// Checks every number and what they are together.
+    /// Checks every number and their combinations.
     ///
     /// # Guarantees
     /// `Ok` says that every number is finite (`material.n` may be infinite) and in the range that its section documents,
@@ -45,7 +45,7 @@ impl Scene {
         SceneError::check(self.range_problems(), |_| Place::Scene)
     }
 
-    /// What [`Scene::validate`] reports.
+    /// Returns the problems that [`Scene::validate`] reports.
     pub(super) fn range_problems(&self) -> Vec<Finding> {
         let mut checks = Checks::default();
         if self.version != Self::VERSION {
@@ -153,7 +153,7 @@ impl Scene {
         }
     }
 
-    /// Whether area lights have not too many samples together, also for the bits of their shadows.
+    /// Checks that area lights do not have too many samples together, also for the bits of their shadows.
     fn check_samples(&self, checks: &mut Checks) {
         let samples: u64 = self
             .lights
@@ -186,7 +186,7 @@ pub(super) struct Checks {
 }
 
 impl Checks {
-    /// `words` follow the key in the message.
+    /// Adds a problem of `key`; `words` follow the key in the message.
     pub(super) fn found(&mut self, key: &str, words: &str) {
         self.found
             .push(Finding::new(key, Cause::Key(words.to_owned())));
@@ -202,12 +202,12 @@ impl Checks {
             .push(Finding::new(key, Cause::value(found, expected)));
     }
 
-    /// Whether nothing has been found wrong with a key.
+    /// Returns whether no problem of a key has been found.
     fn sound(&self, key: &str) -> bool {
         self.found.iter().all(|finding| finding.key != key)
     }
 
-    /// Whether a value is within its limits: `outside` is what it is and what was expected where it is not.
+    /// Returns whether a value is within its limits, and reports it if not: `outside` then holds the value and what was expected.
     pub(super) fn within(&mut self, key: &str, outside: Option<(String, String)>) -> bool {
         if let Some((found, expected)) = &outside {
             self.value(key, found, expected);
@@ -217,7 +217,7 @@ impl Checks {
 }
 
 impl Parameter {
-    /// What its value is and what was expected instead, where it is outside its limits.
+    /// Returns the value and what was expected, if it is outside its limits.
     fn outside(&self, scene: &Scene, index: usize) -> Option<(String, String)> {
         let in_unit = |limits: Limits| match self.unit {
             Some(Unit::Degrees) => text!("expected-degrees", range = limits.to_string()),
@@ -239,7 +239,7 @@ impl Parameter {
             (!limits.contains(value)).then(|| (number(value), in_unit(limits)))
         };
         match self.kind {
-            // One number where the channels agree, as it was typed.
+            // Written as one number where the channels agree, as it was typed.
             Kind::Coefficient(at, limits, _) if is_grey(*(at.get)(scene, index)?) => {
                 one((at.get)(scene, index)?.x, limits)
             }
@@ -314,7 +314,7 @@ fn triple(value: DVec3) -> String {
     )
 }
 
-/// A number as a scene's author would write it.
+/// Returns a number as a scene's author would write it.
 fn number(value: f64) -> String {
     if value.is_nan() {
         return "nan".to_owned();

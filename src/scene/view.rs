@@ -4,40 +4,40 @@ use super::parameter::GREATEST_LENGTH;
 use super::{Camera, Projection};
 use glam::{DVec2, DVec3};
 
-/// Below this sine of the angle between the viewing direction and `up` their cross product is mostly rounding.
+/// The sine of the angle between the viewing direction and `up` below which their cross product is mostly rounding.
 const PARALLEL: f64 = 1e-9;
 
 /// The camera of one picture: an orthonormal frame at the eye and a scale.
 ///
-/// Pixels are square; (0, 0) is the picture's top left corner, and the centre of pixel (x, y) is (x + 0.5, y + 0.5).
-/// The depth of a point is its distance from the eye along the viewing direction, in world units.
+/// Pixels are square; (0, 0) is the picture's top left corner, and the centre of pixel (x, y) is (x + 0.5, y + 0.5). The
+/// depth of a point is its distance from the eye along the viewing direction, in world units.
 ///
 /// # Guarantees
 ///
 /// `right`, `up` and `forward` are unit, orthogonal and finite, `right × up = −forward`, and the scale is positive and
-/// finite, whatever the camera holds: an eye upon the target looks along −z, and an `up` along the viewing direction
-/// gives way to the axis farthest from it. A roll that is not finite counts as none.
+/// finite, whatever the camera's values: an eye at the target looks along −z, and an `up` along the viewing direction is
+/// replaced by the axis farthest from it. A roll that is not finite counts as none.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
-    /// Position of the eye, world.
+    /// The position of the eye, world.
     pub eye: DVec3,
-    /// Direction that points to the right in the picture.
+    /// The direction that points to the right in the picture.
     pub right: DVec3,
-    /// Direction that points upwards in the picture.
+    /// The direction that points upwards in the picture.
     pub up: DVec3,
-    /// Viewing direction, into the picture.
+    /// The viewing direction, into the picture.
     pub forward: DVec3,
     /// The picture's middle, pixels.
     pub centre: DVec2,
-    /// Perspective: pixels per unit of tangent, which is the distance of the picture's plane in pixels. Orthographic:
-    /// pixels per world unit.
+    /// The scale. Perspective: pixels per unit of tangent, which is the distance of the picture's plane in pixels.
+    /// Orthographic: pixels per world unit.
     pub scale: f64,
     /// Perspective or orthographic.
     pub projection: Projection,
 }
 
 impl View {
-    /// The view of `camera` in a picture of `size` (width, height) pixels; a side of 0 counts as 1.
+    /// Creates the view of `camera` in a picture of `size` (width, height) pixels; a side of 0 counts as 1.
     pub fn new(camera: &Camera, size: [u32; 2]) -> Self {
         let [width, height] = size.map(|side| f64::from(side.max(1)));
         let span = camera.span([width, height]);
@@ -62,13 +62,13 @@ impl View {
         }
     }
 
-    /// A way across the picture, `x` to the right and `y` upwards, as the same camera without its roll has it.
+    /// Converts a displacement across the picture, `x` to the right and `y` upwards, to that of the same camera without its roll.
     pub fn without_roll(across: DVec2, roll: f64) -> DVec2 {
         rotation(-roll).rotate(across)
     }
 
-    /// Where `world` appears, in pixels, and its depth; nothing for a point behind the eye or beside it, or one so far
-    /// out that its pixel is no number.
+    /// Returns the position of `world` in the picture, in pixels, and its depth; `None` for a point behind the eye or
+    /// beside it, or so far out that its pixel is not a number.
     pub fn project(&self, world: DVec3) -> Option<(DVec2, f64)> {
         let from_eye = world - self.eye;
         let depth = from_eye.dot(self.forward);
@@ -85,7 +85,7 @@ impl View {
         (pixel.is_finite() && depth.is_finite()).then_some((pixel, depth))
     }
 
-    /// The ray through a point of the picture: its origin and its unit direction, world.
+    /// Returns the ray through a point of the picture: its origin and its unit direction, world.
     pub fn ray(&self, pixel: DVec2) -> (DVec3, DVec3) {
         let across = self.across(pixel);
         match self.projection {
@@ -97,7 +97,7 @@ impl View {
         }
     }
 
-    /// The point at `depth` that appears at `pixel`, world.
+    /// Returns the point at `depth` that appears at `pixel`, world.
     pub fn unproject(&self, pixel: DVec2, depth: f64) -> DVec3 {
         let across = self.across(pixel);
         match self.projection {
@@ -106,7 +106,7 @@ impl View {
         }
     }
 
-    /// World units that a pixel spans at `depth`, measured across the viewing direction.
+    /// Returns the world units that a pixel spans at `depth`, measured across the viewing direction.
     pub fn world_per_pixel(&self, depth: f64) -> f64 {
         match self.projection {
             Projection::Perspective => depth / self.scale,
@@ -114,7 +114,7 @@ impl View {
         }
     }
 
-    /// The unit direction from `world` to the eye; the viewer of an orthographic picture is at infinity.
+    /// Returns the unit direction from `world` to the eye; the viewer of an orthographic picture is at infinity.
     pub fn towards_eye(&self, world: DVec3) -> DVec3 {
         match self.projection {
             Projection::Perspective => direction(self.eye - world).unwrap_or(-self.forward),
@@ -122,7 +122,8 @@ impl View {
         }
     }
 
-    /// From the middle of the picture to `pixel`: world units (orthographic), or units of depth 1 (perspective).
+    /// Returns the displacement from the middle of the picture to `pixel`: in world units (orthographic), or units of depth
+    /// 1 (perspective).
     fn across(&self, pixel: DVec2) -> DVec3 {
         let offset = (pixel - self.centre) / self.scale;
         self.right * offset.x - self.up * offset.y
@@ -133,9 +134,9 @@ impl Camera {
     /// The part of the picture's shorter side that [`Camera::fitted`] leaves free on either side.
     pub const MARGIN: f64 = 0.04;
 
-    /// This camera moved back, or spanning more in orthographic projection, until a ball lies in a picture of `size` pixels:
-    /// inside the circle about the middle that leaves [`Camera::MARGIN`] free. A camera that shows all of the ball is returned as
-    /// it is, and so is one that would leave the limits of a scene.
+    /// Returns this camera moved back, or spanning more in orthographic projection, until a ball lies in a picture of
+    /// `size` pixels: inside the circle about the middle that leaves [`Camera::MARGIN`] free. A camera that shows all of
+    /// the ball is returned unchanged, and so is one that would leave the limits of a scene.
     #[must_use]
     pub fn fitted(&self, centre: DVec3, radius: f64, size: [u32; 2]) -> Self {
         let view = View::new(self, size);
@@ -167,13 +168,13 @@ impl Camera {
     }
 }
 
-/// The unit vector along `v`, of any magnitude but zero and infinity.
+/// Returns the unit vector along `v`, of any magnitude but zero and infinity.
 fn direction(v: DVec3) -> Option<DVec3> {
     let largest = v.abs().max_element();
     (v.is_finite() && largest > 0.0).then(|| (v / largest).normalize())
 }
 
-/// What points to the right and upwards in a picture whose content is turned counter-clockwise by `roll` degrees.
+/// Returns the directions to the right and upwards in a picture whose content is turned counter-clockwise by `roll` degrees.
 fn frame(forward: DVec3, up: DVec3, roll: f64) -> [DVec3; 2] {
     let right = sideways(forward, up);
     let up = right.cross(forward).normalize();
@@ -181,7 +182,7 @@ fn frame(forward: DVec3, up: DVec3, roll: f64) -> [DVec3; 2] {
     [right * turn.x - up * turn.y, right * turn.y + up * turn.x]
 }
 
-/// Cosine and sine of an angle in degrees, exact at its quarter turns.
+/// Returns cosine and sine of an angle in degrees, exact at its quarter turns.
 fn rotation(degrees: f64) -> DVec2 {
     let within = if degrees.is_finite() {
         degrees.rem_euclid(360.0)
@@ -198,7 +199,7 @@ fn rotation(degrees: f64) -> DVec2 {
     }
 }
 
-/// The unit vector at right angles to `forward` and `up`, to the right of one who looks along `forward`.
+/// Returns the unit vector at right angles to `forward` and `up`, to the right when looking along `forward`.
 fn sideways(forward: DVec3, up: DVec3) -> DVec3 {
     let right = direction(up).map_or(DVec3::ZERO, |up| forward.cross(up));
     if right.length() > PARALLEL {

@@ -1,4 +1,4 @@
-//! How each type of value stands in a scene file.
+//! The representation of each type of value in a scene file.
 
 use super::super::Shared;
 use super::super::choice::Choice;
@@ -13,11 +13,11 @@ use toml::{Spanned, Value};
 /// A type of value.
 pub trait Datum: Clone + PartialEq + Serialize + 'static {
     fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, Finding>;
-    /// None where it is left out.
+    /// Returns the value in a scene file; `None` where it is left out.
     fn value(&self) -> Option<Value> {
         Value::try_from(self).ok()
     }
-    /// Whether two are the same, for numbers bit by bit.
+    /// Returns whether two values are the same, for numbers bit by bit.
     fn same(&self, other: &Self) -> bool {
         self == other
     }
@@ -34,7 +34,7 @@ impl Datum for f64 {
                 Some(whole) => return Ok(whole as f64),
                 None => (number.as_str(), false),
             },
-            // `inf` and `nan` are meant, digits too large to hold are not.
+            // `inf` and `nan` are accepted, digits too large to represent are not.
             DeValue::Float(number) => (number.as_str(), number.as_str().ends_with(['f', 'n'])),
             other => return Err(Finding::value(found(other), text!("expected-number"))),
         };
@@ -137,14 +137,14 @@ impl<T: Datum> Datum for Shared<T> {
     }
 }
 
-/// The settings of a pane.
+/// Reads and writes the settings of a pane.
 impl Datum for Vec<String> {
     fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, Finding> {
         list(value, "expected-settings")
     }
 }
 
-/// A coefficient: one number for all channels, or three.
+/// Reads a coefficient: one number for all channels, or three.
 pub fn read_coefficient(value: &Spanned<DeValue<'_>>) -> Result<DVec3, Finding> {
     const EXPECTED: &str = "expected-coefficient";
     match value.get_ref() {
@@ -154,7 +154,7 @@ pub fn read_coefficient(value: &Spanned<DeValue<'_>>) -> Result<DVec3, Finding> 
     }
 }
 
-/// `expected` is a message, here and below.
+/// Reads one value, or reports what was `expected`, a message key, here and below.
 fn scalar<T>(
     value: &Spanned<DeValue<'_>>,
     read: impl Fn(&DeValue<'_>) -> Option<T>,
@@ -188,12 +188,12 @@ fn array<T: Datum, const N: usize>(
         .map_err(|_| Finding::value(list_of(count), text!(expected)))
 }
 
-/// A list of so many, as a message names it.
+/// Returns the words for a list of `count`.
 pub fn list_of(count: usize) -> String {
     text!("found-list-of", count = count)
 }
 
-/// A value of a wrong type, as a message repeats it.
+/// Describes a value of a wrong type for a message.
 pub fn found(value: &DeValue<'_>) -> String {
     match value {
         DeValue::String(text) => quoted(text),
@@ -210,7 +210,7 @@ pub fn integer(number: &DeInteger<'_>) -> Option<i64> {
     i64::from_str_radix(number.as_str(), number.radix()).ok()
 }
 
-/// A value as it stands in a scene file. Rust writes numbers as TOML does, extreme ones with an exponent.
+/// Returns a value as text in a scene file. Rust writes numbers as TOML does, extreme ones with an exponent.
 pub fn value_text(value: &Value) -> String {
     match value {
         Value::Float(number) if number.is_nan() => "nan".to_owned(),

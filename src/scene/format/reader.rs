@@ -1,4 +1,4 @@
-//! From parsed TOML to a [`Scene`]: each key is looked up in the table of parameters, which knows how its value is read.
+//! The step from parsed TOML to a [`Scene`]: each key is looked up in the table of parameters, which reads its value.
 
 use super::super::Scene;
 use super::super::parameter::{List, Parameter, defaults};
@@ -8,7 +8,7 @@ use crate::text::text;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// Reads a document: the scene, and everything found on the way. Limits are not looked at.
+/// Reads a document into a scene, with everything found on the way. Limits are not checked.
 pub fn read(document: &DeTable<'_>) -> (Scene, Vec<Finding>) {
     let mut scene = Scene::default();
     let mut reader = Reader {
@@ -23,7 +23,7 @@ pub fn read(document: &DeTable<'_>) -> (Scene, Vec<Finding>) {
     (scene, findings)
 }
 
-/// Another version's keys mean nothing here, so its number is all that is reported.
+/// Returns the problem of another version: its keys mean nothing here, so its number is all that is reported.
 fn wrong_version(document: &DeTable<'_>) -> Option<Finding> {
     let (key, value) = document.get_key_value("version")?;
     let DeValue::Integer(number) = value.get_ref() else {
@@ -37,8 +37,8 @@ fn wrong_version(document: &DeTable<'_>) -> Option<Finding> {
     })
 }
 
-/// Puts a value at a key of a scene: at a parameter, at an element of its list (`camera.eye.1`), or at a table or a list of
-/// tables, all of which it replaces. Returns what is wrong with it.
+/// Sets a key of a scene to a value: a parameter, an element of its list (`camera.eye.1`), or a table or a list of tables,
+/// all of which is replaced. Returns the problems of the value.
 pub fn set(scene: &mut Scene, name: &str, value: Spanned<DeValue<'_>>) -> Vec<Finding> {
     let mut reader = Reader {
         scene,
@@ -89,7 +89,7 @@ pub fn set(scene: &mut Scene, name: &str, value: Spanned<DeValue<'_>>) -> Vec<Fi
     reader.findings
 }
 
-/// The element of a list, and of lists in it, that the rest of a key names.
+/// Finds the element of a list, or of nested lists, that the rest of a key names.
 fn element_of<'v, 'i, 'p>(
     mut value: &'v mut DeValue<'i>,
     key: &Key,
@@ -108,7 +108,7 @@ fn element_of<'v, 'i, 'p>(
     Ok(value)
 }
 
-/// The number of an element of a list.
+/// Reads the number of an element of a list.
 fn element(part: &str, count: usize) -> Result<usize, Cause> {
     let index = part
         .parse()
@@ -129,15 +129,15 @@ fn element(part: &str, count: usize) -> Result<usize, Cause> {
 /// The name of a table, a list or a value.
 #[derive(Clone, Default)]
 struct Key {
-    /// As in messages and as `--set` takes it, for example `light.1.k`.
+    /// The key in messages and for `--set`, for example `light.1.k`.
     text: String,
-    /// As in the table of parameters, for example `light.N.k`.
+    /// The key in the table of parameters, for example `light.N.k`.
     pattern: String,
     /// The number of the light or pane.
     index: usize,
 }
 
-/// What a key stands for.
+/// The item that a key refers to.
 enum Node {
     Parameter(&'static Parameter),
     List(List),
@@ -148,7 +148,7 @@ enum Node {
 impl Key {
     fn inside(&self, name: &str) -> Self {
         let join = |table: &str| {
-            // A name without letters is no key, and not the whole scene.
+            // A name without letters is not a key, and not the whole scene.
             if table.is_empty() && !name.is_empty() {
                 name.to_owned()
             } else {
