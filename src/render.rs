@@ -1,10 +1,10 @@
 //! The rasterizer. [`Renderer::render`] reads as the pipeline: mesh, plan, place, points, cover, interpolate, rays, shade, display.
 //!
-//! - `renderer/`: the plan, the steps with what they keep, the equation at points and pixels, the display;
-//! - `rays/`: shadows, light through the object, one bounce, what is seen past the object;
+//! - `renderer/`: the plan, the steps and their stored outputs, the equation at points and pixels, the display;
+//! - `rays/`: shadows, light through the object, one bounce, and the view past the object;
 //! - `raster/`: transform, clip, cover, interpolate.
 //!
-//! Imports run downwards: a room knows those below it in this list, and lens, model and node.
+//! Imports run downwards: a folder imports those below it in this list, and lens, model and node.
 
 mod lens;
 mod model;

@@ -92,7 +92,7 @@ enum Place<T> {
 /// `Share`): divisors are raised to `least`, or f is lowered to `greatest`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Falloff<T> {
-    /// The same f everywhere.
+    /// A constant f.
     Constant(T),
     /// `1/(scale·r + k)`, r to the viewer.
     Viewer { scale: T, k: T, least: T },

@@ -1,43 +1,44 @@
-//! The camera as the kernels need it: lengths in camera distances, positions relative to the eye.
+//! The camera in the kernels' units: lengths in camera distances, positions relative to the eye.
 
 use crate::scene::{Camera, Projection, View};
 use glam::{DVec2, DVec3};
 
-/// What is nearer to the eye than this many camera distances is clipped away.
+/// The near plane's distance from the eye, in camera distances; anything nearer is clipped away.
 pub const NEAR: f64 = 1e-3;
 
-/// What is farther from the eye than this many camera distances is lit as if it were no farther: squares must not overflow.
+/// The distance from the eye, in camera distances, beyond which points are lit as if at this distance: squares must not overflow.
 pub const FARTHEST: f64 = 1e12;
 
-/// The object reaches no farther from the eye than this many camera distances: where eye and target are so near to each other
-/// that it would, a camera distance is longer than from one to the other. Lights beside it are then still told from lights at
-/// infinity, and what is nearer than [`NEAR`] is less than single precision resolves of the object.
+/// The farthest that the object reaches from the eye, in camera distances. Where eye and target are so near to each other
+/// that it would reach farther, a camera distance is longer than their distance. Lights beside the object then still differ
+/// from lights at infinity, and anything nearer than [`NEAR`] is less than single precision resolves of the object.
 pub const DEEPEST: f64 = 1e8;
 
-/// The centre of a pixel.
+/// Returns the centre of a pixel.
 pub fn pixel_centre(x: usize, y: usize) -> DVec2 {
     DVec2::new(x as f64 + 0.5, y as f64 + 0.5)
 }
 
-/// Projection of one picture.
+/// The projection of one picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lens {
     pub eye: DVec3,
     /// World units to one camera distance.
     pub unit: f64,
-    /// Unit vectors, world.
+    /// The unit vectors of the picture, world.
     pub right: DVec3,
     pub up: DVec3,
     pub forward: DVec3,
     pub perspective: bool,
-    /// Pixels to one camera distance, at depth 1 where the projection is a perspective one.
+    /// Pixels to one camera distance, at depth 1 in a perspective projection.
     pub focal: f64,
-    /// Where the viewing direction meets the picture, pixels.
+    /// The point where the viewing direction meets the picture, pixels.
     pub middle: DVec2,
 }
 
 impl Lens {
-    /// The lens for `size` pixels whose samples lie `offset` pixels from the centres; a camera distance is `unit` world units.
+    /// Creates the lens for `size` pixels whose samples lie `offset` pixels from the centres; a camera distance is `unit`
+    /// world units.
     pub fn new(camera: &Camera, size: [u32; 2], offset: DVec2, unit: f64) -> Self {
         let View {
             eye,
@@ -62,13 +63,13 @@ impl Lens {
         }
     }
 
-    /// Right, up and forward components of a world point, camera distances.
+    /// Returns the right, up and forward components of a world point, camera distances.
     pub fn view_from_world(&self, world: DVec3) -> DVec3 {
         let p = (world - self.eye) / self.unit;
         DVec3::new(p.dot(self.right), p.dot(self.up), p.dot(self.forward))
     }
 
-    /// Where a point given by its view components appears, pixels.
+    /// Projects a point given by its view components to the picture, pixels.
     pub fn picture_from_view(&self, view: DVec3) -> DVec2 {
         let scale = if self.perspective {
             self.focal / view.z
@@ -81,7 +82,8 @@ impl Lens {
         )
     }
 
-    /// The depth key at a distance along the viewing direction: linear in the picture over a flat polygon, greater if nearer.
+    /// Returns the depth key at a distance along the viewing direction: linear in the picture over a flat polygon, larger
+    /// if nearer.
     pub fn key_from_depth(&self, depth: f64) -> f64 {
         if self.perspective {
             1.0 / depth
@@ -90,12 +92,12 @@ impl Lens {
         }
     }
 
-    /// The depth of a key.
+    /// Returns the depth of a key.
     pub fn depth_from_key(&self, key: f64) -> f64 {
         if self.perspective { 1.0 / key } else { -key }
     }
 
-    /// The ray through a place in the picture, relative to the eye: point + depth·direction lies at that depth.
+    /// Returns the ray through a point in the picture, relative to the eye: point + depth·direction lies at that depth.
     pub fn ray(&self, place: DVec2) -> (DVec3, DVec3) {
         let across = self.right * ((place.x - self.middle.x) / self.focal)
             - self.up * ((place.y - self.middle.y) / self.focal);
@@ -106,18 +108,18 @@ impl Lens {
         }
     }
 
-    /// The ray from the eye through the centre of a pixel: a point and a unit direction, world.
+    /// Returns the ray from the eye through the centre of a pixel: a point and a unit direction, world.
     pub fn eye_ray(&self, x: usize, y: usize) -> (DVec3, DVec3) {
         let (point, direction) = self.ray(pixel_centre(x, y));
         (self.world(point), direction.normalize())
     }
 
-    /// The key of the farthest depth.
+    /// Returns the key of the farthest depth.
     pub fn least_key(&self) -> f64 {
         self.key_from_depth(FARTHEST)
     }
 
-    /// World coordinates of a point relative to the eye in camera distances.
+    /// Converts a point relative to the eye in camera distances to world coordinates.
     pub fn world(&self, position: DVec3) -> DVec3 {
         self.eye + position * self.unit
     }

@@ -8,20 +8,20 @@ use glam::{DVec3, Vec3};
 use std::collections::HashMap;
 use std::sync::{Arc, OnceLock};
 
-/// Arrays are filled up to a multiple of this, the widest vector's lanes.
+/// The multiple to which arrays are padded: the widest vector's lanes.
 pub const PADDING: usize = 16;
 
-/// The centre and the normal of a face of more corners are kept, since a profile asks at every point of its line.
+/// The number of corners above which a face's centre and normal are stored, since a profile reads them at every point of its line.
 const MANY: usize = 32;
 
-/// Three planes of numbers, one a component or a channel.
+/// Three planes of numbers, one for each component or channel.
 pub type Planes = [Vec<f32>; 3];
 
-/// A model's own polygons, or those of a shape: these are let go once they are in the arrays, and made again when asked for.
+/// A model's own polygons, or those of a shape. A shape's are freed once they are in the arrays, and made again on request.
 #[derive(Default)]
 pub struct MeshSource {
     pub mesh: OnceLock<Arc<Mesh>>,
-    /// What they are made from; none for a model.
+    /// The shape that they are made from; `None` for a model.
     pub shape: Option<Object>,
 }
 
@@ -34,7 +34,7 @@ impl MeshSource {
         })
     }
 
-    /// Lets a shape's polygons go, unless somebody shares them.
+    /// Frees a shape's polygons, unless they are shared.
     pub fn release(&mut self) {
         let shared = self
             .mesh
@@ -56,16 +56,16 @@ impl MeshSource {
 /// A mesh for the kernels.
 #[derive(Default)]
 pub struct Model {
-    /// World position of (0, 0, 0) in the arrays.
+    /// The world position of (0, 0, 0) in the arrays.
     pub origin: DVec3,
-    /// Vertices without the padding.
+    /// The number of vertices without the padding.
     pub vertex_count: usize,
-    /// Radius about `origin` that holds every vertex, world units.
+    /// The radius about `origin` that holds every vertex, world units.
     pub radius: f64,
-    /// Coordinates and normals of the vertices, padded by zeros.
+    /// The coordinates and normals of the vertices, padded by zeros.
     pub position: Planes,
     pub normal: Planes,
-    /// Vertices of each triangle, counter-clockwise from outside.
+    /// The vertices of each triangle, counter-clockwise from outside.
     pub triangles: Vec<[u32; 3]>,
     /// The face that each triangle belongs to.
     pub faces: Vec<u32>,
@@ -74,7 +74,7 @@ pub struct Model {
     pub indices: Vec<u32>,
     pub closed: bool,
     pub convex: bool,
-    /// Centre and normal of each face of many corners.
+    /// The centre and normal of each face of many corners.
     pub large: OnceLock<HashMap<u32, [DVec3; 2]>>,
 }
 
@@ -110,7 +110,7 @@ impl Model {
             room(&self.triangles) + room(&self.faces) + room(&self.starts) + room(&self.indices);
     }
 
-    /// World units to one camera distance.
+    /// Returns the world units to one camera distance.
     pub fn unit(&self, camera: &Camera) -> f64 {
         let farthest = (self.origin - camera.eye).length() + self.radius;
         camera.distance().max(farthest / DEEPEST)
@@ -120,24 +120,24 @@ impl Model {
         self.starts.len().saturating_sub(1)
     }
 
-    /// Vertices, padding included.
+    /// Returns the number of vertices, padding included.
     pub fn padded_len(&self) -> usize {
         self.position[0].len()
     }
 
-    /// Vertices of face `face`.
+    /// Returns the vertices of face `face`.
     pub fn face(&self, face: u32) -> &[u32] {
         let face = face as usize;
         &self.indices[self.starts[face] as usize..self.starts[face + 1] as usize]
     }
 
-    /// The triangles of face `face`.
+    /// Returns the triangles of face `face`.
     pub fn triangles_of(&self, face: u32) -> &[[u32; 3]] {
         let [begin, end] = [face, face + 1].map(|next| self.faces.partition_point(|f| *f < next));
         &self.triangles[begin..end]
     }
 
-    /// A vertex relative to `origin`.
+    /// Returns the position of a vertex relative to `origin`.
     pub fn place(&self, vertex: u32) -> Vec3 {
         at(&self.position, vertex)
     }
@@ -150,19 +150,19 @@ impl Model {
         at(&self.normal, vertex).as_dvec3()
     }
 
-    /// The mean of a face's corners, world.
+    /// Returns the mean of a face's corners, world.
     pub fn face_centre(&self, face: u32) -> DVec3 {
         self.of_large(face)
             .map_or_else(|| self.origin + self.mean(face), |[centre, _]| centre)
     }
 
-    /// The unit normal of a face by Newell's formula; zero for a face without area.
+    /// Returns the unit normal of a face by Newell's formula; zero for a face without area.
     pub fn face_normal(&self, face: u32) -> DVec3 {
         self.of_large(face)
             .map_or_else(|| self.newell(face), |[_, normal]| normal)
     }
 
-    /// The kept centre and normal of a face of many corners.
+    /// Returns the stored centre and normal of a face of many corners.
     fn of_large(&self, face: u32) -> Option<[DVec3; 2]> {
         let is_large = |face: &u32| self.face(*face).len() > MANY;
         if !is_large(&face) {

@@ -1,4 +1,4 @@
-//! Nodes of the frame: what its steps keep, each with the key of what it was made from, and the memory that takes.
+//! Nodes of the frame: the stored outputs of its steps, each with the key of its inputs, and the memory they take.
 
 use std::any::Any;
 
@@ -6,13 +6,13 @@ use std::any::Any;
 #[derive(Default)]
 pub struct Node<T> {
     key: Option<Box<dyn Any + Send + Sync>>,
-    /// Counts the runs.
+    /// The number of runs.
     pub stamp: u64,
     pub output: T,
 }
 
 impl<T> Node<T> {
-    /// Runs the step if its key differs from the last one; tells whether it ran.
+    /// Runs the step if its key differs from the last one; returns whether it ran.
     pub fn update<K: PartialEq + Any + Send + Sync>(
         &mut self,
         key: K,
@@ -25,7 +25,7 @@ impl<T> Node<T> {
         outdated
     }
 
-    /// Takes over a key. Tells whether it differs from the last one: then the caller makes the output anew.
+    /// Stores a key. Returns whether it differs from the last one: then the caller makes the output anew.
     pub fn outdate<K: PartialEq + Any + Send + Sync>(&mut self, key: K) -> bool {
         let outdated = self.key.as_ref().and_then(|last| last.downcast_ref()) != Some(&key);
         if outdated {
@@ -35,12 +35,12 @@ impl<T> Node<T> {
         outdated
     }
 
-    /// The next update runs, whatever its key.
+    /// Makes the next update run, whatever its key.
     pub fn forget(&mut self) {
         self.key = None;
     }
 
-    /// The same, and the memory of the output is given back.
+    /// Makes the next update run, whatever its key, and frees the memory of the output.
     pub fn release(&mut self)
     where
         T: Default,
@@ -50,33 +50,33 @@ impl<T> Node<T> {
     }
 }
 
-/// The memory that a renderer holds between frames, bytes, each buffer under what it grows with.
+/// The memory that a renderer holds between frames, in bytes, each buffer under the quantity it grows with.
 ///
-/// Counted is the room of the buffers, used or not. What does not grow (a scene, a plan, a curved surface's patches, a list for
-/// each of the picture's bands of rows, and a band's depths for each thread) is not.
+/// The buffers' capacity counts, used or not. Data of bounded size does not (a scene, a plan, a curved surface's patches, a
+/// list for each of the picture's bands of rows, and a band's depths for each thread).
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
 pub struct Memory {
-    /// Positions and normals of the vertices, their places in the picture, and what they carry to the pixels.
+    /// Positions and normals of the vertices, their positions in the picture, and the values that they carry to the pixels.
     pub vertices: u64,
-    /// The polygons and their corners, lists of those in sight, and boxes about them where rays are followed.
+    /// The polygons and their corners, lists of the visible ones, and boxes about them where rays are followed.
     pub triangles: u64,
-    /// The picture, what each pixel was brought, and which triangles are seen.
+    /// The picture, the values carried to each pixel, and the visible triangles.
     pub pixels: u64,
 }
 
 impl Memory {
-    /// All of it, bytes.
+    /// Returns the sum, bytes.
     pub fn total(self) -> u64 {
         self.vertices + self.triangles + self.pixels
     }
 }
 
-/// The room of a buffer, bytes.
+/// Returns the capacity of a buffer, bytes.
 pub fn room<T>(buffer: &Vec<T>) -> u64 {
     (buffer.capacity() * size_of::<T>()) as u64
 }
 
-/// The room of planes, bytes.
+/// Returns the capacity of planes, bytes.
 pub fn room_of_planes<T>(planes: &[Vec<T>; 3]) -> u64 {
     planes.iter().map(room).sum()
 }

@@ -1,4 +1,4 @@
-//! Triangles to pixels: transform, clip, cover, interpolate.
+//! The way from triangles to pixels: transform, clip, cover, interpolate.
 
 mod clip;
 mod cover;

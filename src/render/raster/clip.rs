@@ -1,7 +1,7 @@
-//! Clips triangles that reach behind the near plane or beyond the guard band.
+//! Clipping of triangles that reach behind the near plane or beyond the guard band.
 //!
-//! Sutherland and Hodgman's algorithm against five planes, in double precision. A corner that clipping makes remembers its
-//! weights over the triangle's vertices, so that whatever the vertices carry can be found for it later.
+//! Sutherland and Hodgman's algorithm against five planes, in double precision. A corner made by clipping stores its
+//! weights over the triangle's vertices, so that the vertices' values can be interpolated for it later.
 
 use super::grid::{GUARD, Place, SUBPIXELS};
 use super::transform::Placed;
@@ -10,11 +10,11 @@ use crate::render::model::Model;
 use crate::render::node::{Memory, room};
 use glam::DVec3;
 
-/// A vertex that clipping has made.
+/// A vertex made by clipping.
 #[derive(Clone, Copy, Debug)]
 pub struct Cut {
     pub vertices: [u32; 3],
-    /// Barycentric weights over `vertices`, on the triangle in space.
+    /// The barycentric weights over `vertices`, on the triangle in space.
     pub weights: [f64; 3],
 }
 
@@ -28,9 +28,9 @@ struct Corner {
 /// The clipper's output, beside the model's own triangles and vertices.
 #[derive(Default)]
 pub struct Clipped {
-    /// One per new vertex; vertex `model.padded_len() + i` is `cuts[i]`.
+    /// The new vertices: vertex `model.padded_len() + i` is `cuts[i]`.
     pub cuts: Vec<Cut>,
-    /// Triangle `model.triangles.len() + i` has these vertices and belongs to `parents[i]`'s face.
+    /// The new triangles: triangle `model.triangles.len() + i` has these vertices and belongs to `parents[i]`'s face.
     pub triangles: Vec<[u32; 3]>,
     pub parents: Vec<u32>,
 }
@@ -46,7 +46,7 @@ impl Clipped {
         self.parents.clear();
     }
 
-    /// Clips `triangle` and adds what is left, appending the new vertices to `placed`.
+    /// Clips `triangle` and adds the remaining pieces, appending the new vertices to `placed`.
     pub fn add(&mut self, lens: &Lens, model: &Model, triangle: u32, placed: &mut Placed) {
         let vertices = model.triangles[triangle as usize];
         let views = vertices.map(|v| lens.view_from_world(model.position(v)));
@@ -71,7 +71,7 @@ impl Clipped {
         placed: &mut Placed,
     ) -> u32 {
         let index = placed.places.len();
-        // Rounding may take a cut off the plane by some part of the triangle's extent, however great that is.
+        // Rounding may take a cut off the plane by some part of the triangle's extent, however large that is.
         let view = DVec3 {
             z: corner.view.z.max(NEAR),
             ..corner.view
@@ -92,7 +92,7 @@ impl Clipped {
     }
 }
 
-/// Clips the triangle with view components `views`; empty where nothing is left.
+/// Clips the triangle with view components `views`; the result is empty where nothing remains.
 fn clip(lens: &Lens, views: [DVec3; 3]) -> Vec<Corner> {
     let mut polygon: Vec<Corner> = views
         .into_iter()
@@ -100,7 +100,7 @@ fn clip(lens: &Lens, views: [DVec3; 3]) -> Vec<Corner> {
         .map(|(view, weights)| Corner { view, weights })
         .collect();
     cut(&mut polygon, |view| view.z - NEAR);
-    // How far the guard band reaches from the middle at depth 1 (or anywhere, without perspective).
+    // The extent of the guard band from the middle at depth 1 (or anywhere, without perspective).
     let reach = |side: f64| (GUARD - side.abs()) / lens.focal;
     let (across, down) = (reach(lens.middle.x), reach(lens.middle.y));
     let depth = |view: DVec3| if lens.perspective { view.z } else { 1.0 };
@@ -114,7 +114,7 @@ fn clip(lens: &Lens, views: [DVec3; 3]) -> Vec<Corner> {
     polygon
 }
 
-/// Keeps the part of the polygon where `distance`, linear in the view components, is not negative.
+/// Cuts the polygon down to the part where `distance`, linear in the view components, is not negative.
 fn cut(polygon: &mut Vec<Corner>, distance: impl Fn(DVec3) -> f64) {
     let mut kept = Vec::with_capacity(polygon.len() + 1);
     for (i, corner) in polygon.iter().enumerate() {
@@ -156,7 +156,7 @@ mod tests {
     proptest! {
         #![proptest_config(properties::config(file!()))]
 
-        /// What a plane cuts off and what it keeps make up the triangle.
+        /// Checks that the parts cut off and kept by a plane make up the triangle.
         #[test]
         fn a_cut_keeps_the_area(c in prop::array::uniform9(-3.0..3.0f64), nx in -1.0..1.0f64, ny in -1.0..1.0f64, d in -1.0..1.0f64) {
             let points = triangle(c);
@@ -172,7 +172,7 @@ mod tests {
             prop_assert!((part(1.0) + part(-1.0) - area(&points)).abs() < 1e-9);
         }
 
-        /// A kept corner lies before the near plane, inside the guard band, where its weights say.
+        /// Checks that a remaining corner lies before the near plane, inside the guard band, at the point given by its weights.
         #[test]
         fn corners_are_where_their_weights_say(c in prop::array::uniform9(-5.0..5.0f64)) {
             let lens = Lens::new(&Camera::default(), [640, 480], DVec2::ZERO, 4.0);

@@ -1,5 +1,5 @@
-//! Which triangle each pixel sees: scan-converts the triangles of a band into horizontal runs of covered pixels. Where the true
-//! surface is drawn, rays meet it instead, in double precision.
+//! The triangle that each pixel shows: scan conversion of a band's triangles into horizontal runs of covered pixels. Where
+//! the true surface is drawn, rays meet it instead, in double precision.
 
 use super::fragments::{Block, Fragment, fragment, open, put};
 use super::grid::{BAND, BandPlace, HALF, Place, SUBPIXELS, scan};
@@ -11,18 +11,18 @@ use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// Pixels x0..x1 of a row that see one triangle.
+/// The pixels x0..x1 of a row, which show one triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Run {
     pub triangle: u32,
-    /// Row within the band.
+    /// The row within the band.
     pub row: u16,
     pub x0: u16,
     pub x1: u16,
 }
 
 impl Run {
-    /// The pixel row, in a band that begins at row `first`.
+    /// Returns the pixel row, in a band that begins at row `first`.
     #[inline(always)]
     pub fn y(self, first: u32) -> i32 {
         (first + u32::from(self.row)) as i32
@@ -33,28 +33,28 @@ impl Run {
 #[derive(Default)]
 pub struct Band {
     pub place: BandPlace,
-    /// Sorted by row and x where a depth test was made; otherwise by triangle, without gaps in a row.
+    /// The runs, sorted by row and x if a depth test was made; otherwise by triangle, without gaps in a row.
     pub runs: Vec<Run>,
-    /// Whether a depth test was made.
+    /// True if a depth test was made.
     pub sorted: bool,
-    /// For each row the pixels between the first and the last that see the object.
+    /// For each row the pixels between the first and the last that show the object.
     pub extents: Vec<Range<u32>>,
-    /// Pixels that see the object.
+    /// The number of pixels that show the object.
     pub covered: u64,
-    /// Pixels that its triangles cover, those counted that another hides.
+    /// The number of pixels that its triangles cover, including those hidden by another.
     pub drawn: u64,
 }
 
-/// Depth and triangle of each pixel of a band, for the depth test.
+/// The depth and triangle of each pixel of a band, for the depth test.
 #[derive(Default)]
 pub struct DepthScratch {
     keys: Vec<f32>,
     triangles: Vec<u32>,
-    /// Pixels tested.
+    /// The number of pixels tested.
     drawn: u64,
 }
 
-/// No triangle is seen.
+/// The triangle number of pixels without one.
 const NONE: u32 = u32::MAX;
 
 /// A triangle's barycentric coordinates as linear functions of the pixel.
@@ -64,7 +64,7 @@ pub struct Weights {
     e1: [f64; 2],
     e2: [f64; 2],
     inverse_area: f64,
-    /// Change of the second and third weight to the next pixel on the right.
+    /// The change of the second and third weight to the next pixel on the right.
     pub step: [f32; 2],
 }
 
@@ -90,7 +90,7 @@ impl Weights {
         }
     }
 
-    /// The second and third weight at the centre of a pixel. The products are exact, so that inside the triangle no
+    /// Returns the second and third weight at the centre of a pixel. The products are exact, so that inside the triangle no
     /// weight leaves 0..1 by more than a rounding, however thin it is.
     #[inline(always)]
     pub fn at(&self, x: i32, y: i32) -> [f32; 2] {
@@ -132,7 +132,7 @@ impl Band {
         self.drawn = self.covered;
     }
 
-    /// Covers the band by the nearest triangle at each pixel; of two at the same depth the first.
+    /// Covers the band by the nearest triangle at each pixel; of two at the same depth, by the first.
     #[inline(always)]
     pub fn cover_nearest(
         &mut self,
@@ -158,7 +158,7 @@ impl Band {
         }
     }
 
-    /// The runs that follow each other and see the same face, with that face.
+    /// Groups consecutive runs that show the same face, with that face.
     #[inline(always)]
     pub fn runs_by_face<'b>(
         &'b self,
@@ -171,7 +171,7 @@ impl Band {
         same.map(move |runs| (face(&runs[0]), runs))
     }
 
-    /// Forgets what was covered.
+    /// Clears the coverage.
     fn begin(&mut self, sorted: bool) {
         self.runs.clear();
         self.sorted = sorted;
@@ -189,7 +189,7 @@ impl Band {
         self.covered += u64::from(x1 - x0);
     }
 
-    /// Turns a row of seen triangles into runs.
+    /// Turns a row of visible triangles into runs.
     #[inline(always)]
     fn collect(&mut self, row: u32, seen: &[u32]) {
         let mut x = 0;
@@ -250,10 +250,10 @@ impl DepthScratch {
     }
 }
 
-/// Rows of a band.
+/// The rows of a band.
 pub const ROWS: usize = BAND as usize;
 
-/// The bands of a picture from the top, with their fragments where these are kept.
+/// The bands of a picture from the top, with their fragments where these are stored.
 #[derive(Clone, Copy)]
 pub struct Coverage<'a> {
     pub size: [u32; 2],
@@ -262,7 +262,7 @@ pub struct Coverage<'a> {
 }
 
 impl<'a> Coverage<'a> {
-    /// The bands one by one, each with its fragments.
+    /// Returns the bands one by one, each with its fragments.
     pub fn parts(self) -> impl IndexedParallelIterator<Item = (&'a Band, &'a [Block])> {
         let share = ROWS * Block::count(self.size[0]);
         self.bands.par_iter().enumerate().map(move |(index, band)| {
@@ -271,7 +271,7 @@ impl<'a> Coverage<'a> {
         })
     }
 
-    /// The fragment of a pixel, where they are kept.
+    /// Returns the fragment of a pixel, if it is stored.
     pub fn fragment_at(self, [x, y]: [u32; 2]) -> Option<Fragment> {
         let count = Block::count(self.size[0]);
         let line = self
@@ -280,7 +280,7 @@ impl<'a> Coverage<'a> {
         (x < self.size[0]).then(|| fragment(line, x as usize))
     }
 
-    /// The triangle that a pixel sees.
+    /// Returns the triangle that a pixel shows.
     pub fn triangle_at(self, [x, y]: [u32; 2]) -> Option<u32> {
         let runs = &self.bands.get((y / BAND) as usize)?.runs;
         let sees = |run: &&Run| {
@@ -290,7 +290,7 @@ impl<'a> Coverage<'a> {
     }
 }
 
-/// The ray through a place in the picture; t counts camera distances.
+/// Returns the ray through a point in the picture; t counts camera distances.
 fn ray_through(lens: &Lens, place: DVec2) -> Ray {
     let (point, direction) = lens.ray(place);
     Ray {
@@ -299,7 +299,8 @@ fn ray_through(lens: &Lens, place: DVec2) -> Ray {
     }
 }
 
-/// Where the ray through a place in the picture meets the surface: the depth in camera distances and the hit.
+/// Intersects the ray through a point in the picture with the surface; returns the point relative to the eye, in camera
+/// distances, and the hit.
 pub fn meet(lens: &Lens, surface: &Surface, place: DVec2) -> Option<(DVec3, SurfaceHit)> {
     let ray = ray_through(lens, place);
     let hit = surface.intersect(&ray, NEAR)?;
@@ -314,7 +315,7 @@ pub fn meet_band(
     band: &mut Band,
     fragments: &mut [Block],
 ) {
-    /// Columns and rows of what is met at a time: two squares of four pixels.
+    /// The columns and rows intersected at a time: two squares of four pixels.
     const TILE: [usize; 2] = [4, 2];
     band.begin(true);
     let place = band.place;

@@ -5,28 +5,28 @@
 //!                      │ a×16 │ b×16 │ c×16 │ key×16    │ a×16 │ …
 //! ```
 //!
-//! A row starts with a block of its own; what its last block has beyond the picture is never shown.
+//! A row starts with a block of its own; the part of its last block beyond the picture is never shown.
 
 use crate::illumination::{COUNT, LANES, Lanes};
 use fearless_simd::{f32x4, prelude::*};
 use std::ops::Range;
 
-/// Three carried numbers and the depth key.
+/// The three carried numbers and the depth key.
 pub type Fragment = [f32; 4];
 
-/// A pixel that does not see the object.
+/// The fragment of a pixel that does not show the object.
 pub const GAP: Fragment = [0.0, 0.0, 0.0, f32::MIN];
 
 /// The component of a fragment that is its depth key.
 const KEY: usize = 3;
 
-/// Pixels of a block: as many as the kernels take at once.
+/// The pixels of a block: as many as the kernels process at once.
 const PIXELS: usize = LANES;
 
-/// Runs up to this length are written number by number.
+/// The length up to which runs are written number by number.
 const SHORT: usize = 3;
 
-/// The fragments of pixels that lie side by side, component by component.
+/// The fragments of adjacent pixels, component by component.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 pub struct Block {
@@ -43,12 +43,12 @@ impl Block {
         ],
     };
 
-    /// Blocks of a row of `width` pixels.
+    /// Returns the number of blocks in a row of `width` pixels.
     pub const fn count(width: u32) -> usize {
         (width as usize).div_ceil(PIXELS)
     }
 
-    /// The blocks of a row that these columns lie in.
+    /// Returns the blocks of a row that contain these columns.
     pub fn over(columns: &Range<u32>) -> Range<usize> {
         if columns.is_empty() {
             0..0
@@ -57,7 +57,7 @@ impl Block {
         }
     }
 
-    /// Puts a fragment at pixel `index`.
+    /// Writes a fragment at pixel `index`.
     #[inline(always)]
     pub fn put(&mut self, index: usize, fragment: Fragment) {
         for (plane, value) in self.planes.iter_mut().zip(fragment) {
@@ -65,7 +65,7 @@ impl Block {
         }
     }
 
-    /// The lanes of each component.
+    /// Loads the lanes of each component.
     #[inline(always)]
     pub fn load<S: Simd>(&self, simd: S) -> [Lanes<S>; 4] {
         let [a, b, c, key] = &self.planes;
@@ -78,7 +78,7 @@ impl Block {
     }
 }
 
-/// The fragment of the pixel in column `x` of a row.
+/// Returns the fragment of the pixel in column `x` of a row.
 #[inline(always)]
 pub fn fragment(line: &[Block], x: usize) -> Fragment {
     let Block {
@@ -88,7 +88,7 @@ pub fn fragment(line: &[Block], x: usize) -> Fragment {
     [a[x], b[x], c[x], key[x]]
 }
 
-/// Puts a fragment into column `x` of a row.
+/// Writes a fragment into column `x` of a row.
 #[inline(always)]
 pub fn put(line: &mut [Block], x: usize, fragment: Fragment) {
     line[x / PIXELS].put(x % PIXELS, fragment);
@@ -97,19 +97,19 @@ pub fn put(line: &mut [Block], x: usize, fragment: Fragment) {
 /// Makes the pixels of these blocks gaps.
 #[inline(always)]
 pub fn open(blocks: &mut [Block]) {
-    // Of a gap only the key is ever looked at.
+    // Only the key of a gap is ever read.
     blocks
         .iter_mut()
         .for_each(|block| block.planes[KEY] = Block::GAP.planes[KEY]);
 }
 
-/// Whether a pixel with this fragment sees the object.
+/// Returns whether a pixel with this fragment shows the object.
 #[inline(always)]
 pub fn is_seen(fragment: Fragment) -> bool {
     fragment[KEY] > GAP[KEY]
 }
 
-/// Fills the columns of a row with numbers that start at `start` and grow by `step` a pixel.
+/// Fills the columns of a row with numbers that start at `start` and grow by `step` per pixel.
 #[inline(always)]
 pub fn fill<S: Simd>(
     simd: S,
@@ -120,7 +120,7 @@ pub fn fill<S: Simd>(
 ) {
     let Range { start: x0, end: x1 } = columns;
     if x1 - x0 <= SHORT {
-        // A sliver's step may be beyond all numbers, but it has no second pixel then.
+        // A sliver's step may overflow, but it has no second pixel then.
         put(line, x0, start.into());
         let mut k = f32x4::splat(simd, 1.0);
         for x in x0 + 1..x1 {
@@ -143,10 +143,10 @@ pub fn fill<S: Simd>(
         splat(simd, steps[2]),
         splat(simd, steps[3]),
     ];
-    // The machine's own vectors: most runs are short.
+    // In the machine's own vectors, since most runs are short.
     let lanes = <S::f32s as SimdBase<S>>::LEN;
     let count = S::f32s::from_slice(simd, &COUNT[..lanes]);
-    // From the vector that the first pixel lies in.
+    // From the vector that contains the first pixel.
     let mut x = x0 / lanes * lanes;
     while x < x1 {
         let k = count + (x as f32 - x0 as f32);
@@ -171,7 +171,7 @@ pub fn fill<S: Simd>(
     }
 }
 
-/// One plane a component to four numbers a pixel side by side, of one vector.
+/// Interleaves the planes of one vector, one for each component, into four numbers per pixel.
 #[inline(always)]
 pub fn join<S: Simd>(simd: S, planes: &[Lanes<S>; 4], pixels: &mut [[f32; 4]]) {
     let [r, g, b, a] = planes;

@@ -1,4 +1,4 @@
-//! The fixed-point grid of places in a picture, its bands of rows, and the pixels whose centres a triangle covers, row by row.
+//! The fixed-point grid of positions in a picture, its bands of rows, and the pixels whose centres a triangle covers, row by row.
 //!
 //! ```text
 //!   row y      ·    ·  P━━━·━━━━·━━━Q    ·       a centre on the left edge belongs to the triangle,
@@ -11,25 +11,25 @@
 
 use std::ops::Range;
 
-/// Fractional bits of a place in the picture.
+/// The fractional bits of a position in the picture.
 pub const SUBPIXEL_BITS: u32 = 8;
 /// One pixel in fixed point.
 pub const SUBPIXELS: i32 = 1 << SUBPIXEL_BITS;
-/// Half a pixel in fixed point: where a pixel's centre lies.
+/// Half a pixel in fixed point: the offset of a pixel's centre.
 pub const HALF: i32 = SUBPIXELS / 2;
 
-/// Places reach this many pixels from the picture's corner. With 8 fractional bits they have 23 bits and their products
-/// 47, so that `f64` carries the arithmetic of coverage exactly.
+/// The guard band: positions reach this many pixels from the picture's corner. With 8 fractional bits they have 23 bits and
+/// their products 47, so that `f64` carries the arithmetic of coverage exactly.
 pub const GUARD: f64 = 32_000.0;
 
-/// The x of a vertex without a place.
+/// The x of a vertex without a position.
 pub const UNPLACED: i32 = i32::MIN;
 
-/// Fixed-point pixel coordinates, y downwards.
+/// A position in fixed-point pixel coordinates, y downwards.
 pub type Place = [i32; 2];
 
-/// Twice the signed area of a triangle in fixed point; negative where the corners run counter-clockwise on the screen (y
-/// downwards), which is how the outside of a closed model appears.
+/// Returns twice the signed area of a triangle in fixed point; negative where the corners run counter-clockwise on the
+/// screen (y downwards), as on the outside of a closed model.
 #[inline(always)]
 pub fn doubled_area([a, b, c]: [Place; 3]) -> i64 {
     let e1 = [
@@ -43,16 +43,16 @@ pub fn doubled_area([a, b, c]: [Place; 3]) -> i64 {
     e1[0] * e2[1] - e1[1] * e2[0]
 }
 
-/// The first pixel whose centre is not before `fixed`.
+/// Returns the first pixel whose centre is not before `fixed`.
 #[inline(always)]
 pub fn first_centre(fixed: i32) -> i32 {
     (fixed - HALF + SUBPIXELS - 1) >> SUBPIXEL_BITS
 }
 
-/// Rows of a band: its fragments, 16 bytes a pixel, stay in a core's own cache.
+/// The rows of a band: its fragments, 16 bytes per pixel, stay in a core's own cache.
 pub const BAND: u32 = 16;
 
-/// Where a band lies.
+/// The position of a band in the picture.
 #[derive(Clone, Copy, Default)]
 pub struct BandPlace {
     pub first_row: u32,
@@ -68,7 +68,7 @@ impl BandPlace {
 
 /// An edge that runs downwards.
 struct Edge {
-    /// Crossing at centre line y (fixed point) is `(constant + slope·y)/divisor` pixels, less half a pixel.
+    /// The constant of the crossing: at centre line y (fixed point) it is `(constant + slope·y)/divisor` pixels, less half a pixel.
     constant: f64,
     slope: f64,
     divisor: f64,
@@ -88,7 +88,7 @@ impl Edge {
         }
     }
 
-    /// The first pixel of row `y` whose centre is not left of the edge.
+    /// Returns the first pixel of row `y` whose centre is not left of the edge.
     #[inline(always)]
     fn first_right(&self, y: i32) -> i32 {
         let line = f64::from(y * SUBPIXELS + HALF);
@@ -126,7 +126,7 @@ pub fn scan(
     }
 }
 
-/// Corners from top to bottom, those of one height from left to right.
+/// Returns the corners from top to bottom, those of one height from left to right.
 #[inline(always)]
 fn sorted([a, b, c]: [Place; 3]) -> [Place; 3] {
     let (a, b) = in_order(a, b);
@@ -150,7 +150,7 @@ mod tests {
     use crate::properties;
     use proptest::prelude::*;
 
-    /// How often each pixel of a square picture is covered.
+    /// Counts how often each pixel of a square picture is covered.
     fn counts(triangles: &[[Place; 3]], side: i32) -> Vec<u32> {
         let mut counts = vec![0; (side * side) as usize];
         for triangle in triangles {
@@ -192,7 +192,7 @@ mod tests {
     proptest! {
         #![proptest_config(properties::config(file!()))]
 
-        /// A fan about any inner point covers each pixel of a rectangle exactly once.
+        /// Checks that a fan about any inner point covers each pixel of a rectangle exactly once.
         #[test]
         fn a_fan_covers_every_pixel_once(
             hub in (1..16_i32 * 256, 1..16_i32 * 256),
@@ -212,7 +212,7 @@ mod tests {
             prop_assert!(covered.iter().all(|&c| c == 1), "{:?}", covered);
         }
 
-        /// However a strip of points is joined, its triangles neither overlap nor leave gaps.
+        /// Checks that the triangles of a strip of points, however it is joined, neither overlap nor leave gaps.
         #[test]
         fn a_grid_of_any_points_covers_every_pixel_once(moves in prop::collection::vec((-500..500_i32, -500..500_i32), 9), turns in prop::collection::vec(any::<bool>(), 16)) {
             let cell = 4 * SUBPIXELS;
@@ -228,7 +228,7 @@ mod tests {
                     if turns[j * 4 + i] { triangles.extend([[a, b, c], [a, c, d]]) } else { triangles.extend([[a, b, d], [b, c, d]]) }
                 }
             }
-            // Moves under half a cell keep every triangle's orientation in nearly all draws; others are no grid.
+            // Moves under half a cell keep every triangle's orientation in nearly all draws; the others are not a grid.
             prop_assume!(triangles.iter().all(|t| doubled_area(*t) > 0));
             let covered = counts(&triangles, 16);
             prop_assert!(covered.iter().all(|&c| c == 1), "{:?}", covered);

@@ -1,6 +1,6 @@
-//! Interpolates the normal or the intensity and the depth key at every covered pixel.
+//! Interpolation of the normal or the intensity and of the depth key at every covered pixel.
 //!
-//! What is carried from the vertices to the pixels is four numbers: three of a normal or an intensity, and the depth key.
+//! Vertices carry four numbers to the pixels: three of a normal or an intensity, and the depth key.
 //! For perspective-correct interpolation the three are multiplied by the key (1/depth), which makes them linear in the
 //! picture; the kernels that read the fragments divide again where it matters.
 
@@ -13,10 +13,11 @@ use crate::illumination::{LANES, Lanes};
 use fearless_simd::{Level, dispatch, f32x4, prelude::*};
 use rayon::prelude::*;
 
-/// A shorter interpolated normal is mostly rounding: it is not made a unit vector, so that those that cancel stay near zero.
+/// The length below which an interpolated normal is mostly rounding: it is not normalised, so that normals that cancel stay
+/// near zero.
 pub const SHORTEST_NORMAL: f64 = 1e-4;
 
-/// Fills `carried` with what each vertex carries, multiplied by its depth key if `by_key`, and that key.
+/// Fills `carried` with the values that each vertex carries, multiplied by its depth key if `by_key`, and that key.
 pub fn carry(
     level: Level,
     planes: [&[f32]; 3],
@@ -72,7 +73,7 @@ fn carry_chunk<S: Simd>(
     }
 }
 
-/// Linear over the triangle (of values that are linear there: affine ones, or perspective ones times the key).
+/// Linear interpolation over the triangle, of values that are linear there: affine ones, or perspective ones times the key.
 struct Barycentric<'a, S: Simd> {
     triangles: Triangles<'a>,
     carried: &'a [Fragment],
@@ -111,7 +112,7 @@ impl<'a, S: Simd> Barycentric<'a, S> {
         }
     }
 
-    /// What is carried to where the second and third vertex have these weights.
+    /// Returns the carried values where the second and third vertex have these weights.
     #[inline(always)]
     fn at(&self, simd: S, [w1, w2]: [f32; 2]) -> f32x4<S> {
         self.d1.mul_add(
@@ -121,11 +122,11 @@ impl<'a, S: Simd> Barycentric<'a, S> {
     }
 }
 
-/// Linear along the polygon's edges to P and Q on the scan line, then linear from P to Q (Gouraud 1971).
+/// Linear interpolation along the polygon's edges to P and Q on the scan line, then from P to Q (Gouraud 1971).
 struct Span {
-    /// Places of P and Q.
+    /// The positions of P and Q.
     x: [f64; 2],
-    /// What they carry.
+    /// The values at P and Q.
     values: [[f64; 4]; 2],
 }
 
@@ -143,13 +144,13 @@ impl Span {
         }
     }
 
-    /// From the pixel in column `x` on: the value there, the step to the next pixel, and the column where they end to hold, at
-    /// most `end`. Beside P and Q a pixel has their value, so that none leaves the range between them.
+    /// Returns the value in column `x`, the step to the next pixel, and the column up to which they hold, at most `end`.
+    /// Beside P and Q a pixel has their value, so that none leaves the range between them.
     fn from<S: Simd>(&self, simd: S, x: u16, end: u16) -> (f32x4<S>, f32x4<S>, u16) {
         let ([xp, xq], [p, q]) = (self.x, self.values);
         let pixel = f64::from(SUBPIXELS);
         let centre = f64::from(x) * pixel + f64::from(HALF);
-        // A span of no length has one value, P's.
+        // A span of zero length has one value, P's.
         let per_unit = if xq > xp { 1.0 / (xq - xp) } else { 0.0 };
         let t = ((centre - xp) * per_unit).clamp(0.0, 1.0);
         let start = [0, 1, 2, 3].map(|k| (p[k] + t * (q[k] - p[k])) as f32);
@@ -171,8 +172,8 @@ impl Span {
     }
 }
 
-/// Fills the fragments of a band, rows of `place.width`: linearly over each triangle by a step from one pixel to the next, or
-/// along the polygon's edges and then along the scan line. In each row all pixels of the extent are written.
+/// Fills the fragments of a band, rows of `place.width`: linearly over each triangle by a step from one pixel to the next,
+/// or along the polygon's edges and then along the scan line. In each row all pixels of the extent are written.
 #[inline(always)]
 pub fn interpolate<S: Simd>(
     simd: S,
@@ -211,7 +212,7 @@ pub fn interpolate<S: Simd>(
         let mut x = run.x0;
         while x < run.x1 {
             let centre = f64::from(i32::from(x) * SUBPIXELS + HALF);
-            // A row that sees the polygon crosses its outline.
+            // A row that shows the polygon crosses its outline.
             let Some(pair) = crossing_pair(crossings, centre) else {
                 break;
             };
@@ -222,7 +223,7 @@ pub fn interpolate<S: Simd>(
     }
 }
 
-/// Makes those pixels of the extents gaps that no run may fill.
+/// Makes the pixels of the extents gaps where no run may fill them.
 #[inline(always)]
 fn open_gaps(band: &Band, fragments: &mut [Block]) {
     let count = Block::count(band.place.width);
@@ -236,7 +237,7 @@ fn open_gaps(band: &Band, fragments: &mut [Block]) {
         if band.sorted {
             fragments::open(&mut line[blocks]);
         } else {
-            // Runs leave no gaps between them.
+            // There are no gaps between runs.
             fragments::open(&mut line[blocks.start..=blocks.start]);
             fragments::open(&mut line[blocks.end - 1..blocks.end]);
         }

@@ -1,4 +1,4 @@
-//! Finds where a scan line crosses a polygon: the points P and Q between which values are interpolated (Gouraud 1971).
+//! The crossings of a scan line with a polygon: the points P and Q between which values are interpolated (Gouraud 1971).
 //!
 //! ```text
 //!            a                         crossings from the left, in pairs: outside to inside, inside to outside
@@ -8,8 +8,8 @@
 //!        b─────────c
 //! ```
 //!
-//! The picture and the reference take their crossings from here. Whether an edge is crossed is decided on the grid of the
-//! picture's places, so that both see the same pairs.
+//! The picture and the reference take their crossings from here. The grid of the picture's positions decides whether an
+//! edge is crossed, so that both use the same pairs.
 
 use super::cover::Band;
 use super::grid::{BandPlace, HALF, Place, SUBPIXELS};
@@ -17,18 +17,18 @@ use super::transform::{BAND_HEIGHT, MANY, edge_table, edges, is_whole};
 use super::triangles::Triangles;
 use std::collections::HashMap;
 
-/// Where a line crosses an edge.
+/// The crossing of a line with an edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
-    /// In the unit of the places.
+    /// The x coordinate, in the unit of the positions.
     pub x: f64,
     /// The edge's vertices, in the polygon's order.
     pub ends: [u32; 2],
-    /// 0 at the first of them, 1 at the second.
+    /// The position on the edge: 0 at its first vertex, 1 at its second.
     pub alpha: f64,
 }
 
-/// Where the line at height `y`, fixed point, crosses an edge.
+/// Returns the crossing of the line at height `y`, fixed point, with an edge.
 #[inline(always)]
 fn cross(ends: [u32; 2], places: &[Place], y: f64) -> Option<Crossing> {
     let [a, b] = ends.map(|v| places[v as usize]);
@@ -44,7 +44,7 @@ fn cross(ends: [u32; 2], places: &[Place], y: f64) -> Option<Crossing> {
     })
 }
 
-/// P and Q for a place of the line: the pair that it lies between, or the nearest.
+/// Returns P and Q for a point of the line: the pair that it lies between, or the nearest.
 #[inline(always)]
 pub fn crossing_pair(crossings: &[Crossing], x: f64) -> Option<[&Crossing; 2]> {
     let pairs = crossings.as_chunks::<2>().0;
@@ -58,13 +58,13 @@ pub fn crossing_pair(crossings: &[Crossing], x: f64) -> Option<[&Crossing; 2]> {
     Some(nearer.each_ref())
 }
 
-/// What the scan line runs over where a triangle is seen.
+/// The outline that the scan line crosses where a triangle is visible.
 pub enum Outline<'a> {
-    /// A triangle by itself: a clipped polygon has lost corners, so that its pieces stand alone.
+    /// A triangle by itself: a clipped polygon has lost corners, so that its pieces are treated separately.
     Triangle([u32; 3]),
     /// The whole polygon of this face.
     Polygon(u32, &'a [u32]),
-    /// One of many corners, by its edges in each band.
+    /// A polygon of many corners, by its edges in each band.
     Many(u32, &'a [Vec<[u32; 2]>]),
 }
 
@@ -114,12 +114,12 @@ impl<'a> Outline<'a> {
 pub struct Outlines<'a> {
     triangles: Triangles<'a>,
     place: BandPlace,
-    /// Whether rows are asked for in their order.
+    /// True if rows are looked up in ascending order.
     sorted: bool,
-    /// The face and row that `crossings` belong to; none where they are a triangle's.
+    /// The face and row that `crossings` belong to; `None` for those of a triangle.
     at: Option<(u32, i32)>,
     crossings: Vec<Crossing>,
-    /// Those of polygons of many corners, row by row, once they are asked for.
+    /// The crossings of polygons of many corners, row by row, computed at first use.
     many: HashMap<u32, Vec<Vec<Crossing>>>,
 }
 
@@ -135,7 +135,7 @@ impl<'a> Outlines<'a> {
         }
     }
 
-    /// The crossings of what the scan line runs over where `triangle` is seen, with pixel row `y`.
+    /// Returns the crossings of the outline where `triangle` is visible with pixel row `y`.
     pub fn crossings(&mut self, triangle: u32, y: i32) -> &[Crossing] {
         if !self.triangles.is_piece(triangle) && self.at == Some((self.triangles.face(triangle), y))
         {

@@ -1,7 +1,7 @@
-//! Transforms vertices to fixed-point places in the picture.
+//! The transform of vertices to fixed-point positions in the picture.
 //!
-//! Places are fixed-point with [`SUBPIXEL_BITS`] fractional bits, so that coverage is decided in exact arithmetic. A vertex
-//! that is nearer than the near plane or farther out than the guard band has no place and sends its triangles to the clipper.
+//! Positions are fixed-point with [`SUBPIXEL_BITS`] fractional bits, so that coverage is decided in exact arithmetic. A vertex
+//! that is nearer than the near plane or farther out than the guard band has no position and sends its triangles to the clipper.
 
 use super::grid::{BAND, GUARD, Place, SUBPIXELS, UNPLACED};
 use crate::illumination::{LANES, Lanes, Real, V3};
@@ -13,19 +13,19 @@ use rayon::prelude::*;
 use std::collections::HashMap;
 use std::sync::OnceLock;
 
-/// Vertices that one task transforms: some microseconds of work.
+/// The vertices that one task transforms: some microseconds of work.
 const CHUNK: usize = 4096;
 
 /// The transform stage's output.
 #[derive(Default)]
 pub struct Placed {
-    /// One per vertex, padding included; after them those that clipping adds.
+    /// The position of each vertex, padding included; after them those that clipping adds.
     pub places: Vec<Place>,
     /// The depth key of each, see [`Lens::key_from_depth`].
     pub keys: Vec<f32>,
-    /// Rows of the picture.
+    /// The rows of the picture.
     pub rows: u32,
-    /// What scan lines cross, once it is asked for.
+    /// The edges that scan lines cross, computed at first use.
     pub edges: OnceLock<EdgeTable>,
 }
 
@@ -39,7 +39,7 @@ impl Placed {
         memory.vertices += room(&self.places) + room(&self.keys) + edges.map(room).sum::<u64>();
     }
 
-    /// The places of a triangle's vertices.
+    /// Returns the positions of a triangle's vertices.
     #[inline(always)]
     pub fn corners(&self, [a, b, c]: [u32; 3]) -> [Place; 3] {
         [
@@ -74,7 +74,7 @@ impl Placed {
 
 /// The affine map from the model's coordinates to view components, and the lens.
 struct Rows {
-    /// Right, up and forward.
+    /// The right, up and forward rows.
     rows: [[f32; 4]; 3],
     focal: f32,
     middle: [f32; 2],
@@ -82,7 +82,7 @@ struct Rows {
 }
 
 impl Rows {
-    /// The offset is taken in double precision: a model far from the world's origin loses nothing.
+    /// Prepares the map. The offset is computed in double precision: a model far from the world's origin loses nothing.
     fn new(lens: &Lens, model: &Model) -> Self {
         let offset = lens.view_from_world(model.origin);
         let axes = [
@@ -102,7 +102,7 @@ impl Rows {
     }
 }
 
-/// One view component of a point.
+/// Returns one view component of a point.
 #[inline(always)]
 fn component<S: Simd>(p: V3<Lanes<S>>, [a, b, c, d]: [f32; 4]) -> Lanes<S> {
     p.x.mul_add(
@@ -114,7 +114,7 @@ fn component<S: Simd>(p: V3<Lanes<S>>, [a, b, c, d]: [f32; 4]) -> Lanes<S> {
     )
 }
 
-/// Pixels to fixed point; [`UNPLACED`] where `outside`.
+/// Converts pixels to fixed point; [`UNPLACED`] where `outside`.
 #[inline(always)]
 fn fixed<S: Simd>(v: Lanes<S>, outside: mask32x16<S>) -> i32x16<S> {
     let rounded = Lanes((v * SUBPIXELS as f32).0.round_ties_even());
@@ -159,10 +159,10 @@ fn transform<S: Simd>(
     }
 }
 
-/// Polygons of more corners than this have their edges sorted into bands, once for all pictures of one view.
+/// The number of corners above which a polygon's edges are sorted into bands, once for all pictures of one view.
 pub const MANY: usize = 32;
 
-/// The edges of a polygon, each by its two vertices.
+/// Returns the edges of a polygon, each by its two vertices.
 pub fn edges(polygon: &[u32]) -> impl Iterator<Item = [u32; 2]> {
     polygon
         .iter()
@@ -170,18 +170,18 @@ pub fn edges(polygon: &[u32]) -> impl Iterator<Item = [u32; 2]> {
         .map(|(&a, &b)| [a, b])
 }
 
-/// Whether a polygon has lost no corner to clipping.
+/// Returns whether a polygon has lost no corner to clipping.
 pub fn is_whole(polygon: &[u32], places: &[Place]) -> bool {
     polygon.iter().all(|&v| places[v as usize][0] != UNPLACED)
 }
 
-/// The edges of polygons of many corners, band by band of the rows that they cross; none for a clipped polygon.
+/// The edges of polygons of many corners, band by band of the rows that they cross; `None` for a clipped polygon.
 pub type EdgeTable = HashMap<u32, Option<Vec<Vec<[u32; 2]>>>>;
 
-/// Height of a band, fixed point.
+/// The height of a band, fixed point.
 pub const BAND_HEIGHT: i32 = BAND.cast_signed() * SUBPIXELS;
 
-/// The table of a model's faces in a picture of so many rows.
+/// Builds the table of a model's faces in a picture of `rows` rows.
 pub fn edge_table(model: &Model, places: &[Place], rows: u32) -> EdgeTable {
     let last = rows.div_ceil(BAND).cast_signed() - 1;
     let bands = |polygon: &[u32]| {

@@ -1,7 +1,7 @@
-//! The triangles of a picture, where they lie in it, and which bands of rows they reach.
+//! The triangles of a picture, their positions in it, and the bands of rows that they reach.
 //!
-//! Back faces, triangles without area and triangles that miss every pixel centre are dropped before anything is set up for
-//! them. The lists are in the order of the triangles whatever the number of threads.
+//! Back faces, triangles without area and triangles that miss every pixel centre are dropped before any setup. The lists
+//! are in the order of the triangles whatever the number of threads.
 
 use super::clip::{Clipped, Cut};
 use super::grid::{BAND, Place, UNPLACED, doubled_area, first_centre};
@@ -12,10 +12,10 @@ use crate::render::node::{Memory, room};
 use fearless_simd::Level;
 use rayon::prelude::*;
 
-/// Triangles that one task looks at.
+/// The triangles that one task examines.
 const CHUNK: usize = 8192;
 
-/// A list filled to less than one part in so many gives back its room, which else would be that of its fullest picture.
+/// The divisor of a list's capacity below which its memory is freed, since it would otherwise keep that of its fullest picture.
 const SLACK: usize = 4;
 
 /// The model's triangles placed in a picture, clipped and sorted into bands.
@@ -25,21 +25,21 @@ pub struct PlacedTriangles {
     pub clipped: Clipped,
     chunks: Vec<Chunk>,
     used: usize,
-    /// Triangles with a pixel centre in their bounds, back faces only where these are not dropped.
+    /// The number of triangles with a pixel centre in their bounds; back faces count only where they are not dropped.
     pub candidates: u64,
 }
 
 #[derive(Default)]
 struct Chunk {
-    /// One list a band.
+    /// One list for each band.
     bands: Vec<Vec<u32>>,
-    /// Triangles for the clipper.
+    /// The triangles for the clipper.
     clip: Vec<u32>,
     candidates: u64,
 }
 
 impl PlacedTriangles {
-    /// Places the model's triangles in a picture of `size` pixels; back faces are dropped where `cull` says so.
+    /// Places the model's triangles in a picture of `size` pixels; `cull` drops back faces.
     pub fn run(&mut self, level: Level, lens: &Lens, model: &Model, size: [u32; 2], cull: bool) {
         let Self {
             placed,
@@ -80,7 +80,7 @@ impl PlacedTriangles {
         *candidates = chunks[..*used].iter().map(|chunk| chunk.candidates).sum();
     }
 
-    /// How many of the candidates show their back. Counted anew at each call.
+    /// Counts the candidates that show their back, anew at each call.
     pub fn backs(&self, model: &Model) -> u64 {
         let triangles = self.triangles(model);
         let lists = self.chunks[..self.used]
@@ -100,7 +100,7 @@ impl PlacedTriangles {
         backs.sum::<usize>() as u64
     }
 
-    /// The triangles of band `band`, in ascending order.
+    /// Returns the triangles of band `band`, in ascending order.
     pub fn band(&self, band: usize) -> impl Iterator<Item = u32> {
         self.chunks[..self.used]
             .iter()
@@ -171,7 +171,7 @@ impl Chunk {
     }
 }
 
-/// The triangles of a picture: the model's, after them the pieces that clipping made.
+/// The triangles of a picture: the model's, followed by the pieces made by clipping.
 #[derive(Clone, Copy)]
 pub struct Triangles<'a> {
     pub model: &'a Model,
@@ -180,7 +180,7 @@ pub struct Triangles<'a> {
 }
 
 impl Triangles<'_> {
-    /// Vertices of a triangle of the model or of the clipper.
+    /// Returns the vertices of a triangle of the model or of the clipper.
     #[inline(always)]
     pub fn vertices(&self, triangle: u32) -> [u32; 3] {
         let own = self.model.triangles.len();
@@ -190,26 +190,26 @@ impl Triangles<'_> {
         }
     }
 
-    /// The places of a triangle's vertices.
+    /// Returns the positions of a triangle's vertices.
     #[inline(always)]
     pub fn corners(&self, triangle: u32) -> [Place; 3] {
         self.placed.corners(self.vertices(triangle))
     }
 
-    /// Whether a triangle is a piece that clipping made.
+    /// Returns whether a triangle is a piece made by clipping.
     #[inline(always)]
     pub fn is_piece(&self, triangle: u32) -> bool {
         triangle as usize >= self.model.triangles.len()
     }
 
-    /// What a vertex is made from that clipping made.
+    /// Returns the origin of a vertex made by clipping.
     pub fn cut(&self, vertex: u32) -> Option<&Cut> {
         self.clipped
             .cuts
             .get((vertex as usize).wrapping_sub(self.model.padded_len()))
     }
 
-    /// The model's triangle: that which a piece that clipping made is part of.
+    /// Returns the model's triangle: for a piece made by clipping, the triangle that it is part of.
     #[inline(always)]
     pub fn whole(&self, triangle: u32) -> usize {
         let (index, own) = (triangle as usize, self.model.triangles.len());
@@ -220,7 +220,7 @@ impl Triangles<'_> {
         }
     }
 
-    /// The face that a triangle belongs to.
+    /// Returns the face that a triangle belongs to.
     #[inline(always)]
     pub fn face(&self, triangle: u32) -> u32 {
         self.model.faces[self.whole(triangle)]

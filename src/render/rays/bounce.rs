@@ -1,9 +1,9 @@
 //! One bounce: light that the object and the floor have scattered once, gathered from all sides.
 //!
-//! What arrives at a point is the mean of what is seen in directions spread as the cosine to its normal, which is what a
-//! diffuse surface weighs them by. It is gathered on a grid of pixels and carried to the others by weights that fall with
-//! the distance in the picture and vanish on another surface (after W. J. Ward et al., *A ray tracing solution for diffuse
-//! interreflection*, 1988: indirect light changes slowly but at creases).
+//! The light that arrives at a point is the mean of that seen in directions distributed by the cosine to its normal, as a
+//! diffuse surface weights them. It is gathered on a grid of pixels and interpolated to the others by weights that fall
+//! with the distance in the picture and vanish on another surface (after W. J. Ward et al., *A ray tracing solution for
+//! diffuse interreflection*, 1988: indirect light changes slowly except at creases).
 
 use super::packet::{Packet, RAYS};
 use super::world::{Beyond, DiffuseSurface, FloorScratch, LightScratch, World, in_range};
@@ -18,25 +18,25 @@ use rayon::prelude::*;
 use std::f64::consts::TAU;
 use std::ops::Range;
 
-/// Directions from a point: rows times columns.
+/// The directions from a point: rows times columns.
 const DIRECTIONS: [usize; 2] = [8, 8];
 /// Every ray of a packet.
 const ALL: u32 = u32::MAX >> (32 - RAYS);
-/// Points of the grid along the picture's longer side: light from other surfaces changes over the object, not over pixels.
+/// The points of the grid along the picture's longer side: light from other surfaces changes over the object, not over pixels.
 const POINTS: usize = 72;
-/// Weights below this tell nothing; the pixel gathers for itself.
+/// The weight below which interpolation is unreliable; the pixel then gathers for itself.
 const LEAST_WEIGHT: f32 = 0.02;
-/// A grid point's weight falls to nothing so many cells away.
+/// The distance, in cells, at which a grid point's weight falls to zero.
 const WIDTH: f32 = 2.5;
-/// Cells on either side within that.
+/// The cells on either side within that distance.
 const NEIGHBOURS: usize = 2;
 
 /// A point to gather at.
 #[derive(Clone, Copy, Debug, Default)]
 struct Receiver {
-    /// Relative to the eye, camera distances.
+    /// The position relative to the eye, camera distances.
     place: Vec3,
-    /// Unit; zero where there is nothing.
+    /// The unit normal; zero where there is no surface.
     normal: Vec3,
     on_object: bool,
 }
@@ -47,18 +47,18 @@ impl Receiver {
     }
 }
 
-/// Light that arrives at the pixels from other surfaces, and the constant that stands for it best.
+/// The light that arrives at the pixels from other surfaces, and the constant that approximates it best.
 #[derive(Default)]
 pub struct Bounced {
-    /// What the surface scatters of the mean intensity that arrives.
+    /// The light that the surface scatters of the mean intensity that arrives.
     pub scattered: Vec<Vec3>,
-    /// The Ia whose constant term differs least from it: least squares over all pixels that see a surface.
+    /// The Ia whose constant term differs least from it: least squares over all pixels that show a surface.
     pub fit: Option<Rgb>,
-    /// Where the pixels gather; kept for its room.
+    /// The points where the pixels gather; kept to reuse its capacity.
     receivers: Vec<Receiver>,
 }
 
-/// What a thread keeps from one receiver to the next.
+/// The buffers that a thread reuses from one receiver to the next.
 #[derive(Default)]
 struct Scratch {
     on_object: Vec<(DVec3, DVec3)>,
@@ -71,7 +71,7 @@ impl Bounced {
         memory.pixels += room(&self.scattered) + room(&self.receivers);
     }
 
-    /// Gathers light at every pixel; neither the floor nor `object` has the ambient light that the bounce takes the place of.
+    /// Gathers light at every pixel; neither the floor nor `object` has the ambient light that the bounce replaces.
     pub fn run(&mut self, world: &World<'_>, object: &DiffuseSurface<'_>, coverage: Coverage<'_>) {
         let (scene, lens) = (world.scene, world.hits.lens);
         let [width, height] = scene.image.size.map(|side| side as usize);
@@ -116,7 +116,7 @@ impl Bounced {
     }
 }
 
-/// What a surface returns of the constant ambient light, and of light from other surfaces.
+/// Returns the light that a surface reflects of the constant ambient light, and of light from other surfaces.
 fn returned(
     world: &World<'_>,
     object: &DiffuseSurface<'_>,
@@ -137,7 +137,7 @@ fn returned(
     }
 }
 
-/// Finds the points that pixels see of the object and the floor.
+/// Finds the points of the object and the floor that pixels show.
 fn find_receivers(
     world: &World<'_>,
     coverage: Coverage<'_>,
@@ -172,7 +172,7 @@ fn find_receivers(
     });
 }
 
-/// The mean intensity that arrives from other surfaces at every pixel of a picture `width` wide.
+/// Computes the mean intensity that arrives from other surfaces at every pixel of a picture `width` wide.
 fn gather(
     world: &World<'_>,
     object: &DiffuseSurface<'_>,
@@ -232,7 +232,8 @@ fn gather(
     });
 }
 
-/// The mean intensity from other surfaces at a receiver. `salt` turns the directions: their number must not show as steps.
+/// Returns the mean intensity from other surfaces at a receiver. `salt` turns the directions, so that their number does not
+/// show as steps.
 fn arriving(
     world: &World<'_>,
     object: &DiffuseSurface<'_>,
@@ -280,7 +281,7 @@ fn arriving(
     sum / directions.len() as f64
 }
 
-/// Directions about `n`, spread as the cosine to it and turned by `salt`.
+/// Returns directions about `n`, distributed by the cosine to it and turned by `salt`.
 fn directions(n: DVec3, salt: usize) -> [DVec3; DIRECTIONS[0] * DIRECTIONS[1]] {
     let (tangent, bitangent) = n.any_orthonormal_pair();
     let [rows, columns] = DIRECTIONS;
@@ -288,17 +289,17 @@ fn directions(n: DVec3, salt: usize) -> [DVec3; DIRECTIONS[0] * DIRECTIONS[1]] {
     std::array::from_fn(|k| {
         let height = ((k / columns) as f64 + turn[0]) / rows as f64;
         let angle = TAU * ((k % columns) as f64 + turn[1]) / columns as f64;
-        // Even over the disc under the half-sphere: spread as the cosine over the half-sphere.
+        // Uniform over the disc under the half-sphere, so distributed by the cosine over the half-sphere.
         let (radius, (sine, cosine)) = (height.sqrt(), angle.sin_cos());
         tangent * (radius * cosine) + bitangent * (radius * sine) + n * (1.0 - height).sqrt()
     })
 }
 
-/// Points of the picture at which light was gathered: the middles of square cells.
+/// The points of the picture at which light was gathered: the middles of square cells.
 struct Grid {
     points: Vec<(Receiver, Vec3)>,
     columns: usize,
-    /// Pixels along a cell.
+    /// The pixels along a cell.
     step: usize,
 }
 
@@ -307,12 +308,12 @@ struct Pixels<S: Simd> {
     x: Lanes<S>,
     place: V3<Lanes<S>>,
     normal: V3<Lanes<S>>,
-    /// 1 over the distance of two planes that are taken for one.
+    /// 1 over the distance of two planes that count as one.
     inverse_gap: Lanes<S>,
 }
 
 impl Grid {
-    /// The weighted mean of the grid's points about each pixel of row `y`; NaN where none lies on the same surface.
+    /// Computes the weighted mean of the grid's points about each pixel of row `y`; NaN where none lies on the same surface.
     #[inline(always)]
     fn carry_row<S: Simd>(&self, simd: S, y: usize, receivers: &[Receiver], light: &mut [Vec3]) {
         let rows = self.around(y, y, self.points.len() / self.columns);
@@ -351,7 +352,7 @@ impl Grid {
         }
     }
 
-    /// The cells that have a weight at any of the pixels `first` to `last` of a row or column.
+    /// Returns the cells that have a weight at any of the pixels `first` to `last` of a row or column.
     fn around(&self, first: usize, last: usize, count: usize) -> Range<usize> {
         (first / self.step).saturating_sub(NEIGHBOURS)
             ..(last / self.step + NEIGHBOURS + 1).min(count)
@@ -361,7 +362,7 @@ impl Grid {
         (cell * self.step + self.step / 2) as f32
     }
 
-    /// Falls from 1 at the cell's middle to 0.
+    /// Returns a weight that falls from 1 at the cell's middle to 0.
     fn tent(&self, cell: usize, pixel: usize) -> f32 {
         (1.0 - (self.middle(cell) - pixel as f32).abs() / (WIDTH * self.step as f32)).max(0.0)
     }
@@ -401,7 +402,7 @@ impl<S: Simd> Pixels<S> {
         }
     }
 
-    /// Falls from 1 at a cell's middle to 0.
+    /// Returns a weight that falls from 1 at a cell's middle to 0.
     #[inline(always)]
     fn tent(&self, middle: f32, step: f32) -> Lanes<S> {
         let one = self.x.constant(1.0);
@@ -411,7 +412,7 @@ impl<S: Simd> Pixels<S> {
             .max(self.x.constant(0.0))
     }
 
-    /// 1 for points in one plane, towards 0 where the normals or the planes part.
+    /// Returns 1 for points in one plane, falling towards 0 as the normals or the planes differ.
     #[inline(always)]
     fn likeness(&self, other: &Receiver) -> Lanes<S> {
         let (zero, one) = (self.x.constant(0.0), self.x.constant(1.0));

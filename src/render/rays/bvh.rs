@@ -1,6 +1,6 @@
-//! Builds a hierarchy of boxes over a model's triangles, in which rays find them.
+//! A hierarchy of boxes over a model's triangles, for the intersection with rays.
 //!
-//! Boxes are split where the surface area heuristic is least over a few bins (I. Wald, *On fast construction of SAH-based
+//! Boxes are split where the surface area heuristic is smallest over a few bins (I. Wald, *On fast construction of SAH-based
 //! bounding volume hierarchies*, 2007). Coordinates are those of the model, relative to its origin.
 
 use crate::render::model::Model;
@@ -8,30 +8,30 @@ use crate::render::node::{Memory, room};
 use glam::Vec3;
 use rayon::join;
 
-/// Triangles in a leaf at most.
+/// The most triangles in a leaf.
 const LEAF: usize = 4;
-/// Bins that a box's centres are sorted into.
+/// The bins that a box's centres are sorted into.
 const BINS: usize = 12;
-/// Deeper than this, boxes are split into halves of equal number, which bounds the depth.
+/// The depth beyond which boxes are split into halves of equal number, which bounds the depth.
 const UNEVEN_DEPTH: usize = 40;
-/// Boxes that wait on the way down: one a level, [`UNEVEN_DEPTH`] and as many as 2³² triangles can be halved.
+/// The most boxes waiting on the way down: one for each level, [`UNEVEN_DEPTH`] and as many as 2³² triangles can be halved.
 pub const STACK: usize = 80;
-/// From this many triangles on, both halves are built at once.
+/// The number of triangles from which both halves are built in parallel.
 const PARALLEL: usize = 4096;
 
-/// A box, and what is in it: children, or triangles.
+/// A box and its contents: children, or triangles.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Node {
     pub low: [f32; 3],
     pub high: [f32; 3],
     /// The right child (the left one follows its parent), or the first triangle.
     pub start: u32,
-    /// Triangles; 0 for a box with children.
+    /// The number of triangles; 0 for a box with children.
     pub count: u32,
 }
 
 impl Node {
-    /// A radius that holds the box, relative to the model's origin.
+    /// Returns a radius that holds the box, relative to the model's origin.
     pub fn radius(&self) -> f32 {
         Vec3::from_array(self.low)
             .abs()
@@ -44,11 +44,11 @@ impl Node {
 #[derive(Default)]
 pub struct Bvh {
     pub nodes: Vec<Node>,
-    /// Corners in the order of the leaves.
+    /// The corners in the order of the leaves.
     pub corners: Vec<[Vec3; 3]>,
-    /// Indices of the triangles in the same order.
+    /// The indices of the triangles in the order of the leaves.
     pub order: Vec<u32>,
-    /// Radius of a ball about the model's origin that lies within the solid; 0 if none is known.
+    /// The radius of a ball about the model's origin that lies within the solid; 0 if none is known.
     pub inner_radius: f64,
 }
 
@@ -132,7 +132,7 @@ impl Bvh {
         memory.triangles += room(&self.nodes) + room(&self.corners) + room(&self.order);
     }
 
-    /// The height of the lowest corner.
+    /// Returns the height of the lowest corner.
     pub fn lowest(&self) -> f64 {
         self.nodes
             .first()
@@ -140,7 +140,7 @@ impl Bvh {
     }
 }
 
-/// The distance of the origin from the nearest of a convex solid's planes, a little less for rounding.
+/// Returns the distance of the origin from the nearest of a convex solid's planes, a little less for rounding.
 fn inner_radius(corners: &[[Vec3; 3]]) -> f64 {
     let distance = |triangle: &[Vec3; 3]| {
         let [a, b, c] = triangle.map(|corner| corner.as_dvec3());
@@ -177,7 +177,7 @@ fn build(items: &mut [Item], nodes: &mut [Node], index: u32, first: u32, depth: 
     }
     let middle = split(items, depth);
     let (left, right) = items.split_at_mut(middle);
-    // A box of m triangles takes at most 2m − 1 places, so the right child's place is known before the left is built.
+    // A box of m triangles takes at most 2m − 1 nodes, so the right child's index is known before the left is built.
     let (own, rest) = nodes.split_at_mut(1);
     let (left_nodes, right_nodes) = rest.split_at_mut(2 * middle - 1);
     let right_index = index + 2 * middle as u32;
@@ -220,7 +220,7 @@ fn split(items: &mut [Item], depth: usize) -> usize {
     half
 }
 
-/// The first bin of the second part, such that area times number, summed over both parts, is least.
+/// Returns the first bin of the second part, such that area times number, summed over both parts, is smallest.
 fn cheapest(items: &[Item], bin: impl Fn(&Item) -> usize) -> usize {
     let mut bins = [(Bounds::EMPTY, 0_usize); BINS];
     for item in items {
@@ -244,7 +244,7 @@ fn cheapest(items: &[Item], bin: impl Fn(&Item) -> usize) -> usize {
         .unwrap_or(1)
 }
 
-/// Moves the items that are `first` before the others; returns how many they are.
+/// Moves the items that are `first` before the others; returns their number.
 fn partition(items: &mut [Item], first: impl Fn(&Item) -> bool) -> usize {
     let mut middle = 0;
     for index in 0..items.len() {

@@ -1,14 +1,14 @@
-//! Rays and points side by side, as lanes take them, and bits that tell which of them see a light.
+//! Packets of rays and points in SIMD lanes, and the bits of which of them see a light.
 
 use crate::illumination::Reached;
 use fearless_simd::{f32x16, mask32x16, prelude::*};
 use glam::{DVec3, Vec3};
 use std::ops::{Mul, Sub};
 
-/// Rays of a packet.
+/// The rays of a packet.
 pub const RAYS: usize = 16;
 
-/// Rays that are asked about together, relative to the model's origin.
+/// The rays traced together, relative to the model's origin.
 #[derive(Clone, Default)]
 pub struct Packet {
     pub origin: [[f64; RAYS]; 3],
@@ -32,24 +32,24 @@ impl Packet {
     }
 }
 
-/// The rays whose bits are set.
+/// Returns the rays whose bits are set.
 pub fn rays_of(bits: u32) -> impl Iterator<Item = usize> {
     (0..RAYS).filter(move |ray| bits >> ray & 1 == 1)
 }
 
-/// The points that a row of pixels sees, or a block of vertices or faces.
+/// The points shown by a row of pixels, or a block of vertices or faces.
 #[derive(Default)]
 pub struct PointRow {
-    /// Where rays start but for their clearance, relative to the middle of the object's ball, world units.
+    /// The origins of the rays before their clearance, relative to the middle of the object's ball, world units.
     pub start: [Vec<f64>; 3],
-    /// Unit.
+    /// The unit normals.
     pub normal: [Vec<f64>; 3],
-    /// A bit for each of [`RAYS`] points: whether it is there.
+    /// A bit for each of [`RAYS`] points, set if the point exists.
     pub present: Vec<u32>,
 }
 
 impl PointRow {
-    /// Room for `count` points, none of them there.
+    /// Makes space for `count` points, none of which exists yet.
     pub fn clear(&mut self, count: usize) {
         let packets = count.div_ceil(RAYS);
         for plane in self.start.iter_mut().chain(&mut self.normal) {
@@ -67,7 +67,7 @@ impl PointRow {
         self.present[index / RAYS] |= 1 << (index % RAYS);
     }
 
-    /// The point, `clearance` away along its normal.
+    /// Returns the point, `clearance` away along its normal.
     pub fn lifted(&self, index: usize, clearance: f64) -> DVec3 {
         DVec3::from_array(
             [0, 1, 2].map(|axis| self.start[axis][index] + self.normal[axis][index] * clearance),
@@ -75,21 +75,21 @@ impl PointRow {
     }
 }
 
-/// Points of a block where the equation is evaluated at vertices or faces.
+/// The points of a block where the equation is evaluated at vertices or faces.
 pub const BLOCK: usize = 4096;
 
-/// Which source is seen from which point: blocks (a row of pixels, or [`BLOCK`] points), each with a row of bits a source.
+/// The visibility of sources from points: blocks (a row of pixels, or [`BLOCK`] points), each with a row of bits for each source.
 #[derive(Default)]
 pub struct Visibility {
     pub words: Vec<u64>,
-    /// Words of one block.
+    /// The words of one block.
     pub block: usize,
-    /// Words of one source within a block.
+    /// The words of one source within a block.
     pub stride: usize,
 }
 
 impl Visibility {
-    /// Room for `blocks` blocks of `points` points, none in shadow.
+    /// Makes space for `blocks` blocks of `points` points, none in shadow.
     pub fn clear(&mut self, blocks: usize, points: usize, sources: usize) {
         self.stride = points.div_ceil(64);
         // One word more, since bits are read two words at a time.
@@ -98,7 +98,7 @@ impl Visibility {
         self.words.resize(blocks * self.block, u64::MAX);
     }
 
-    /// The bits from point `first` of a block on.
+    /// Returns the bits from point `first` of a block on.
     pub fn at(&self, block: usize, first: usize) -> Option<Reached<'_>> {
         let words = self
             .words

@@ -1,8 +1,8 @@
-//! Quick tests in single precision: which of sixteen rays certainly miss or certainly hit the object.
+//! Quick tests in single precision that decide for most of sixteen rays whether they certainly miss or certainly hit the object.
 //!
-//! A ray that passes the ball about the object is open; one that meets the ball within it is shut, for whatever starts outside
-//! and ends outside must cross the surface. Margins are wider than the rounding; outside the range of sizes that they were
-//! derived for, the answer is "unknown".
+//! A ray that passes the ball about the object is open; one that meets the ball within it is blocked, since anything that
+//! starts outside and ends outside must cross the surface. Margins are wider than the rounding; outside the range of sizes
+//! that they were derived for, the answer is "unknown".
 
 use super::packet::{PointRow, RAYS, Vectors, bits, cross, dot, load, splat, sub};
 use crate::illumination::area_hull;
@@ -10,28 +10,28 @@ use crate::scene::{AreaShape, Light};
 use fearless_simd::{f32x16, mask32x16, prelude::*};
 use glam::{DVec3, Vec3};
 
-/// Roundings of a point on a ray, generously, as a part of the distances.
+/// The roundings of a point on a ray, generously, as a part of the distances.
 const ROUNDINGS: f32 = 16.0 * f32::EPSILON;
-/// Outside by more than any rounding.
+/// A factor by which something lies outside by more than any rounding.
 const WIDER: f64 = 1.0 + 1e-5;
-/// Radii of the object and squares of lengths whose products stay far from the ends of single precision.
+/// The range of the object's radii, and of squares of lengths, whose products stay far from the ends of single precision.
 const RADII: [f32; 2] = [1e-6, 1e9];
 const SQUARES: [f32; 2] = [1e-24, 1e24];
 
-/// A source as rays see it.
+/// A source, prepared for the tests of rays.
 #[derive(Clone, Copy)]
 pub struct Target {
-    /// Its place relative to the middle of the ball, or for parallel rays the way to it.
+    /// The position relative to the middle of the ball, or for parallel rays the direction to the source.
     pub place: DVec3,
     pub parallel: bool,
-    /// Above the floor, or for parallel rays upwards: positive.
+    /// The height above the floor, or for parallel rays the upward component: positive above.
     pub rise: f32,
-    /// Whether it lies outside the object's ball.
+    /// True if the source lies outside the object's ball.
     pub outside: bool,
 }
 
 impl Target {
-    /// `up` is positive for a source above the floor.
+    /// Prepares a source; `up` is positive for a source above the floor.
     pub fn new(place: DVec3, parallel: bool, up: f64, radius: f64) -> Self {
         let rise = f32::from(i8::from(up > 0.0) - i8::from(up < 0.0));
         Self {
@@ -43,14 +43,14 @@ impl Target {
     }
 }
 
-/// An area light as a area.
+/// An area light, prepared for tests of all its samples at once.
 pub struct AreaLight {
     centre: Vec3,
-    /// No sample is farther from the centre.
+    /// The largest distance of a sample from the centre.
     reach: f32,
-    /// Of a polyhedron that holds it.
+    /// The corners of a polyhedron that holds the light.
     corners: Vec<Target>,
-    /// Whether the corners are a rectangle's, in their order.
+    /// True if the corners are a rectangle's, in their order.
     flat: bool,
 }
 
@@ -75,20 +75,20 @@ pub struct Balls {
 
 /// Sixteen points.
 pub struct Points<S: Simd> {
-    /// Where their rays start, relative to the middle of the balls.
+    /// The origins of their rays, relative to the middle of the balls.
     from: Vectors<S>,
     normal: Vectors<S>,
-    /// From the middle of the balls.
+    /// The distance from the middle of the balls.
     distance: f32x16<S>,
-    /// How far the rounding may move a point of a ray.
+    /// The bound on how far rounding moves a point of a ray.
     error: f32x16<S>,
-    /// Above the floor; infinitely without one.
+    /// The height above the floor; infinite without one.
     above: f32x16<S>,
 }
 
 impl<S: Simd> Points<S> {
-    /// A packet of a row's points, whose rays start `clearance` away on one side of their normals. Heights are relative to the
-    /// middle: the floor's is `ground`, and no point lies below `least`.
+    /// Loads a packet of a row's points, whose rays start `clearance` away on one side of their normals. Heights are
+    /// relative to the middle: the floor's is `ground`, and no point lies below `least`.
     #[inline(always)]
     pub fn load(
         simd: S,
@@ -127,7 +127,7 @@ impl<S: Simd> Points<S> {
         }
     }
 
-    /// The ways to a source.
+    /// Returns the vectors to a source.
     #[inline(always)]
     pub fn way_to(&self, simd: S, target: &Target) -> Vectors<S> {
         let place = target.place.as_vec3();
@@ -138,33 +138,33 @@ impl<S: Simd> Points<S> {
         }
     }
 
-    /// The ways to a point.
+    /// Returns the vectors to a point.
     #[inline(always)]
     fn way_from(&self, simd: S, to: Vec3) -> Vectors<S> {
         sub(&splat(simd, to), &self.from)
     }
 
-    /// Which of the points face the source that lies this way.
+    /// Finds the points that face the source in these directions.
     #[inline(always)]
     pub fn facing(&self, simd: S, way: &Vectors<S>) -> u32 {
         bits(dot(way, &self.normal).simd_gt(f32x16::splat(simd, 0.0)))
     }
 
-    /// Which of the points the floor parts from a source.
+    /// Finds the points that the floor separates from a source.
     #[inline(always)]
     pub fn beyond_floor(&self, simd: S, target: &Target) -> u32 {
         let floor = self.above.simd_lt(f32x16::splat(simd, f32::INFINITY));
         bits((self.above * target.rise).simd_lt(f32x16::splat(simd, 0.0)) & floor)
     }
 
-    /// Whether the floor parts any of the points from sources under it or above it, if there are any.
+    /// Returns whether the floor separates any of the points from sources under it or above it, if there are any.
     #[inline(always)]
     pub fn floor_parts(&self, simd: S, [under, above]: [bool; 2]) -> bool {
         let zero = f32x16::splat(simd, 0.0);
         under && self.above.simd_gt(zero).any_true() || above && self.above.simd_lt(zero).any_true()
     }
 
-    /// Which of the rays certainly pass the balls, and which certainly meet the object within.
+    /// Finds the rays that certainly pass the balls, and those that certainly meet the object within.
     #[inline(always)]
     pub fn decide(&self, simd: S, way: &Vectors<S>, target: &Target, balls: Balls) -> [u32; 2] {
         let most = if target.parallel { f32::INFINITY } else { 1.0 };
@@ -183,7 +183,8 @@ impl<S: Simd> Points<S> {
         ]
     }
 
-    /// The squared distance from the middle at which rays pass it between t = 0 and t = `most`, and where that is reliable.
+    /// Returns the squared distance from the middle at which rays pass it between t = 0 and t = `most`, and a mask of where
+    /// that is reliable.
     #[inline(always)]
     fn approach(
         &self,
@@ -214,7 +215,7 @@ impl<S: Simd> Points<S> {
         )
     }
 
-    /// Which of the points certainly see nothing of an area light: the inner ball hides its corners, and so all of it.
+    /// Finds the points from which an area light is certainly invisible: the inner ball hides its corners, and so all of it.
     #[inline(always)]
     pub fn hidden(&self, simd: S, area: &AreaLight, balls: Balls) -> u32 {
         let mut hidden = if balls.inner > 0.0 { u32::MAX } else { 0 };
@@ -228,7 +229,7 @@ impl<S: Simd> Points<S> {
         hidden
     }
 
-    /// Which of the points certainly see all of an area light, as far as the object goes.
+    /// Finds the points from which all of an area light is certainly visible, as far as the object is concerned.
     #[inline(always)]
     pub fn clear(&self, simd: S, area: &AreaLight, balls: Balls) -> u32 {
         let way = self.way_from(simd, area.centre);
@@ -241,7 +242,8 @@ impl<S: Simd> Points<S> {
         bits(clear & sound)
     }
 
-    /// For which of the points the ball lies beside the pyramid over a rectangle: beyond a plane through the shading point and an edge.
+    /// Finds the points for which the ball lies beside the pyramid over a rectangle: beyond a plane through the shading
+    /// point and an edge.
     #[inline(always)]
     fn beside(&self, simd: S, area: &AreaLight, way: &Vectors<S>, balls: Balls) -> mask32x16<S> {
         let one = f32x16::splat(simd, 1.0);

@@ -1,6 +1,6 @@
-//! Shadows: clears the visibility bits of sources that the object hides from rows of points.
+//! Shadows: the clearing of visibility bits of sources that the object hides from rows of points.
 //!
-//! Sixteen points are asked about together. What [`super::proof`] cannot decide waits until it fills a packet of rays.
+//! Sixteen points are tested together. Rays that [`super::proof`] cannot decide wait until they fill a packet.
 
 use super::packet::{BLOCK, Packet, PointRow, RAYS, Visibility};
 use super::proof::{AreaLight, Balls, Points, Target};
@@ -13,37 +13,38 @@ use glam::DVec3;
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// A point so many times farther than the light is rounded by as much as the model's details: its ray starts at the light.
+/// The ratio of a point's distance to the light's from which rounding moves the point by as much as the model's details:
+/// its ray then starts at the light.
 const FAR_POINT: f64 = 1e9;
 
 /// One light of the scene.
 struct Lamp {
     sources: Range<usize>,
-    /// Whether any of them lies under the floor, and whether above.
+    /// True if any of its sources lies under the floor, and if any lies above.
     sides: [bool; 2],
-    /// Where it is worth to ask about all of them at once.
+    /// The area light, where testing all its sources at once is worthwhile.
     area: Option<AreaLight>,
 }
 
-/// What casts shadows upon rows of points.
+/// The caster of shadows upon rows of points.
 pub struct ShadowCaster<'a> {
     pub solid: Solid<'a>,
-    /// The height of the floor, if it is there.
+    /// The height of the floor, if there is one.
     ground: Option<f64>,
     flip: bool,
     targets: Vec<Target>,
     lamps: Vec<Lamp>,
     balls: Balls,
     middle: DVec3,
-    /// Whether the points lie on the object as the picture shows it: each pixel or vertex is lifted by its own normal.
+    /// True if the points lie on the object as the picture shows it: each pixel or vertex is lifted by its own normal.
     own: bool,
 }
 
-/// Rays that wait for their packet to be full. Each light has its own, since rays to one place go through the same boxes.
+/// The rays that wait for their packet to be full. Each light has its own, since rays to one point pass through the same boxes.
 #[derive(Default)]
 pub struct Waiting(Vec<Queue>);
 
-/// Rays of one light, with the source and the point that they are of.
+/// The rays of one light, with their source and point.
 #[derive(Default)]
 struct Queue {
     packet: Packet,
@@ -51,14 +52,14 @@ struct Queue {
     count: usize,
 }
 
-/// Where the bits of a row go: a source has `stride` words.
+/// The target of a row's bits: a source has `stride` words.
 struct Sheet<'a> {
     stride: usize,
     words: &'a mut [u64],
 }
 
 impl Sheet<'_> {
-    /// Clears bits of a source, `dark`'s lowest that of point `first`.
+    /// Clears bits of a source; the lowest bit of `dark` is that of point `first`.
     #[inline(always)]
     fn darken(&mut self, source: usize, first: usize, dark: u32) {
         self.words[source * self.stride + first / 64] &= !(u64::from(dark) << (first % 64));
@@ -75,7 +76,7 @@ struct Group<'a, S: Simd> {
 }
 
 impl<'a> ShadowCaster<'a> {
-    /// The caster of the shadows of `solid` for the sources of `equation`; `own` says whether the points lie on the object.
+    /// Creates the caster of the shadows of `solid` for the sources of `equation`; `own` says whether the points lie on the object.
     pub fn new(scene: &Scene, solid: Solid<'a>, equation: &Equation<f64>, own: bool) -> Self {
         let (middle, radius) = solid.ball();
         let ground = scene.ground.visible.then_some(scene.ground.height);
@@ -123,12 +124,14 @@ impl<'a> ShadowCaster<'a> {
         }
     }
 
-    /// Words of bits for one row of so many points; one more, since bits are read two words at a time.
+    /// Returns the words of bits for a row of points with `stride` words per source; one more, since bits are read two
+    /// words at a time.
     pub fn words(&self, stride: usize) -> usize {
         self.targets.len() * stride + 1
     }
 
-    /// The least height of the object's own points, though normals that lean out of its faces may lift some beneath the floor.
+    /// Returns the lowest height of the object's own points, though normals that lean out of its faces may lift some
+    /// beneath the floor.
     fn least_height(&self) -> f64 {
         let ground = self
             .ground
@@ -136,7 +139,8 @@ impl<'a> ShadowCaster<'a> {
         ground.unwrap_or(f64::NEG_INFINITY)
     }
 
-    /// Whether all sources surely reach all points: a convex solid shadows nothing that faces a source, and no floor parts them.
+    /// Returns whether all sources certainly reach all points: a convex solid shadows nothing that faces a source, and no
+    /// floor separates them.
     fn reaches_all(&self) -> bool {
         let above = |ground: f64| {
             self.least_height() >= ground && self.targets.iter().all(|target| target.rise > 0.0)
@@ -144,7 +148,7 @@ impl<'a> ShadowCaster<'a> {
         self.own && !self.flip && self.solid.is_convex() && self.ground.is_none_or(above)
     }
 
-    /// Marks which sources are seen from which pixels, a block of bits a row.
+    /// Marks the sources visible from each pixel, a block of bits for each row.
     pub fn mark_pixels(
         &self,
         coverage: Coverage<'_>,
@@ -173,7 +177,7 @@ impl<'a> ShadowCaster<'a> {
         });
     }
 
-    /// Marks which sources are seen from which of `count` vertices or faces; `point` gives a point, world, and its normal.
+    /// Marks the sources visible from each of `count` vertices or faces; `point` gives a point, world, and its normal.
     pub fn mark_points(
         &self,
         count: usize,
@@ -193,7 +197,7 @@ impl<'a> ShadowCaster<'a> {
         });
     }
 
-    /// A point of the world as rows hold it.
+    /// Converts a point of the world to the coordinates of rows.
     pub fn relative(&self, point: DVec3) -> DVec3 {
         point - self.middle
     }
@@ -243,7 +247,7 @@ impl<'a> ShadowCaster<'a> {
         }
     }
 
-    /// Asks about one light at sixteen points.
+    /// Tests one light at sixteen points.
     #[inline(always)]
     fn mark_lamp<S: Simd>(
         &self,
@@ -296,7 +300,7 @@ impl<'a> ShadowCaster<'a> {
         }
     }
 
-    /// Lets rays wait for their packet.
+    /// Queues rays until their packet is full.
     #[inline(always)]
     fn wait<S: Simd>(
         &self,
@@ -333,7 +337,7 @@ impl<'a> ShadowCaster<'a> {
         }
     }
 
-    /// Follows the rays that wait.
+    /// Follows the queued rays.
     #[inline(always)]
     fn follow<S: Simd>(&self, simd: S, sheet: &mut Sheet<'_>, queue: &mut Queue) {
         let count = std::mem::take(&mut queue.count);

@@ -1,5 +1,5 @@
-//! What rays meet: the polygons, or the true surface where that is drawn; and what pixels see of it, in double precision, where
-//! rays start.
+//! The object that rays meet: the polygons, or the true surface where that is drawn; and the points of it that pixels show,
+//! in double precision, from which rays start.
 
 use super::bvh::Bvh;
 use super::packet::{Packet, RAYS, rays_of};
@@ -11,13 +11,13 @@ use fearless_simd::{Level, Simd, dispatch};
 use glam::{DVec2, DVec3};
 use std::ops::Range;
 
-/// Rays start this part of the object's radius away from the surface, so that they do not meet the point they leave.
+/// The clearance at which rays start, as a part of the object's radius, so that they do not meet the point they leave.
 /// Polygons meet their own corners exactly, up to the rounding of double precision.
 const CLEAR_OF_POLYGONS: f64 = 1e-6;
-/// The teapot's patches are iterated to about 10⁻⁹.
+/// The clearance for the true surface: the teapot's patches are iterated to about 10⁻⁹.
 const CLEAR_OF_SURFACE: f64 = 1e-5;
 
-/// The object as rays see it.
+/// The object, prepared for rays.
 #[derive(Clone, Copy)]
 pub struct Solid<'a> {
     pub level: Level,
@@ -25,23 +25,23 @@ pub struct Solid<'a> {
     pub bvh: &'a Bvh,
     /// The true surface, if that is drawn.
     pub surface: Option<&'a Surface>,
-    /// Whether the normal is interpolated over a polygon.
+    /// True if the normal is interpolated over a polygon.
     pub smooth: bool,
 }
 
-/// Where a ray meets the object.
+/// A point where a ray meets the object.
 #[derive(Clone, Copy, Debug)]
 pub struct SolidHit {
-    /// World.
+    /// The point, world.
     pub point: DVec3,
-    /// Unit, outwards.
+    /// The unit normal, outwards.
     pub normal: DVec3,
-    /// Outwards from the polygon itself, of any length; the true surface's normal.
+    /// The outward normal of the polygon itself, of any length; the true surface's normal.
     pub facing: DVec3,
 }
 
 impl Solid<'_> {
-    /// How far from the surface a ray starts, world units.
+    /// Returns the distance from the surface at which a ray starts, world units.
     pub fn clearance(&self) -> f64 {
         let part = if self.surface.is_some() {
             CLEAR_OF_SURFACE
@@ -51,12 +51,12 @@ impl Solid<'_> {
         part * self.model.radius
     }
 
-    /// Whether no line leaves the object and enters it again.
+    /// Returns whether no line leaves the object and enters it again.
     pub fn is_convex(&self) -> bool {
         self.model.closed && self.model.convex
     }
 
-    /// A ball that holds the object: centre and radius, world.
+    /// Returns a ball that holds the object: centre and radius, world.
     pub fn ball(&self) -> (DVec3, f64) {
         match self.surface {
             Some(_) => (DVec3::ZERO, Surface::BOUND),
@@ -64,7 +64,7 @@ impl Solid<'_> {
         }
     }
 
-    /// The height of the lowest point, or less.
+    /// Returns the height of the lowest point, or a smaller one.
     pub fn lowest(&self) -> f64 {
         match self.surface {
             Some(_) => -Surface::BOUND,
@@ -72,8 +72,9 @@ impl Solid<'_> {
         }
     }
 
-    /// Radius of a ball about the middle of [`Solid::ball`] that lies within the object, so that a ray from outside into it
-    /// meets the object; 0 if none is known. A little less than touches, so that it lies before the surface on every ray.
+    /// Returns the radius of a ball about the middle of [`Solid::ball`] that lies within the object, so that a ray from
+    /// outside into it meets the object; 0 if none is known. A little smaller than one that touches, so that it lies behind
+    /// the surface on every ray.
     pub fn inner_radius(&self) -> f64 {
         match self.surface {
             Some(surface) => surface.inner_radius() * (1.0 - CLEAR_OF_SURFACE),
@@ -81,7 +82,7 @@ impl Solid<'_> {
         }
     }
 
-    /// On which of the rays whose bits are set in `asked` the object lies; the rays are relative to the ball's middle.
+    /// Finds the rays blocked by the object among those whose bits are set in `asked`; the rays are relative to the ball's middle.
     #[inline(always)]
     pub fn blocked<S: Simd>(&self, simd: S, packet: &Packet, asked: u32) -> u32 {
         let Some(surface) = self.surface else {
@@ -94,7 +95,7 @@ impl Solid<'_> {
         blocked
     }
 
-    /// Calls `each` with every ray whose bit is set in `asked` and where it meets the surface; rays are relative to `middle`.
+    /// Calls `each` with every ray whose bit is set in `asked` and its point on the surface; rays are relative to `middle`.
     fn meet_surface(
         &self,
         surface: &Surface,
@@ -157,8 +158,8 @@ impl Solid<'_> {
         }
     }
 
-    /// Where a ray from `start`, relative to the ball's middle, leaves the inner ball of a convex object; `start` itself if
-    /// it does not pass that. From inside the object nothing is met before.
+    /// Returns the point where a ray from `start`, relative to the ball's middle, leaves the inner ball of a convex object;
+    /// `start` itself if it misses that ball. From inside the object nothing is met before.
     pub fn past_inner_ball(&self, start: DVec3, direction: DVec3) -> DVec3 {
         let radius = self.inner_radius();
         if !self.is_convex() || radius <= 0.0 {
@@ -174,7 +175,7 @@ impl Solid<'_> {
         }
     }
 
-    /// The unit normal of a triangle where its second and third corner have these weights.
+    /// Returns the unit normal of a triangle where its second and third corner have these weights.
     fn normal(&self, triangle: u32, [w1, w2]: [f64; 2]) -> DVec3 {
         let face = || self.model.face_normal(self.model.faces[triangle as usize]);
         if !self.smooth {
@@ -187,19 +188,19 @@ impl Solid<'_> {
     }
 }
 
-/// A point that a pixel sees.
+/// A point that a pixel shows.
 #[derive(Clone, Copy, Debug)]
 pub struct PrimaryHit {
     /// The point, world.
     pub point: DVec3,
-    /// Its normal, unit, as the mode has it.
+    /// Its unit normal according to the mode.
     pub normal: DVec3,
-    /// Where rays start that leave to the side of the normal: lifted from the polygon to the rounding that its vertex
-    /// normals stand for, so that a smooth surface's facets cast no shadow on each other.
+    /// The origin of rays that leave to the side of the normal: lifted from the polygon to the rounded shape that its
+    /// vertex normals stand for, so that a smooth surface's facets cast no shadow on each other.
     pub lifted: DVec3,
 }
 
-/// How a picture's pixels see the object.
+/// The points of the object that a picture's pixels show.
 #[derive(Clone, Copy)]
 pub struct PrimaryHits<'a> {
     pub lens: &'a Lens,
@@ -208,7 +209,7 @@ pub struct PrimaryHits<'a> {
 }
 
 impl PrimaryHits<'_> {
-    /// Calls `each` with column, row within the band and what is seen there, for every pixel of a band that sees the object.
+    /// Calls `each` with column, row within the band and the point shown, for every pixel of a band that shows the object.
     pub fn walk(
         &self,
         band: &Band,
@@ -234,7 +235,7 @@ impl PrimaryHits<'_> {
         }
     }
 
-    /// Calls `each` with row and columns of every run of a band's pixels that see the object.
+    /// Calls `each` with row and columns of every run of a band's pixels that show the object.
     pub fn walk_covered(
         &self,
         band: &Band,
@@ -253,7 +254,7 @@ impl PrimaryHits<'_> {
         }
     }
 
-    /// What a fragment of the true surface stands for.
+    /// Returns the point that a fragment of the true surface stands for.
     pub fn of_fragment(&self, place: DVec2, [nx, ny, nz, key]: Fragment) -> PrimaryHit {
         let (start, direction) = self.lens.ray(place);
         let depth = self.lens.depth_from_key(f64::from(key));
@@ -266,7 +267,7 @@ impl PrimaryHits<'_> {
         }
     }
 
-    /// What a pixel sees of `triangle`, one of the model's or of the clipper's.
+    /// Returns the point of `triangle`, one of the model's or of the clipper's, that a pixel shows.
     pub fn of_triangle(&self, triangle: u32, place: DVec2) -> PrimaryHit {
         self.facet(triangle).at(place)
     }
@@ -276,7 +277,7 @@ impl PrimaryHits<'_> {
     }
 }
 
-/// Column, row within the band and fragment of each pixel that sees the true surface.
+/// Returns column, row within the band and fragment of each pixel that shows the true surface.
 fn seen_fragments(
     band: &Band,
     fragments: &[Block],
@@ -293,9 +294,9 @@ fn seen_fragments(
     seen.filter(|(_, _, fragment)| is_seen(*fragment))
 }
 
-/// One triangle of the model, seen through a lens: what is the same for all its pixels is worked out once.
+/// One triangle of the model, seen through a lens: everything common to its pixels is computed once.
 ///
-/// The weights of its corners are quotients of functions linear in the place (J. Blinn, *Hyperbolic interpolation*, 1992):
+/// The weights of its corners are quotients of functions linear in the position (J. Blinn, *Hyperbolic interpolation*, 1992):
 /// with the ray p + s·d, the edges e1, e2 and f = p − a these are f·(d × e2) and d·(f × e1), over e1·(d × e2). One of p
 /// and d is the same for all pixels, so each is linear in the other.
 struct Facet<'a> {
@@ -304,10 +305,10 @@ struct Facet<'a> {
     normals: [DVec3; 3],
     /// The one normal of a facet that is not smooth.
     flat: Option<DVec3>,
-    /// The two numerators and the denominator: their dot products with what differs from pixel to pixel, and constants.
+    /// The two numerators and the denominator: their dot products with the vector that differs from pixel to pixel, and constants.
     slopes: [DVec3; 3],
     constants: [f64; 3],
-    /// How far corner j lies above the tangent plane at corner k: `above[k][j]`.
+    /// The height of corner j above the tangent plane at corner k: `above[k][j]`.
     above: [DVec3; 3],
 }
 
@@ -350,7 +351,7 @@ impl<'a> Facet<'a> {
         }
     }
 
-    /// What is seen at a place in the picture; the plane's middle stands for one that is seen edge-on.
+    /// Returns the point shown at a position in the picture; the plane's middle stands for a triangle that is seen edge-on.
     #[inline]
     pub fn at(&self, place: DVec2) -> PrimaryHit {
         let (p, d) = self.lens.ray(place);
@@ -387,7 +388,7 @@ impl<'a> Facet<'a> {
         }
     }
 
-    /// The point raised onto the tangent planes at the corners, weighted as the corners are (J. Hanika, *Hacking the shadow
+    /// Raises a point onto the tangent planes at the corners, weighted as the corners are (J. Hanika, *Hacking the shadow
     /// terminator*, Ray Tracing Gems II, 2021). Where the surface is hollow the planes lie below and nothing is raised.
     fn lifted(&self, point: DVec3, share: DVec3) -> DVec3 {
         let mut lifted = point;

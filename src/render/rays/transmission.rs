@@ -1,4 +1,4 @@
-//! What pixels see past the object, and through it: rays refracted at the surface, or through the whole solid.
+//! The view past the object, and through it: rays refracted at the surface, or through the whole solid.
 
 use super::packet::{Packet, RAYS};
 use super::solid::PrimaryHit;
@@ -12,19 +12,19 @@ use rayon::prelude::*;
 use serde::Serialize;
 use std::ops::Range;
 
-/// Surfaces that a ray passes or is mirrored at before what it carries counts for nothing.
+/// The most surfaces that a ray passes or is mirrored at; beyond that its light is negligible.
 const MOST_EVENTS: u32 = 16;
 
-/// What a transmitted ray did.
+/// The path of a transmitted ray.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Transmission {
-    /// T, where the ray goes on behind the surface, unit, world; none where it is totally reflected there.
+    /// T, the direction of the ray behind the surface, unit, world; `None` where it is totally reflected there.
     pub t: Option<DVec3>,
-    /// Times that it was refracted.
+    /// The number of refractions.
     pub refractions: u32,
-    /// Times that it was totally reflected.
+    /// The number of total reflections.
     pub total_reflections: u32,
-    /// Itrans: what it sees at last.
+    /// Itrans: the colour that it finally reaches.
     pub seen: Rgb,
 }
 
@@ -36,7 +36,7 @@ struct Path {
 }
 
 impl World<'_> {
-    /// Follows a packet of rays at most, each by its number, its hit and its unit direction; calls `each` with what they do.
+    /// Follows at most a packet of rays, each given by its number, its hit and its unit direction; calls `each` with their paths.
     pub fn transmit(
         &self,
         rays: &[(usize, PrimaryHit, DVec3)],
@@ -86,7 +86,7 @@ impl World<'_> {
                 };
                 path.point = hit.point;
                 self.pass(path, hit.normal);
-                // Nothing meets a convex solid that has left it.
+                // A ray that has left a convex solid does not meet it again.
                 let gone = convex && path.direction.dot(hit.facing) > 0.0;
                 let spent = path.told.refractions + path.told.total_reflections >= MOST_EVENTS;
                 lost |= u32::from(spent) << ray;
@@ -122,7 +122,7 @@ impl World<'_> {
     /// Refracts the path at a surface whose outward normal is `n`, or mirrors it where it cannot leave.
     fn pass(&self, path: &mut Path, n: DVec3) -> Option<DVec3> {
         let (eta, enters) = (self.scene.transparency.ior, path.direction.dot(n) <= 0.0);
-        // A single surface has the same medium before it whichever way it is turned.
+        // A single surface has the same medium before it whichever way it faces.
         let (n, eta) = match (enters, self.scene.transparency.through) {
             (true, _) => (n, eta),
             (false, Through::Solid) => (-n, 1.0 / eta),
@@ -137,7 +137,7 @@ impl World<'_> {
         refracted
     }
 
-    /// What each pixel of some columns sees past the object, and behind its surface where light passes through that.
+    /// Computes what each pixel of some columns shows past the object, and behind its surface where light passes through that.
     pub fn see_background(
         &self,
         coverage: Coverage<'_>,
@@ -147,7 +147,7 @@ impl World<'_> {
         let (hits, passes) = (&self.hits, self.scene.transparency.kt > 0.0);
         let width = coverage.size[0] as usize;
         seen.resize(width * coverage.size[1] as usize, Vec3::ZERO);
-        // Unset are the pixels of these columns alone.
+        // Only the pixels of these columns are unset.
         for line in seen.chunks_mut(width.max(1)) {
             line[columns.clone()].fill(Vec3::NAN);
         }

@@ -1,8 +1,8 @@
-//! Sixteen rays at once through the boxes; a single ray is a packet of one.
+//! The traversal of the boxes by sixteen rays at once; a single ray is a packet of one.
 //!
-//! Boxes are tested in single precision, widened by more than the rounding, so that none that is met is missed. A triangle is
-//! first dismissed in single precision where it lies beside a ray by more than any rounding; what is left is decided in double
-//! precision, so that the answers depend neither on the SIMD level nor on which rays go together.
+//! Boxes are tested in single precision, widened by more than the rounding, so that none is missed. A triangle is first
+//! rejected in single precision where it lies beside a ray by more than any rounding; the rest is decided in double
+//! precision, so that the answers depend neither on the SIMD level nor on the grouping of the rays.
 
 use super::bvh::{Bvh, Node, STACK};
 use super::packet::{self, Packet, RAYS, Vectors, bits, cross, load, sub};
@@ -12,17 +12,17 @@ use glam::{DVec3, Vec3};
 /// Half a packet, the lanes of double precision.
 const HALF: usize = RAYS / 2;
 
-/// Edges are this much wider, as a part of the triangle, so that a ray through a shared edge misses neither.
+/// The widening of edges, as a part of the triangle, so that a ray through a shared edge misses neither side.
 const SEAM: f64 = 1e-9;
-/// What the boxes are widened by, as a part of the greatest coordinate: four roundings.
+/// The widening of the boxes, as a part of the largest coordinate: four roundings.
 const WIDENING: f64 = 4.0 * f32::EPSILON as f64;
-/// Stands for a component of the direction that is 0.
+/// A stand-in for a component of the direction that is 0.
 const LEVEL: f64 = 1e-30;
 
 type Exact<S> = [f64x8<S>; 3];
 
 impl Bvh {
-    /// On which of the rays whose bits are set in `asked` anything lies, for 0 < t < t_max.
+    /// Finds the rays, among those whose bits are set in `asked`, on which anything lies for 0 < t < t_max.
     #[inline(always)]
     pub fn blocked<S: Simd>(&self, simd: S, packet: &Packet, asked: u32) -> u32 {
         let Some(root) = self.nodes.first() else {
@@ -36,7 +36,7 @@ impl Bvh {
         loop {
             let node = &self.nodes[here as usize];
             if among == 0 {
-                // All rays that came here are blocked by now.
+                // All rays that reached this box are blocked by now.
             } else if node.count > 0 {
                 for corners in
                     &self.corners[node.start as usize..(node.start + node.count) as usize]
@@ -54,7 +54,7 @@ impl Bvh {
                 let in_left = rays.enter(simd, &self.nodes[left as usize]).0 & among;
                 let in_right = rays.enter(simd, &self.nodes[right as usize]).0 & among;
                 let (mut first, mut other) = ((left, in_left), (right, in_right));
-                // First where more rays go: it is likelier to block them all.
+                // First the child that more rays enter: it is likelier to block them all.
                 if in_left.count_ones() < in_right.count_ones() {
                     (first, other) = (other, first);
                 }
@@ -85,13 +85,13 @@ pub struct Nearest {
 }
 
 impl Nearest {
-    /// Where a ray meets a triangle, which one, and the weights of its second and third corner there.
+    /// Returns the distance at which a ray meets its triangle, the triangle, and the weights of its second and third corner there.
     pub fn of(&self, ray: usize) -> Option<(f64, u32, [f64; 2])> {
         let weights = [self.weights[0][ray], self.weights[1][ray]];
         (self.met >> ray & 1 == 1).then(|| (self.t[ray], self.triangle[ray], weights))
     }
 
-    /// Takes over the meetings of half a packet.
+    /// Stores the meetings of half a packet.
     #[inline(always)]
     fn take<S: Simd>(&mut self, met: &Met<S>, asked: u32, first: usize, triangle: u32) -> bool {
         let rays = met.rays & asked >> first;
@@ -108,7 +108,7 @@ impl Nearest {
 }
 
 impl Bvh {
-    /// The first triangle on each of the rays whose bits are set in `asked`, for 0 < t < t_max.
+    /// Finds the first triangle on each of the rays whose bits are set in `asked`, for 0 < t < t_max.
     #[inline(always)]
     pub fn nearest<S: Simd>(&self, simd: S, packet: &Packet, asked: u32) -> Nearest {
         let mut nearest = Nearest {
@@ -148,7 +148,7 @@ impl Bvh {
                 let (in_left, at_left) = rays.enter(simd, &self.nodes[left as usize]);
                 let (in_right, at_right) = rays.enter(simd, &self.nodes[right as usize]);
                 let (in_left, in_right) = (in_left & among, in_right & among);
-                // First where the first of the rays comes first.
+                // First the child that comes first on the first of the rays.
                 let lead = among.trailing_zeros() as usize;
                 let (mut next, mut other) = ((left, in_left), (right, in_right));
                 if in_right != 0 && (in_left == 0 || at_left[lead] > at_right[lead]) {
@@ -174,10 +174,10 @@ impl Bvh {
     }
 }
 
-/// In radii of the model: a ray from farther away starts near the model.
+/// The distance, in radii of the model, beyond which a ray is started near the model.
 const FAR: f64 = 64.0;
 
-/// Where rays that come from far away start near the model: twice its radius before their point nearest to its origin.
+/// Returns the starts, near the model, of rays that come from far away: twice its radius before their point nearest to its origin.
 #[inline(always)]
 fn starts(packet: &Packet, radius: f64) -> [f64; RAYS] {
     let mut start = [0.0; RAYS];
@@ -200,22 +200,22 @@ struct Rays<S: Simd> {
     limit: f32x16<S>,
     origin: Vectors<S>,
     direction: Vectors<S>,
-    /// What a triple product of direction, an edge and the way from a corner may be wrong by, over the edge's length.
+    /// The error bound of a triple product of direction, an edge and the vector from a corner, over the edge's length.
     error: f32x16<S>,
-    /// The same for the product that gives the distance, over the square of the edge's length.
+    /// The error bound of the product that gives the distance, over the square of the edge's length.
     depth_error: f32x16<S>,
-    /// Where each ray starts here: those from far away start near the model, since single precision is relative to the origin.
+    /// The start of each ray here: those from far away start near the model, since single precision is relative to the origin.
     start: [f64; RAYS],
 }
 
 impl<S: Simd> Rays<S> {
-    /// Roundings of a triple product in single precision, generously.
+    /// The roundings of a triple product in single precision, generously.
     const ROUNDINGS: f64 = 24.0 * f32::EPSILON as f64;
 
-    /// Products below this may have lost digits to underflow.
+    /// The size below which products may have lost digits to underflow.
     const LEAST: f32 = 1e-30;
 
-    /// `radius` is that of a ball about the model's origin that holds every corner.
+    /// Prepares a packet; `radius` is that of a ball about the model's origin that holds every corner.
     #[inline(always)]
     fn new(simd: S, packet: &Packet, radius: f64) -> Self {
         let start = starts(packet, radius);
@@ -278,7 +278,7 @@ impl<S: Simd> Rays<S> {
         rays
     }
 
-    /// Ends the rays at `t`, with room for rounding.
+    /// Ends the rays at `t`, with a margin for rounding.
     #[inline(always)]
     fn end_at(&mut self, simd: S, t: &[f64; RAYS]) {
         let mut limit = [0.0_f32; RAYS];
@@ -289,7 +289,7 @@ impl<S: Simd> Rays<S> {
         self.limit = f32x16::from_slice(simd, &limit);
     }
 
-    /// Which of the rays enter a box before their limit, and where.
+    /// Finds the rays that enter a box before their limit, and the points where they do.
     #[inline(always)]
     fn enter(&self, simd: S, node: &Node) -> (u32, f32x16<S>) {
         let mut near = f32x16::splat(simd, 0.0);
@@ -308,7 +308,7 @@ impl<S: Simd> Rays<S> {
         )
     }
 
-    /// Which of the rays may meet a triangle: all that do, and few others.
+    /// Finds the rays that may meet a triangle: all that do, and few others.
     #[inline(always)]
     fn pass_near(&self, simd: S, &[a, b, c]: &[Vec3; 3]) -> u32 {
         let (e1, e2) = (b - a, c - a);
@@ -329,19 +329,19 @@ impl<S: Simd> Rays<S> {
         let beside =
             w1.simd_lt(-error) | w2.simd_lt(-error) | (w1 + w2).simd_gt(size + error * 3.0);
         let behind = t.simd_lt(-depth_error);
-        // Without a sign of the determinant nothing is known.
+        // Without the sign of the determinant nothing is known.
         !bits((beside | behind) & size.simd_gt(error + Self::LEAST))
     }
 }
 
-/// Where half a packet meets a triangle.
+/// The meetings of half a packet with a triangle.
 struct Met<S: Simd> {
     rays: u32,
     t: f64x8<S>,
     weights: [f64x8<S>; 2],
 }
 
-/// Which of the rays in `near` meet a triangle before their limit.
+/// Finds the rays in `near` that meet a triangle before their limit.
 #[inline(always)]
 fn meet_exactly<S: Simd>(simd: S, packet: &Packet, corners: &[Vec3; 3], near: u32) -> u32 {
     let low = if near & 0xff == 0 {
@@ -357,7 +357,7 @@ fn meet_exactly<S: Simd>(simd: S, packet: &Packet, corners: &[Vec3; 3], near: u3
     low | high << HALF
 }
 
-/// Where eight rays meet a triangle (T. Möller and B. Trumbore, *Fast, minimum storage ray/triangle intersection*, 1997).
+/// Intersects eight rays with a triangle (T. Möller and B. Trumbore, *Fast, minimum storage ray/triangle intersection*, 1997).
 #[inline(always)]
 fn meet_half<S: Simd>(
     simd: S,
@@ -444,7 +444,7 @@ mod tests {
         (1..2000).map(ray).collect()
     }
 
-    /// Where a ray meets a triangle with 0 < t < `limit`: one ray, in double precision.
+    /// Intersects one ray with a triangle in double precision, for 0 < t < `limit`.
     fn meet(corners: [Vec3; 3], origin: DVec3, direction: DVec3, limit: f64) -> Option<f64> {
         let [a, b, c] = corners.map(|corner| corner.as_dvec3());
         let (e1, e2, from) = (b - a, c - a, origin - a);

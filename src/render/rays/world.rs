@@ -1,5 +1,5 @@
-//! What rays meet besides the object: the floor, the wall behind, or the plain background; and surfaces as light from them is
-//! gathered.
+//! The surroundings that rays meet besides the object: the floor, the wall behind, or the plain background; and surfaces
+//! from which light is gathered.
 
 use super::packet::{PointRow, RAYS};
 use super::shadow::{ShadowCaster, Waiting};
@@ -10,21 +10,21 @@ use crate::scene::{Backfacing, Ground, Material, Pattern, PatternKind, Reflectan
 use fearless_simd::{dispatch, f64x8, prelude::*};
 use glam::{DVec2, DVec3, Vec3};
 
-/// All that rays meet.
+/// Everything that rays meet.
 pub struct World<'a> {
     pub scene: &'a Scene,
     pub hits: PrimaryHits<'a>,
     /// The height of the floor, if there is one.
     pub ground: Option<f64>,
     wall: Option<Wall>,
-    /// How far along the viewing direction the wall stands before the eye, camera distances; infinite where there is none.
+    /// The distance of the wall before the eye along the viewing direction, camera distances; infinite where there is none.
     pub wall_depth: f64,
     pub floor: DiffuseSurface<'a>,
     /// The floor's equation for rows of pixels.
     pub floor_lanes: Equation<f32>,
 }
 
-/// A plane upright to the viewing direction.
+/// A plane perpendicular to the viewing direction.
 struct Wall {
     centre: DVec3,
     right: DVec3,
@@ -34,21 +34,22 @@ struct Wall {
     color: Rgb,
 }
 
-/// What a ray meets.
+/// The first thing that a ray meets besides the object.
 pub enum Beyond {
     /// A point of the floor, world.
     Floor(DVec3),
-    /// The wall, or nothing at all, with its colour.
+    /// The colour of the wall or the background.
     Elsewhere(Rgb),
 }
 
 impl<'a> World<'a> {
-    /// Whether anything but the plain background is there.
+    /// Returns whether there is anything but the plain background.
     pub fn has_surroundings(scene: &Scene) -> bool {
         scene.ground.visible || scene.backdrop.pattern != PatternKind::None
     }
 
-    /// The world of `scene`; `ka` is the floor's coefficient of ambient light, and `shadows` says whether the object casts any.
+    /// Creates the world of `scene`; `ka` is the floor's coefficient of ambient light, and `shadows` says whether the
+    /// object casts any.
     pub fn new(scene: &'a Scene, hits: PrimaryHits<'a>, ka: f64, shadows: bool) -> Self {
         let (lens, backdrop) = (hits.lens, &scene.backdrop);
         let wall =
@@ -82,7 +83,7 @@ impl<'a> World<'a> {
         }
     }
 
-    /// What the ray meets first: the floor, the wall, or nothing.
+    /// Finds the first thing that the ray meets: the floor, the wall, or nothing.
     pub fn meet(&self, origin: DVec3, direction: DVec3) -> Beyond {
         let floor = self
             .ground
@@ -102,8 +103,8 @@ impl<'a> World<'a> {
         }
     }
 
-    /// Fills the unset (NaN) pixels of row `y` with the wall and the background, unless a floor may be before them. The wall is
-    /// upright to the viewing direction, so that places on it are linear along a row.
+    /// Fills the unset (NaN) pixels of row `y` with the wall and the background, unless a floor may be before them. The
+    /// wall is perpendicular to the viewing direction, so that positions on it are linear along a row.
     pub fn fill_row(&self, y: usize, line: &mut [Vec3]) {
         if self.ground.is_some() {
             return;
@@ -144,7 +145,7 @@ impl<'a> World<'a> {
     }
 }
 
-/// Where the ray meets the floor from above: how many times its length away, and the point (see `meet_eight`).
+/// Intersects the ray with the floor from above; returns the distance in multiples of its length, and the point (see `meet_eight`).
 fn meet_floor(height: f64, origin: DVec3, direction: DVec3) -> Option<(f64, DVec3)> {
     let t = (height - origin.y) / direction.y;
     let point = DVec3 {
@@ -155,7 +156,8 @@ fn meet_floor(height: f64, origin: DVec3, direction: DVec3) -> Option<(f64, DVec
 }
 
 impl Wall {
-    /// Where the ray meets the wall: how many times its length away, and the colour of the field there, if there is one.
+    /// Intersects the ray with the wall; returns the distance in multiples of its length, and the colour of the field
+    /// there, if there is one.
     fn met(&self, origin: DVec3, direction: DVec3) -> Option<(f64, Option<Rgb>)> {
         let t = (self.centre - origin).dot(self.forward) / direction.dot(self.forward);
         let place = origin + direction * t - self.centre;
@@ -164,14 +166,14 @@ impl Wall {
     }
 }
 
-/// An intensity in single precision, at most the brightest.
+/// Converts an intensity to single precision, limited to the largest one.
 pub fn in_range(intensity: Rgb) -> Vec3 {
     intensity
         .clamp(Rgb::splat(-BRIGHTEST), Rgb::splat(BRIGHTEST))
         .as_vec3()
 }
 
-/// The scene with a plain diffuse material. Sources that cannot light the object are kept.
+/// Returns the scene with a plain diffuse material. Sources that cannot light the object are kept.
 pub fn matt_scene(scene: &Scene, [ka, kd, color]: [Rgb; 3], pattern: Pattern) -> Scene {
     let material = Material {
         ka,
@@ -188,13 +190,13 @@ pub fn matt_scene(scene: &Scene, [ka, kd, color]: [Rgb; 3], pattern: Pattern) ->
     }
 }
 
-/// A surface that pixels do not see directly, in the shadow of the object if that casts any.
+/// A surface that pixels do not show directly, in the shadow of the object if that casts any.
 pub struct DiffuseSurface<'a> {
     pub equation: Equation<f64>,
     caster: Option<ShadowCaster<'a>>,
 }
 
-/// What a thread keeps from one row of points to the next.
+/// The buffers that a thread reuses from one row of points to the next.
 #[derive(Default)]
 pub struct LightScratch {
     pub row: PointRow,
@@ -203,14 +205,14 @@ pub struct LightScratch {
 }
 
 impl<'a> DiffuseSurface<'a> {
-    /// The surface whose material is that of `scene`.
+    /// Creates the surface whose material is that of `scene`.
     pub fn new(scene: &Scene, solid: Solid<'a>, unit: f64, shadows: bool) -> Self {
         let equation = Equation::in_units(scene, unit);
         let caster = shadows.then(|| ShadowCaster::new(scene, solid, &equation, false));
         Self { equation, caster }
     }
 
-    /// Finds which sources reach the points of a row; none where there are no shadows.
+    /// Finds the sources that reach the points of a row; `None` where there are no shadows.
     pub fn reached<'b>(
         &self,
         stride: usize,
@@ -260,19 +262,19 @@ impl<'a> DiffuseSurface<'a> {
     }
 }
 
-/// Pixels whose rays are met with the floor at a time.
+/// The pixels whose rays are intersected with the floor at a time.
 const EIGHT: usize = 8;
 
-/// What a thread keeps from one row to the next.
+/// The buffers that a thread reuses from one row to the next.
 #[derive(Default)]
 pub struct FloorScratch {
     light: LightScratch,
-    /// Relative to the eye, camera distances.
+    /// The positions relative to the eye, camera distances.
     position: [Vec<f32>; 3],
 }
 
 impl FloorScratch {
-    /// The point that a pixel of the row sees of the floor, relative to the eye, camera distances.
+    /// Returns the point of the floor that a pixel of the row shows, relative to the eye, camera distances.
     pub fn seen(&self, x: usize) -> Option<Vec3> {
         let [px, py, pz] = &self.position;
         (self.light.row.present[x / RAYS] >> (x % RAYS) & 1 == 1)
@@ -281,7 +283,7 @@ impl FloorScratch {
 }
 
 impl World<'_> {
-    /// Puts the floor's intensity into the unset (NaN) pixels of row `y` that see the floor.
+    /// Writes the floor's intensity into the unset (NaN) pixels of row `y` that show the floor.
     #[inline(always)]
     pub fn light_row<S: Simd>(
         &self,
@@ -307,7 +309,7 @@ impl World<'_> {
         }
     }
 
-    /// Finds the points of the floor that the `wanted` pixels of row `y` see; tells whether there are any.
+    /// Finds the points of the floor that the `wanted` pixels of row `y` show; returns whether there are any.
     #[inline(always)]
     pub fn find_row<S: Simd>(
         &self,
@@ -341,7 +343,7 @@ impl World<'_> {
         any
     }
 
-    /// Finds the points of the floor that eight pixels from column `x` on see; tells whether any does.
+    /// Finds the points of the floor that eight pixels from column `x` on show; returns whether there are any.
     #[inline(always)]
     fn meet_eight<S: Simd>(
         &self,
@@ -404,7 +406,7 @@ impl World<'_> {
         true
     }
 
-    /// I at the points found.
+    /// Computes I at the points found.
     #[inline(always)]
     fn light_found<S: Simd>(
         &self,
