@@ -1,4 +1,4 @@
-//! The renderer: plan, steps, account.
+//! The renderer: its plan, its steps and their account.
 
 mod account;
 mod bands;

@@ -1,4 +1,4 @@
-//! The SIMD levels by name, and which of them this machine has.
+//! The SIMD levels by name, and the levels of this machine.
 
 use fearless_simd::Level;
 use serde::{Deserialize, Serialize};
@@ -42,7 +42,7 @@ impl SimdLevel {
         Self::Scalar,
     ];
 
-    /// Those of this machine, best first.
+    /// Returns the levels of this machine, best first.
     pub fn available() -> Vec<(Self, Level)> {
         let best = Level::new();
         #[cfg(any(target_arch = "x86", target_arch = "x86_64"))]

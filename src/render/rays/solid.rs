@@ -73,7 +73,7 @@ impl Solid<'_> {
     }
 
     /// Returns the radius of a ball about the middle of [`Solid::ball`] that lies within the object, so that a ray from
-    /// outside into it meets the object; 0 if none is known. A little smaller than one that touches, so that it lies behind
+    /// outside into it meets the object; 0 if none is known. A little smaller than one that touches, so that it lies before
     /// the surface on every ray.
     pub fn inner_radius(&self) -> f64 {
         match self.surface {

@@ -1,4 +1,4 @@
-//! Explains the plan term by term: how often each was evaluated in the last picture, or why it was left out.
+//! The account of the plan, term by term: how often each was evaluated in the last picture, or why it was left out.
 //!
 //! A line that counts evaluations is really evaluated, however little it adds. Counts are of a frame in which every stage runs.
 
@@ -19,15 +19,15 @@ use std::fmt::{self, Display, Formatter};
 pub struct Term {
     /// The stage that evaluates it.
     pub stage: Stage,
-    /// A step of the stage or a part of the equation, with its light.
+    /// The step of the stage or part of the equation, with its light.
     pub name: TermName,
-    /// How often it is evaluated.
+    /// The frequency of its evaluation.
     pub per: Per,
-    /// How many times in all.
+    /// The number of evaluations in total.
     pub evaluations: u64,
-    /// Why it is left out.
+    /// The reason why it is left out.
     pub omitted: Option<Message>,
-    /// What is left out of it, or why it is not left out where that could be expected.
+    /// The part of it that is left out, or the reason why it is not left out where that could be expected.
     pub note: Option<Message>,
 }
 
@@ -40,7 +40,7 @@ impl Term {
     }
 }
 
-/// What a term is called: a step of a stage, or a part of the equation, of one light where it has a number.
+/// The name of a term: a step of a stage, or a part of the equation, of one light if it has a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TermName {
     /// A letter of the equation, or a message of the catalogue.
@@ -49,12 +49,12 @@ pub struct TermName {
 }
 
 impl TermName {
-    /// The light that it is a part of, counted from 0.
+    /// Returns the light that it belongs to, counted from 0.
     pub fn light(self) -> Option<usize> {
         self.light
     }
 
-    /// Its name among the parts of its light.
+    /// Returns its name among the parts of its light.
     pub fn part(self) -> &'static str {
         if self.word.starts_with("render-") {
             text!(self.word)
@@ -82,19 +82,19 @@ impl Serialize for TermName {
     }
 }
 
-/// What the last picture was drawn from.
+/// The inputs of the last picture.
 pub struct Account<'a> {
     pub scene: &'a Scene,
     pub plan: &'a Plan,
     pub model: &'a Model,
     pub report: &'a Report,
-    /// Triangles of the picture that show their back.
+    /// The number of the picture's triangles that show their back.
     pub backs: u64,
-    /// Colours that flat shading makes ready: one for each face's runs that follow each other.
+    /// The number of colours that flat shading prepares: one for each sequence of runs of one face.
     pub inks: u64,
 }
 
-/// Why no light is reflected specularly.
+/// Tells why no light is reflected specularly.
 fn no_specular(material: &Material) -> Message {
     if material.ks == Rgb::ZERO {
         Message("render-why-ks-zero")
@@ -108,7 +108,7 @@ fn no_specular(material: &Material) -> Message {
 const SURFACE: Message = Message("render-why-true-surface");
 
 impl Account<'_> {
-    /// All terms and steps, in the order of the stages.
+    /// Returns all terms and steps, in the order of the stages.
     pub fn terms(&self) -> Vec<Term> {
         let mut shading = [self.equation(), self.interpolation()];
         if self.plan.per == Per::Pixel {
@@ -249,7 +249,7 @@ impl Account<'_> {
         ]
     }
 
-    /// The equation, wherever it is evaluated.
+    /// Returns the terms of the equation, wherever it is evaluated.
     fn equation(&self) -> Vec<Term> {
         let (scene, kept) = (self.scene, !self.plan.leaves_out);
         let count = self.shading_points();
@@ -317,7 +317,7 @@ impl Account<'_> {
         terms
     }
 
-    /// What the equation asks of one light.
+    /// Returns the terms of the equation for one light.
     fn light(
         &self,
         index: usize,
@@ -441,7 +441,7 @@ impl Account<'_> {
         ]
     }
 
-    /// The stage that evaluates the equation.
+    /// Returns the stage that evaluates the equation.
     fn stage(&self) -> Stage {
         if self.plan.per == Per::Pixel {
             Stage::PixelShading
@@ -450,7 +450,7 @@ impl Account<'_> {
         }
     }
 
-    /// How often the equation is evaluated, and how many times.
+    /// Returns the frequency of the equation's evaluation, and the number of evaluations.
     fn shading_points(&self) -> (Per, u64) {
         let Report {
             points, covered, ..

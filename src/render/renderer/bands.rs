@@ -19,12 +19,12 @@ use rayon::prelude::*;
 use std::cell::RefCell;
 use std::ops::Range;
 
-/// What interpolation keeps between frames.
+/// The data that interpolation keeps between frames.
 #[derive(Default)]
 pub struct Interpolated {
-    /// What each vertex carries to the pixels: its normal, or its intensity in each part of the picture.
+    /// The values that each vertex carries to the pixels: its normal, or its intensity in each part of the picture.
     carried: Vec<Vec<Fragment>>,
-    /// What each pixel was brought.
+    /// The values carried to each pixel.
     pub fragments: Vec<Block>,
 }
 
@@ -35,27 +35,27 @@ impl Interpolated {
     }
 }
 
-/// Which of the bands' steps have to run again.
+/// The steps of the bands that have to run again.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Stale {
     pub coverage: bool,
     pub interpolation: bool,
 }
 
-/// Nanoseconds of coverage, interpolation and shading, and how many pixels overflow.
+/// Nanoseconds of coverage, interpolation and shading, and the number of overflowing pixels.
 pub type Tally = [u64; 4];
 
-/// What the bands are drawn from.
+/// The inputs from which the bands are drawn.
 #[derive(Clone, Copy)]
 pub struct BandPainter<'a> {
     pub inputs: Inputs<'a>,
     pub clock: Option<fn() -> u64>,
     pub parts: &'a [Part],
     pub placed: &'a PlacedTriangles,
-    /// At vertices or faces, for each part; empty where the equation is evaluated at pixels.
+    /// The intensities at vertices or faces, for each part; empty where the equation is evaluated at pixels.
     pub intensity: &'a [Planes],
     pub stale: Stale,
-    /// Whether the bands are shaded, or covered and interpolated only.
+    /// True if the bands are shaded, false if they are only covered and interpolated.
     pub shades: bool,
 }
 
@@ -70,12 +70,13 @@ struct Job<'a> {
 
 thread_local! {
     static DEPTH: RefCell<DepthScratch> = RefCell::default();
-    /// The fragments of a band that are not kept.
+    /// The fragments of a band, where they are not kept.
     static FRAGMENTS: RefCell<Vec<Block>> = RefCell::default();
 }
 
 impl BandPainter<'_> {
-    /// Runs what is stale; times are means over the threads. The linear picture is filled where it is not empty, or the stored one.
+    /// Runs the steps that are out of date; times are means over the threads. Fills the linear picture if it is not empty,
+    /// else the stored one.
     pub fn run(
         &self,
         bands: &mut Vec<Band>,
@@ -130,7 +131,7 @@ impl BandPainter<'_> {
         self.clock.map_or(0, |clock| clock())
     }
 
-    /// Whether fragments are to be made: those that are kept are as good as what they are made from.
+    /// Returns whether fragments are to be made: kept ones replace those they were made from.
     pub fn interpolates(&self) -> bool {
         let plan = self.inputs.plan;
         plan.interpolates()
@@ -169,7 +170,7 @@ impl BandPainter<'_> {
             lap(1);
         }
         let mut overflowing = 0;
-        // From the right: the lanes of a part's first pixels may reach into the part before it.
+        // From the right, since the lanes of a part's first pixels may reach into the part before it.
         for (index, part) in self.parts.iter().enumerate().rev().filter(|_| self.shades) {
             if interpolates && !kept {
                 self.interpolate(&mut job, &carried[index]);
@@ -182,7 +183,7 @@ impl BandPainter<'_> {
         tally
     }
 
-    /// Brings every pixel of a band what the vertices carry.
+    /// Carries the vertices' values to every pixel of a band.
     fn interpolate(&self, job: &mut Job<'_>, carried: &[Fragment]) {
         let Job {
             band, fragments, ..
@@ -226,7 +227,7 @@ impl BandPainter<'_> {
         }
     }
 
-    /// Shades a part of a band; returns how many pixels overflow.
+    /// Shades a part of a band; returns the number of overflowing pixels.
     fn shade(&self, job: &mut Job<'_>, part: &Part, intensity: Option<&Planes>) -> u64 {
         let encoding = self.inputs.scene.display.encoding;
         let background = self.inputs.scene.image.background;
@@ -279,7 +280,7 @@ impl BandPainter<'_> {
         })
     }
 
-    /// Flat shading: each run in its face's colour.
+    /// Fills each run with its face's colour, for flat shading.
     #[inline(always)]
     fn fill_faces<S: Simd>(
         &self,
@@ -293,7 +294,7 @@ impl BandPainter<'_> {
         let inside = |x: usize| x.clamp(columns.start, columns.end);
         for (row, extent) in band.extents.iter().enumerate() {
             let line = row * width;
-            // Runs that are not sorted leave no gaps between them.
+            // There are no gaps between runs that are not sorted.
             if band.sorted || extent.is_empty() {
                 target.clear(line + columns.start..line + columns.end);
             } else {
@@ -334,7 +335,7 @@ impl BandPainter<'_> {
         }
     }
 
-    /// Pixels one by one in `f64`.
+    /// Shades pixels one by one in `f64`.
     fn shade_in_double(
         &self,
         band: &Band,
@@ -375,7 +376,7 @@ impl BandPainter<'_> {
     }
 }
 
-/// Lets what is inlined into `work` use the level's instructions.
+/// Compiles what is inlined into `work` for the level's instructions.
 #[inline(always)]
 fn vectorised<S: Simd>(_: S, work: impl FnOnce()) {
     work();

@@ -1,8 +1,8 @@
 //! Depth cueing: intensities fade into one colour with depth.
 //!
-//! `I' = s0·I + (1 − s0)·Idc` is affine in I. So it does not matter whether the sum of a surface's own light, what other
-//! surfaces add and what comes through fades as a whole or each part where it is found: at vertices and faces, before it is
-//! carried to the pixels, or at the pixels.
+//! `I' = s0·I + (1 − s0)·Idc` is affine in I. So the sum of a surface's own light, light from other surfaces and
+//! transmitted light may fade as a whole, or each part where it is found: at vertices and faces, before it is carried to
+//! the pixels, or at the pixels.
 
 use super::display::Linear;
 use super::plan::{Cued, Inputs};
@@ -14,11 +14,11 @@ use fearless_simd::dispatch;
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
 
-/// Points that one task takes.
+/// The points that one task processes.
 const POINTS: usize = 4096;
 
 impl Inputs<'_> {
-    /// s0 at points given relative to `origin`.
+    /// Returns s0 at points given relative to `origin`.
     fn scales(&self, origin: DVec3, position: &Planes) -> Vec<f32> {
         let mut scales = vec![0.0; position[0].len()];
         scales
@@ -36,7 +36,7 @@ impl Inputs<'_> {
         scales
     }
 
-    /// Lets the intensities of points fade.
+    /// Fades the intensities of points.
     pub fn fade_points(&self, origin: DVec3, position: &Planes, intensity: &mut Planes) {
         let (scales, color) = (
             self.scales(origin, position),
@@ -50,7 +50,7 @@ impl Inputs<'_> {
     }
 }
 
-/// s0 at each pixel that sees the object.
+/// s0 at each pixel that shows the object.
 #[derive(Default)]
 pub struct CueLayer {
     pub scales: Vec<f32>,
@@ -64,7 +64,8 @@ impl CueLayer {
         memory.pixels += room(&self.scales) + room(&self.fragments);
     }
 
-    /// `middles` are those of the faces relative to the model's origin, where a flat polygon's s0 is found there.
+    /// Computes s0 at each pixel; `middles` are those of the faces relative to the model's origin, where a flat polygon's
+    /// s0 is found there.
     pub fn run(&mut self, inputs: &Inputs<'_>, coverage: Coverage<'_>, middles: &Planes) {
         let [width, height] = coverage.size.map(|side| side as usize);
         self.scales.clear();
@@ -80,7 +81,7 @@ impl CueLayer {
         }
     }
 
-    /// From the depths of the bands' own fragments.
+    /// Computes s0 from the depths of the bands' own fragments.
     fn by_depth(&mut self, inputs: &Inputs<'_>, coverage: Coverage<'_>) {
         let [width, _] = coverage.size;
         let bands = self
@@ -96,7 +97,7 @@ impl CueLayer {
         });
     }
 
-    /// One for each flat polygon, where its intensity is found.
+    /// Computes one s0 for each flat polygon, where its intensity is found.
     fn by_face(&mut self, inputs: &Inputs<'_>, coverage: Coverage<'_>, middles: &Planes) {
         let (model, flat_at) = (inputs.triangles.model, inputs.scene.shading.flat_at);
         let points = inputs.scales(
@@ -121,7 +122,7 @@ impl CueLayer {
         });
     }
 
-    /// Carried from the vertices as normals and intensities are: s0 itself, or the depth alone.
+    /// Interpolates s0 itself, or the depth alone, from the vertices, as normals and intensities are.
     fn by_carrying(&mut self, inputs: &Inputs<'_>, coverage: Coverage<'_>) {
         let (plan, model, [width, height]) = (inputs.plan, inputs.triangles.model, coverage.size);
         let by_depth = plan.cued == Cued::AtPixels;
@@ -160,7 +161,7 @@ impl CueLayer {
     }
 }
 
-/// The rows of a band, `width` pixels each.
+/// Returns the rows of a band, `width` pixels each.
 fn rows<'a>(
     scales: &'a mut [f32],
     fragments: &'a [Block],
@@ -171,14 +172,14 @@ fn rows<'a>(
         .zip(fragments.chunks(Block::count(width)))
 }
 
-/// s0 at a depth key.
+/// Returns s0 at a depth key.
 fn at_key(Inputs { lens, scene, .. }: &Inputs<'_>, key: f32) -> f32 {
     scene
         .depth_cueing
         .scale_at(lens.depth_from_key(f64::from(key)) * lens.unit) as f32
 }
 
-/// What a flat polygon's s0 is, from those of the points where its intensity is found.
+/// Returns a flat polygon's s0, from those of the points where its intensity is found.
 fn of_face(at: FlatAt, points: &[f32], model: &Model, face: u32) -> f32 {
     let corners = model.face(face);
     match at {
@@ -191,7 +192,7 @@ fn of_face(at: FlatAt, points: &[f32], model: &Model, face: u32) -> f32 {
     }
 }
 
-/// Lets the pixels that see the object fade; returns how many overflow, of these or, where `all` count, of the picture.
+/// Fades the pixels that show the object; returns the number of overflowing pixels, of these or, if `all`, of the picture.
 pub fn fade_pixels(layer: &CueLayer, color: Vec3, all: bool, linear: &mut [Linear]) -> u64 {
     let fade = |([r, g, b, covered], s0): (&mut Linear, &f32)| {
         let (mut pixel, covered) = (Vec3::new(*r, *g, *b), *covered > 0.0);

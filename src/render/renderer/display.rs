@@ -1,4 +1,4 @@
-//! Puts the linear picture together and turns its intensities into stored values.
+//! The display: composes the linear picture and converts its intensities to stored values.
 
 use super::parts::bouncing;
 use crate::illumination::{BRIGHTEST, LANES, Lanes, Real};
@@ -7,11 +7,12 @@ use fearless_simd::{Level, dispatch, f32x4, i32x4, i32x16, mask32x16, prelude::*
 use glam::Vec3;
 use rayon::prelude::*;
 
-/// A picture before the display: linear red, green, blue, and 1 where the object is seen.
+/// A pixel before the display: linear red, green, blue, and 1 where the object is visible.
 pub type Linear = [f32; 4];
 
-/// Puts together what the equation gave, what is seen beyond and what other surfaces scatter; returns how many pixels overflow.
-/// Where the equation's part has faded at vertices or faces already, `faded` has s0 at each pixel, for what is added there.
+/// Composes the equation's value, the view beyond and the light that other surfaces scatter; returns the number of
+/// overflowing pixels. Where the equation's part has already faded at vertices or faces, `faded` has s0 at each pixel, for
+/// the parts added here.
 pub fn compose(
     scene: &Scene,
     [seen, bounced]: [&[Vec3]; 2],
@@ -54,7 +55,7 @@ pub fn compose(
     overflowing.sum()
 }
 
-/// The transfer function of IEC 61966-2-1 for 0 ≤ v ≤ 1.
+/// Returns the transfer function of IEC 61966-2-1 for 0 ≤ v ≤ 1.
 pub fn srgb(v: f64) -> f64 {
     if v <= 0.003_130_8 {
         12.92 * v
@@ -63,7 +64,7 @@ pub fn srgb(v: f64) -> f64 {
     }
 }
 
-/// The stored value of a linear intensity: clamped, encoded, times 255, rounded.
+/// Returns the stored value of a linear intensity: clamped, encoded, times 255, rounded.
 pub fn stored(v: f64, encoding: Encoding) -> u8 {
     let clamped = v.clamp(0.0, 1.0);
     let encoded = match encoding {
@@ -73,13 +74,13 @@ pub fn stored(v: f64, encoding: Encoding) -> u8 {
     (encoded * 255.0 + 0.5) as u8
 }
 
-/// The stored pixel of a linear colour.
+/// Returns the stored pixel of a linear colour.
 pub(crate) fn stored_pixel(color: Rgb, encoding: Encoding) -> [u8; 4] {
     let [r, g, b] = color.to_array().map(|v| stored(v, encoding));
     [r, g, b, 255]
 }
 
-/// Intensities already within 0..1 to code values 0..255 and a half, to be cut off.
+/// Converts intensities already within 0..1 to code values 0..255 and a half, to be truncated.
 #[inline(always)]
 fn encode<S: Simd>(v: Lanes<S>, encoding: Encoding) -> Lanes<S> {
     let half = v.constant(0.5);
@@ -92,14 +93,14 @@ fn encode<S: Simd>(v: Lanes<S>, encoding: Encoding) -> Lanes<S> {
     Lanes::select(v.greater_than(v.constant(0.003_130_8)), high, low)
 }
 
-/// Intensities to code values: clamped, encoded, rounded.
+/// Converts intensities to code values: clamped, encoded, rounded.
 #[inline(always)]
 fn code<S: Simd>(v: Lanes<S>, encoding: Encoding) -> i32x16<S> {
     let clamped = v.max(v.constant(0.0)).min(v.constant(1.0));
     i32x16::truncate_from(encode(clamped, encoding).0)
 }
 
-/// The pixel of a colour that is stored as it is: bit for bit what [`pack`] makes of it.
+/// Returns the pixel of a colour that is stored without encoding: bit for bit the result of [`pack`].
 #[inline(always)]
 pub fn raw<S: Simd>(simd: S, [r, g, b]: [f32; 3]) -> [u8; 4] {
     let color = f32x4::simd_from(simd, [r, g, b, 1.0]).max(0.0).min(1.0);
@@ -129,7 +130,7 @@ pub fn pack<S: Simd>(
     (covered.select(pixel, background).bitcast(), over)
 }
 
-/// Stores a linear picture of `width` columns by the policies that need to see all of it; returns what it was divided by.
+/// Stores a linear picture of `width` columns by the policies that need all of it; returns the divisor of its intensities.
 pub fn display(
     level: Level,
     linear: &[Linear],
@@ -156,7 +157,7 @@ pub fn display(
     f64::from(divisor)
 }
 
-/// The greatest of some numbers and 1.
+/// Returns the largest of some numbers and 1.
 #[inline(always)]
 fn greatest<S: Simd>(simd: S, values: &[f32]) -> f32 {
     let vectors = values.chunks_exact(LANES);
@@ -203,7 +204,7 @@ fn store_line<S: Simd>(
     }
 }
 
-/// Colours to one plane a component.
+/// Separates colours into one plane for each component.
 #[inline(always)]
 fn separate<S: Simd>(simd: S, colors: &[Linear], planes: &mut [[f32; LANES]; 4]) {
     let quads = colors.chunks_exact(4);
@@ -221,7 +222,7 @@ fn separate<S: Simd>(simd: S, colors: &[Linear], planes: &mut [[f32; LANES]; 4])
     }
 }
 
-/// Black and white diagonal stripes, three pixels wide, which no shading looks like.
+/// Returns the pixel of black and white diagonal stripes, three pixels wide, which no shading looks like.
 fn hatching(x: usize, y: usize) -> [u8; 4] {
     if ((x + y) / 3).is_multiple_of(2) {
         [0, 0, 0, 255]

@@ -1,4 +1,4 @@
-//! The memory that drawing a scene takes, known before anything of it is made.
+//! The memory that drawing a scene takes, estimated before any of it is allocated.
 
 use super::plan::Plan;
 use super::samples::{MOST_AT_ONCE, rows_at_once};
@@ -7,28 +7,28 @@ use crate::render::rays::World;
 use crate::scene::{AmbientSource, CompareView, NormalSource, ObjectKind, Scene};
 use crate::text::text;
 
-/// Bytes that drawing several samples takes for each pixel that is drawn at once, the stored picture aside; rays take the most.
+/// The bytes for each pixel that is drawn at once with several samples, except for the stored picture; rays take the most.
 const PIXEL: u64 = 96;
-/// Bytes for each triangle and each vertex while the arrays of a mesh are made from its polygons, which is when they take the
-/// most: what `tests/cli/scripts/memory.rs` grants is enough.
+/// The bytes for each triangle and each vertex while the arrays of a mesh are made from its polygons, which is when they
+/// take the most. `tests/cli/scripts/memory.rs` checks that this much is enough.
 const TRIANGLE: u64 = 64;
 const VERTEX: u64 = 76;
-/// Bytes for each triangle where rays are followed: their hierarchy of boxes while it is sorted.
+/// The bytes for each triangle where rays are followed: their hierarchy of boxes while it is sorted.
 const BOXED: u64 = 144;
-/// Bytes for everything else in a process that draws, and that draws a picture in strips.
+/// The bytes for everything else in a process that draws, even a picture in strips.
 const BESIDES: u64 = 1 << 25;
 const BESIDES_LARGE: u64 = 1 << 28;
-/// What takes less is not asked for in advance: running out of so little is running out of everything.
+/// The bytes below which memory is not checked in advance: if so little cannot be had, nothing can.
 const SMALL: u64 = 1 << 24;
-/// Most bytes on a web page, whose memory ends at 4 GiB and is not given back, and which stands still while a mesh is made.
+/// The most bytes on a web page, whose memory ends at 4 GiB and is never returned, and which stops responding while a mesh is made.
 const MOST_ON_PAGE: u64 = 1 << 30;
 
-/// A picture whose memory cannot be had.
+/// The error of a picture whose memory is not available.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("{}", self.words())]
 pub struct TooLarge {
     size: [u32; 2],
-    /// None where the picture itself takes the most.
+    /// The number of triangles; `None` where the picture itself takes the most.
     triangles: Option<u64>,
     megabytes: u64,
 }
@@ -52,8 +52,8 @@ impl TooLarge {
     }
 }
 
-/// Triangles and vertices of what `scene` shows, without making them; `model` is the mesh of an object of kind `obj`. Counts of
-/// vertices are upper bounds but for a shape's poles.
+/// Returns the triangles and vertices of `scene` without making them; `model` is the mesh of an object of kind `obj`.
+/// Counts of vertices are upper bounds except for a shape's poles.
 fn mesh_size(scene: &Scene, model: Option<&Mesh>) -> [u64; 2] {
     let normals = Plan::normals(scene);
     let own = normals == NormalSource::Facet;
@@ -81,7 +81,7 @@ fn mesh_size(scene: &Scene, model: Option<&Mesh>) -> [u64; 2] {
     }
 }
 
-/// Bytes for the mesh of a single scene.
+/// Returns the bytes for the mesh of a single scene.
 fn mesh_bytes(scene: &Scene, model: Option<&Mesh>) -> u64 {
     let [triangles, vertices] = mesh_size(scene, model);
     let rays = scene.shading.shadows
@@ -92,29 +92,29 @@ fn mesh_bytes(scene: &Scene, model: Option<&Mesh>) -> u64 {
     triangles * (TRIANGLE + boxed) + vertices * VERTEX
 }
 
-/// Whether the memory to draw a sound scene can be had: to be asked before, since running out of it ends the process.
+/// Checks that the memory to draw a valid scene is available. Call it before drawing, since running out of memory ends the process.
 ///
 /// # Errors
-/// It cannot.
+/// The memory is not available.
 pub fn check_memory(scene: &Scene) -> Result<(), TooLarge> {
     check_memory_for(scene, None, 1)
 }
 
-/// Whether the memory for the meshes of a sound scene can be had, in whatever size it is drawn.
+/// Checks that the memory for the meshes of a valid scene is available, in whatever size it is drawn.
 ///
 /// # Errors
-/// It cannot.
+/// The memory is not available.
 pub fn check_mesh_memory(scene: &Scene, model: Option<&Mesh>) -> Result<(), TooLarge> {
     let mut small = scene.clone();
     small.image.size = [1, 1];
     check_memory_for(&small, model, 1)
 }
 
-/// [`check_memory`] where the object is a `model` from a file, or where several renderers keep their meshes at the same time, as most
-/// analyses do. With a comparison, the largest of its panes counts.
+/// Checks the memory as [`check_memory`] does, for an object that is a `model` from a file, or for several renderers that
+/// keep their meshes at the same time, as in most analyses. With a comparison, the largest of its panes counts.
 ///
 /// # Errors
-/// The memory cannot be had.
+/// The memory is not available.
 pub fn check_memory_for(
     scene: &Scene,
     model: Option<&Mesh>,
@@ -147,7 +147,7 @@ pub fn check_memory_for(
     })
 }
 
-/// Whether so many bytes can be had.
+/// Returns whether this many bytes are available.
 pub fn can_be_had(bytes: u64) -> bool {
     if cfg!(target_arch = "wasm32") && bytes > MOST_ON_PAGE {
         return false;

@@ -5,18 +5,18 @@ use crate::illumination::Equation;
 use crate::scene::{AmbientSource, Ground, Scene};
 use std::ops::Range;
 
-/// Columns of a picture, and what stands there for the light that arrives from all sides.
+/// A range of a picture's columns, and the kind of ambient light there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Part {
     pub columns: Range<usize>,
-    /// Light from other surfaces takes the place of the constant Ia.
+    /// True if light from other surfaces replaces the constant Ia.
     pub bounces: bool,
-    /// The equation that these columns show; without an ambient term where light bounces.
+    /// The equation of these columns; without an ambient term where light bounces.
     pub equation: Equation<f32>,
 }
 
 impl Part {
-    /// The parts of the picture of `scene`, from left to right, whose lights `equation` has.
+    /// Returns the parts of the picture of `scene`, from left to right, with the lights of `equation`.
     pub fn of(scene: &Scene, equation: &Equation<f32>) -> Vec<Self> {
         let bouncing = bouncing(scene);
         let part = |columns: Range<usize>, bounces| Self {
@@ -34,7 +34,7 @@ impl Part {
             .collect()
     }
 
-    /// Its equation in double precision.
+    /// Returns its equation in double precision.
     pub fn in_double(&self, inputs: &Inputs<'_>) -> Equation<f64> {
         let equation = inputs.equation();
         if self.bounces {
@@ -45,7 +45,7 @@ impl Part {
     }
 }
 
-/// The columns that show light from other surfaces.
+/// Returns the columns that show light from other surfaces.
 pub fn bouncing(scene: &Scene) -> Range<usize> {
     let width = scene.image.size[0] as usize;
     match scene.ambient.source {
@@ -55,7 +55,7 @@ pub fn bouncing(scene: &Scene) -> Range<usize> {
     }
 }
 
-/// The floor's coefficient of the constant ambient light, where light bounces or not.
+/// Returns the floor's coefficient of the constant ambient light, with or without a bounce.
 pub fn floor_ka(ground: &Ground, bounces: bool) -> f64 {
     if bounces { 0.0 } else { ground.ka }
 }

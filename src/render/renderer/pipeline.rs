@@ -1,4 +1,4 @@
-//! The renderer: a picture in nine steps, each of which runs only when what it reads has changed.
+//! The renderer: a picture in nine steps, each of which runs only when its inputs have changed.
 
 mod kept;
 
@@ -43,11 +43,11 @@ use std::sync::Arc;
 /// ```
 #[derive(Default)]
 pub struct Renderer {
-    /// None for the machine's best.
+    /// The SIMD level; `None` for the machine's best.
     level: Option<Level>,
-    /// Without one, all times are 0.
+    /// The clock; without one, all times are 0.
     clock: Option<fn() -> u64>,
-    /// What an object of kind `obj` shows, and how often that has changed.
+    /// The mesh of an object of kind `obj`, and the number of its changes.
     given: (Option<Arc<Mesh>>, u64),
     mesh: Node<MeshSource>,
     pub(super) model: Node<Model>,
@@ -55,24 +55,24 @@ pub struct Renderer {
     placed: Node<PlacedTriangles>,
     /// The middles and the normals of the faces, where these are shaded.
     faces: Node<[Planes; 2]>,
-    /// Intensities at vertices or faces, for each part of the picture.
+    /// The intensities at vertices or faces, for each part of the picture.
     points: Node<Vec<Planes>>,
     bands: Node<Vec<Band>>,
     interpolated: Node<Interpolated>,
     pub(super) rays: RayNodes,
     cue: Node<CueLayer>,
     pub(super) picture: Node<Picture>,
-    /// Steps of the present frame that the bands have yet to go through.
+    /// The steps of the current frame that the bands have yet to go through.
     stale: Stale,
     pub(super) keeps_linear: bool,
     leaves_nothing_out: bool,
-    /// What the last picture was drawn from.
+    /// The inputs of the last picture.
     pub(super) drawn: Option<Job>,
     report: Report,
 }
 
 impl fmt::Debug for Renderer {
-    /// What the last picture took; what is kept for the next one is too much to print.
+    /// Prints the report only; the data kept for the next picture is too large.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Renderer")
             .field("report", &self.report)
@@ -83,11 +83,11 @@ impl fmt::Debug for Renderer {
 #[derive(Default)]
 pub(super) struct Picture {
     pub frame: Frame,
-    /// Before the display; empty where nobody needs it.
+    /// The picture before the display; empty if it is not needed.
     pub linear: Vec<Linear>,
 }
 
-/// What a frame is drawn from.
+/// The inputs of a frame.
 pub(super) struct Job {
     pub scene: Scene,
     pub plan: Plan,
@@ -96,7 +96,7 @@ pub(super) struct Job {
 }
 
 impl Renderer {
-    /// A renderer that measures its stages by `clock`, which gives nanoseconds from any fixed moment.
+    /// Creates a renderer that measures its stages by `clock`, which gives nanoseconds from any fixed moment.
     pub fn with_clock(clock: fn() -> u64) -> Self {
         Self {
             clock: Some(clock),
@@ -104,27 +104,28 @@ impl Renderer {
         }
     }
 
-    /// The same renderer on another SIMD level than the machine's best.
+    /// Sets a SIMD level other than the machine's best.
     #[must_use]
     pub fn with_level(mut self, level: Level) -> Self {
         self.level = Some(level);
         self
     }
 
-    /// The mesh that an object of kind `obj` shows; none shows nothing. Another `Arc` is another model.
+    /// Sets the mesh that an object of kind `obj` shows; `None` shows nothing. Another `Arc` is another model.
     pub fn set_model(&mut self, model: Option<Arc<Mesh>>) {
         if self.given.0.as_ref().map(Arc::as_ptr) != model.as_ref().map(Arc::as_ptr) {
             self.given = (model, self.given.1 + 1);
         }
     }
 
-    /// Has the picture before the display kept from the next call on, for [`Renderer::linear`].
+    /// Keeps the picture before the display from the next call on, for [`Renderer::linear`].
     pub fn keep_linear(&mut self, keep: bool) {
         self.keeps_linear = keep;
     }
 
-    /// Evaluates from the next call on what the plan leaves out and that can be kept in, such as lights and terms that add nothing,
-    /// an f of 1, back faces and the depth test. The stored pixels are the same: for tests, and to measure the work saved.
+    /// Evaluates, from the next call on, the work that the plan leaves out and that can be kept in, such as lights and
+    /// terms that add nothing, an f of 1, back faces and the depth test. The stored pixels are the same: for tests, and to
+    /// measure the work saved.
     pub fn leave_nothing_out(&mut self, nothing: bool) {
         if self.leaves_nothing_out != nothing {
             self.leaves_nothing_out = nothing;
@@ -132,12 +133,12 @@ impl Renderer {
         }
     }
 
-    /// Draws a scene that [`Scene::validate`] accepts. What has not changed since the last call is not done again.
+    /// Draws a scene that [`Scene::validate`] accepts. Steps whose inputs have not changed since the last call do not run again.
     pub fn render(&mut self, scene: &Scene) -> &Frame {
         self.draw(scene, scene.image.size, DVec2::ZERO, false)
     }
 
-    /// The same for a part of a picture of `size` pixels whose samples lie `offset` pixels from the centres; `linear` says whether
+    /// Draws a part of a picture of `size` pixels whose samples lie `offset` pixels from the centres; `linear` says whether
     /// all of it is kept before the display.
     pub(super) fn draw(
         &mut self,
@@ -165,7 +166,7 @@ impl Renderer {
         &self.picture.output.frame
     }
 
-    /// The polygons, with their vertex normals; the true surface, if that is shown.
+    /// Makes the polygons, with their vertex normals, and the true surface, if that is shown.
     fn mesh(&mut self, scene: &Scene) {
         let began = self.now();
         self.report.begin();
@@ -224,7 +225,7 @@ impl Renderer {
         report.vertices = model.vertex_count as u64;
     }
 
-    /// What is done where, and what is left out.
+    /// Plans the frame: the points where the equation is evaluated, and the work left out.
     fn plan_frame(&mut self, scene: &Scene, size: [u32; 2], offset: DVec2, linear: bool) -> Job {
         let mut plan = Plan::for_scene(scene, &self.model.output);
         if self.leaves_nothing_out {
@@ -255,7 +256,7 @@ impl Renderer {
         }
     }
 
-    /// The triangles to where they lie in the picture, clipped and sorted into bands of rows.
+    /// Places the triangles in the picture, clipped and sorted into bands of rows.
     fn place(&mut self, job: &Job) {
         let began = self.now();
         if job.plan.true_surface {
@@ -278,7 +279,7 @@ impl Renderer {
         self.note(Stage::Transform, ran, began, 0);
     }
 
-    /// The equation at vertices or faces, where the mode evaluates it there.
+    /// Evaluates the equation at vertices or faces, where the mode evaluates it there.
     fn points(&mut self, job: &Job) {
         let Job {
             scene,
@@ -346,7 +347,7 @@ impl Renderer {
         self.note(Stage::VertexShading, ran, began, self.report.points);
     }
 
-    /// Which triangle each pixel sees.
+    /// Finds the triangle that each pixel shows.
     fn cover(
         &mut self,
         Job {
@@ -358,12 +359,12 @@ impl Renderer {
         } else {
             self.placed.stamp
         };
-        // Rays to the true surface depend on the lens; placed triangles have taken it in.
+        // Rays to the true surface depend on the lens; placed triangles already include it.
         let lens = plan.true_surface.then_some(*lens);
         self.stale.coverage = self
             .bands
             .outdate((scene.image.size, source, lens, plan.depth_test));
-        // What is of another object or view, and not needed for this one.
+        // Coverage of another object or view that this one does not need.
         if self.stale.coverage {
             self.rays.release_unused(scene, plan);
             if plan.per == Per::Pixel {
@@ -378,7 +379,7 @@ impl Renderer {
         }
     }
 
-    /// What is carried to each pixel.
+    /// Interpolates the carried values at each pixel.
     fn interpolate(&mut self, Job { scene, plan, .. }: &Job) {
         let source = match plan.per {
             _ if plan.true_surface => 0,
@@ -392,7 +393,7 @@ impl Renderer {
                 .outdate((self.bands.stamp, source, plan.per, rule, flat_at));
     }
 
-    /// Rays that start from what the pixels see.
+    /// Follows the rays that start from the points shown.
     fn rays(&mut self, job: &Job) {
         if !job.plan.follows_rays() {
             return;
@@ -417,7 +418,8 @@ impl Renderer {
         self.note(Stage::Rays, ran, began, 0);
     }
 
-    /// The equation at pixels, or the colours carried to them; s0 where pixels fade. Tells whether the picture is shaded anew.
+    /// Evaluates the equation at pixels, or takes the colours carried to them, with s0 where pixels fade. Returns whether
+    /// the picture is shaded anew.
     fn shade(&mut self, job: &Job) -> bool {
         let Job {
             scene,
@@ -454,7 +456,7 @@ impl Renderer {
             // Shadow bits are kept while shadows are off.
             plan.shadows,
             plan.follows_rays().then(|| self.rays.stamps()),
-            // How what is seen beyond is mixed in.
+            // The way in which the view beyond is mixed in.
             plan.composes
                 .then_some((scene.transparency.kt, scene.ambient.source)),
             cue,
@@ -479,7 +481,7 @@ impl Renderer {
         shaded
     }
 
-    /// What needs to see the whole picture: what is mixed in, fading, and the display's policy.
+    /// Runs the steps that need the whole picture: composing, fading, and the display's policy.
     fn display(&mut self, Job { scene, plan, .. }: &Job) {
         let (began, level) = (self.now(), self.level());
         let report = &mut self.report;
@@ -510,7 +512,7 @@ impl Renderer {
         self.note(Stage::Display, true, began, 0);
     }
 
-    /// Takes every band through what is stale, and through shading if the frame is to be shaded.
+    /// Takes every band through the steps that are out of date, and through shading if the frame is to be shaded.
     fn paint(&mut self, job: &Job, shades: bool) {
         let (plan, stale) = (&job.plan, take(&mut self.stale));
         let (mut bands, mut interpolated, mut picture) = (
@@ -577,7 +579,7 @@ impl Renderer {
         self.level.unwrap_or_else(Level::new)
     }
 
-    /// What the steps of a frame read.
+    /// Returns the inputs of a frame's steps.
     pub(super) fn inputs<'a>(
         &'a self,
         Job {
@@ -595,7 +597,7 @@ impl Renderer {
         }
     }
 
-    /// Which triangle each pixel of a picture sees, once it is covered.
+    /// Returns the triangle of each pixel of a picture, once it is covered.
     pub(super) fn coverage(&self, scene: &Scene) -> Coverage<'_> {
         let (bands, fragments) = (&self.bands.output, &self.interpolated.output.fragments);
         Coverage {
@@ -605,17 +607,18 @@ impl Renderer {
         }
     }
 
-    /// The polygons of the last picture, before they were given vertex normals; shared, to be kept and known again.
+    /// Returns the polygons of the last picture, before they were given vertex normals; shared, so that they can be kept
+    /// and recognised.
     pub(crate) fn mesh_shown(&self) -> &Arc<Mesh> {
         self.mesh.output.mesh()
     }
 
-    /// What the last call of [`Renderer::render`] did.
+    /// Returns the report of the last call of [`Renderer::render`].
     pub fn report(&self) -> &Report {
         &self.report
     }
 
-    /// The terms and steps of the last picture: how often each is evaluated, or why it is left out.
+    /// Returns the terms and steps of the last picture: how often each is evaluated, or why it is left out.
     pub fn terms(&self) -> Vec<Term> {
         let Some(job) = &self.drawn else {
             return Vec::new();

@@ -1,8 +1,8 @@
-//! What a frame will do, decided before a pixel is touched: where the equation is evaluated and what is left out; and what its
-//! steps read.
+//! The plan of a frame, made before a pixel is touched: where the equation is evaluated and what is left out; and the
+//! inputs of its steps.
 //!
-//! Leaving out never changes a stored pixel (`tests/engine/omissions.rs`). The renderer executes the plan; `account.rs` tells it to
-//! the reader, term by term.
+//! Leaving out never changes a stored pixel (`tests/engine/omissions.rs`). The renderer executes the plan; `account.rs`
+//! explains it to the reader, term by term.
 
 use crate::geometry::Surface;
 use crate::illumination::{Equation, SpecularForm};
@@ -19,72 +19,72 @@ use fearless_simd::Level;
 use glam::DVec3;
 use serde::Serialize;
 
-/// How often something is evaluated.
+/// The frequency of an evaluation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Per {
-    /// Once a picture.
+    /// Once for each picture.
     Frame,
-    /// Once a face.
+    /// Once for each face.
     Face,
-    /// Once a vertex.
+    /// Once for each vertex.
     Vertex,
-    /// Once a pixel that shows the object.
+    /// Once for each pixel that shows the object.
     Pixel,
     /// Not at all.
     None,
 }
 
-/// Where the intensity is made to fade with the depth.
+/// The points where the intensity fades with the depth.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Cued {
-    /// Depth cueing is off, or changes nothing.
+    /// No fading: depth cueing is off, or changes nothing.
     Nowhere,
-    /// Where the equation is evaluated, at vertices or faces: the intensity fades before it is carried to the pixels.
+    /// The points where the equation is evaluated, at vertices or faces: the intensity fades before it is carried to the pixels.
     AtPoints,
-    /// s0 is found at the vertices and carried to the pixels.
+    /// The pixels, with s0 found at the vertices and carried to the pixels.
     AtVertices,
-    /// s0 is found at each pixel.
+    /// The pixels, with s0 found at each of them.
     AtPixels,
 }
 
 /// The plan of a frame.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
-    /// Where the equation is evaluated.
+    /// The points where the equation is evaluated.
     pub per: Per,
-    /// What the equation is evaluated with, or its result, varies over a face.
+    /// True if the equation's input, or its result, varies over a face.
     pub carries: bool,
-    /// Whether pixels meet the true surface instead of polygons.
+    /// True if pixels show the true surface instead of polygons.
     pub true_surface: bool,
-    /// Whether the equation is evaluated in double precision.
+    /// True if the equation is evaluated in double precision.
     pub double: bool,
-    /// Back faces are dropped.
+    /// True if back faces are dropped.
     pub cull: bool,
-    /// The nearest of several faces is searched.
+    /// True if the nearest of several faces is searched for.
     pub depth_test: bool,
-    /// Interpolation is perspective-correct.
+    /// True if interpolation is perspective-correct.
     pub perspective: bool,
-    /// Interpolation goes along the edges and then along the rows, as in Gouraud 1971.
+    /// True if interpolation goes along the edges and then along the rows, as in Gouraud 1971.
     pub scanline: bool,
-    /// Interpolated normals are scaled to unit length before the equation is evaluated.
+    /// True if interpolated normals are scaled to unit length before the equation is evaluated.
     pub renormalise: bool,
-    /// For each light of the scene whether it can add anything.
+    /// For each light of the scene, true if it can add anything.
     pub lights: Vec<bool>,
-    /// Rays find out which lights reach what is evaluated.
+    /// True if rays determine which lights reach the shading points.
     pub shadows: bool,
-    /// A floor, a wall, what is seen through the object or light from other surfaces is mixed with the equation's value.
+    /// True if a floor, a wall, the view through the object or light from other surfaces is mixed with the equation's value.
     pub composes: bool,
-    /// Depth cueing.
+    /// The points where depth cueing applies.
     pub cued: Cued,
-    /// The display needs to see the whole picture before it can store a pixel.
+    /// True if the display needs the whole picture before it can store a pixel.
     pub whole_picture: bool,
-    /// Whether what cannot change a stored pixel is left out.
+    /// True if work that cannot change a stored pixel is left out.
     pub leaves_out: bool,
 }
 
 impl Plan {
-    /// The plan of `scene` on the geometry of `model`.
+    /// Creates the plan of `scene` on the geometry of `model`.
     pub fn for_scene(scene: &Scene, model: &Model) -> Self {
         let mode = scene.shading.mode;
         let per = match mode {
@@ -132,7 +132,7 @@ impl Plan {
         plan
     }
 
-    /// The normals that the vertices are given.
+    /// Returns the source of the vertices' normals.
     pub fn normals(scene: &Scene) -> NormalSource {
         match scene.shading.mode {
             ShadingMode::Interpolated => NormalSource::Facet,
@@ -140,12 +140,12 @@ impl Plan {
         }
     }
 
-    /// Whether pixels meet the true surface instead of polygons.
+    /// Returns whether pixels show the true surface instead of polygons.
     pub fn shows_surface(scene: &Scene) -> bool {
         scene.shading.mode == ShadingMode::Exact && scene.object.kind.has_surface()
     }
 
-    /// Puts back in lights that add nothing, back faces, the depth test, and rays to lights that nothing can hide.
+    /// Restores lights that add nothing, back faces, the depth test, and rays to lights that nothing can hide.
     pub fn leave_nothing_out(&mut self, scene: &Scene) {
         self.lights.fill(true);
         (self.cull, self.depth_test) = (false, true);
@@ -153,22 +153,22 @@ impl Plan {
         self.leaves_out = false;
     }
 
-    /// Whether pixels are evaluated one by one in double precision.
+    /// Returns whether pixels are evaluated one by one in double precision.
     pub fn pixels_in_double(&self) -> bool {
         self.double && self.per == Per::Pixel
     }
 
-    /// Whether values are carried from vertices to pixels.
+    /// Returns whether values are carried from vertices to pixels.
     pub fn interpolates(&self) -> bool {
         self.carries && !self.true_surface && !self.pixels_in_double()
     }
 
-    /// Whether rays start from what the pixels see.
+    /// Returns whether rays start from the points that pixels show.
     pub fn follows_rays(&self) -> bool {
         self.composes || (self.shadows && self.per == Per::Pixel)
     }
 
-    /// Whether s0 is wanted at each pixel.
+    /// Returns whether s0 is needed at each pixel.
     pub fn cues_pixels(&self) -> bool {
         match self.cued {
             Cued::Nowhere => false,
@@ -177,18 +177,19 @@ impl Plan {
         }
     }
 
-    /// Whether every pixel is brought a normal or an intensity of its own.
+    /// Returns whether every pixel gets a normal or an intensity of its own.
     pub fn has_fragments(&self) -> bool {
         self.carries && (self.true_surface || !self.pixels_in_double())
     }
 
-    /// Whether these are kept: normals serve when only the equation's numbers change; intensities change with them.
+    /// Returns whether the fragments are kept: normals can be reused when only the equation's numbers change; intensities
+    /// change with them.
     pub fn keeps_fragments(&self) -> bool {
         self.has_fragments() && self.per == Per::Pixel
     }
 }
 
-/// What the steps of a frame read, and whoever evaluates a pixel of it again.
+/// The inputs of a frame's steps, and of later evaluations of its pixels.
 #[derive(Clone, Copy)]
 pub struct Inputs<'a> {
     pub level: Level,
@@ -197,19 +198,19 @@ pub struct Inputs<'a> {
     pub lens: &'a Lens,
     pub triangles: Triangles<'a>,
     pub surface: Option<&'a Surface>,
-    /// Which sources are seen from which pixels, faces or vertices, where there are shadows.
+    /// The visibility of sources from pixels, faces or vertices, where there are shadows.
     pub visibility: Option<&'a Visibility>,
 }
 
 impl Inputs<'_> {
-    /// The equation in double precision with the lights that the picture is shaded with.
+    /// Returns the equation in double precision with the lights that the picture is shaded with.
     pub fn equation(&self) -> Equation<f64> {
         let mut equation = Equation::in_units(self.scene, self.lens.unit);
         equation.retain_lights(|light| self.plan.lights[light]);
         equation
     }
 
-    /// s0 at a point, world; 1 where nothing fades.
+    /// Returns s0 at a point, world; 1 where nothing fades.
     pub fn scale(&self, point: DVec3) -> f64 {
         if self.plan.cued == Cued::Nowhere {
             return 1.0;
@@ -220,15 +221,15 @@ impl Inputs<'_> {
     }
 }
 
-/// Why nothing is done that lights are needed for.
+/// The reason why work that needs lights is left out.
 pub const NO_LIGHT: Message = Message("render-why-no-light");
 
-/// Past this n the rounding of unit vectors in single precision is seen in the highlight.
+/// The n beyond which the rounding of unit vectors in single precision is visible in the highlight.
 const STIFF_FROM: f64 = 1e7;
-/// From an eye this many radii away, places relative to it have fewer digits than the model needs.
+/// The eye's distance, in radii, from which positions relative to it have fewer digits than the model needs.
 const FAR_FROM: f64 = 1e4;
 
-/// Why single precision does not do for the equation, if it does not.
+/// Tells why single precision is not enough for the equation, if it is not.
 pub fn stiff(scene: &Scene, model: &Model) -> Option<Message> {
     let powers = matches!(
         SpecularForm::of(scene),
@@ -244,13 +245,13 @@ pub fn stiff(scene: &Scene, model: &Model) -> Option<Message> {
     far.then_some(Message("render-why-eye-far"))
 }
 
-/// The eye may be inside the model, or so near that the near plane opens it.
+/// Returns whether the eye may be inside the model, or so near that the near plane opens it.
 fn sees_inside(camera: &Camera, model: &Model) -> bool {
     let reach = model.radius * (1.0 + 1e-5) + NEAR * model.unit(camera) * 2.0;
     (camera.eye - model.origin).length() <= reach
 }
 
-/// Why each light adds nothing, if it does not.
+/// Tells why each light adds nothing, if it adds nothing.
 pub fn silences(scene: &Scene, model: &Model) -> Vec<Option<Message>> {
     let (soloing, material, pattern) = (scene.soloing(), &scene.material, &scene.pattern);
     let color = if pattern.kind == PatternKind::None {
@@ -258,7 +259,7 @@ pub fn silences(scene: &Scene, model: &Model) -> Vec<Option<Message>> {
     } else {
         pattern.color
     } + material.color;
-    // The greatest part of a light that the material takes, diffuse and specular together.
+    // The largest part of a light that the material reflects, diffuse and specular together.
     let reflected = material.kd * color + material.ks * material.specular_color;
     let silence = |light: &Light| match light {
         Light { mute: true, .. } => Some(Message("render-why-muted")),
@@ -270,12 +271,12 @@ pub fn silences(scene: &Scene, model: &Model) -> Vec<Option<Message>> {
     scene.lights.iter().map(silence).collect()
 }
 
-/// A cone must pass the model by this angle, radians, and its light be away from it by this part of the distances that single
-/// precision has to hold: so far no rounding of L reaches, which is then below 10⁻³.
+/// The angle, radians, by which a cone must miss the model, and the part of the distances that single precision has to
+/// represent by which its light must be away from it: no rounding of L, which is then below 10⁻³, reaches that far.
 const CONE_MARGIN: f64 = 0.01;
 const NEAREST_CONE: f64 = 1e-3;
 
-/// Whether the whole model lies outside a spot light's cone.
+/// Returns whether the whole model lies outside a spot light's cone.
 fn misses(scene: &Scene, model: &Model, light: &Light) -> bool {
     let polygons = scene.shading.mode != ShadingMode::Exact
         && scene.shading.interpolation == Interpolation::Perspective;
@@ -297,7 +298,7 @@ fn misses(scene: &Scene, model: &Model, light: &Light) -> bool {
     near && clear && between - (radius / distance).asin() > light.cone.to_radians() + CONE_MARGIN
 }
 
-/// Why nothing lies in the shadow of the object.
+/// Tells why nothing lies in the shadow of the object.
 pub fn casts_shadows(scene: &Scene, model: &Model, lights: &[bool]) -> Option<Message> {
     if !scene.shading.shadows {
         return Some(Message("render-why-switched-off"));
@@ -311,7 +312,7 @@ pub fn casts_shadows(scene: &Scene, model: &Model, lights: &[bool]) -> Option<Me
     alone.then_some(Message("render-why-convex-no-shadow"))
 }
 
-/// Why nothing fades with the depth.
+/// Tells why nothing fades with the depth.
 pub fn not_cued(scene: &Scene, model: &Model) -> Option<Message> {
     let cueing = &scene.depth_cueing;
     if cueing.by == CuedBy::Off {
@@ -328,7 +329,7 @@ pub fn not_cued(scene: &Scene, model: &Model) -> Option<Message> {
     near.then_some(Message("render-why-cue-beyond"))
 }
 
-/// Where s0 is evaluated, for an equation evaluated `per` something.
+/// Returns the points where s0 is evaluated, for an equation evaluated at the frequency `per`.
 fn cued(scene: &Scene, per: Per) -> Cued {
     match (scene.depth_cueing.by, scene.shading.mode) {
         (CuedBy::Off, _) => Cued::Nowhere,

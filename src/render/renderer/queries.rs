@@ -1,4 +1,4 @@
-//! What can be asked about the last picture.
+//! Queries about the last picture.
 
 use super::frame::Frame;
 use super::pipeline::{Job, Renderer};
@@ -15,40 +15,40 @@ use std::collections::HashMap;
 /// A polygon of the last picture, as it is shaded.
 #[derive(Clone, Debug)]
 pub(crate) struct Polygon<'a> {
-    /// Its corners, counter-clockwise from outside, each with the normal that the shading mode gives it.
+    /// Its corners, counter-clockwise from outside, each with its normal in the shading mode.
     pub corners: Vec<WeightedPoint<'a>>,
     /// The triangles that it is drawn as, by the numbers of its corners.
     pub triangles: Vec<[usize; 3]>,
-    /// Where flat shading evaluates the equation.
+    /// The points where flat shading evaluates the equation.
     pub flat: Vec<WeightedPoint<'a>>,
-    /// Whether all of it lies beyond the near plane.
+    /// True if all of it lies beyond the near plane.
     pub before_the_eye: bool,
 }
 
 impl Renderer {
-    /// The last picture.
+    /// Returns the last picture.
     pub fn frame(&self) -> &Frame {
         &self.picture.output.frame
     }
 
-    /// The last picture before the display, row by row: linear red, green, blue, and the part of the pixel that shows the
-    /// object. Empty unless [`Renderer::keep_linear`] asked for it or the display needed all of it.
+    /// Returns the last picture before the display, row by row: linear red, green, blue, and the part of the pixel that
+    /// shows the object. Empty unless [`Renderer::keep_linear`] was called or the display needed all of it.
     pub fn linear(&self) -> &[[f32; 4]] {
         &self.picture.output.linear
     }
 
-    /// The plan of the last picture.
+    /// Returns the plan of the last picture.
     pub fn plan(&self) -> Option<&Plan> {
         self.drawn.as_ref().map(|drawn| &drawn.plan)
     }
 
-    /// Draws `scene`, which is exact, and says whether the picture shows a surface beyond its polygons.
+    /// Draws `scene`, whose mode is exact, and returns whether the picture shows a surface beyond its polygons.
     pub(crate) fn shows_surface(&mut self, scene: &Scene) -> bool {
         self.render(scene);
         self.plan().is_some_and(|plan| plan.true_surface)
     }
 
-    /// Draws the scene and returns it before the display: linear red, green, blue, and 1 where the object is seen.
+    /// Draws the scene and returns it before the display: linear red, green, blue, and 1 where the object is visible.
     pub(crate) fn linear_picture(&mut self, scene: &Scene) -> Vec<[f32; 4]> {
         self.draw(scene, scene.image.size, DVec2::ZERO, true);
         let linear = self.linear().to_vec();
@@ -56,12 +56,12 @@ impl Renderer {
         linear
     }
 
-    /// The equation of `scene`, whose picture is the last one, in double precision.
+    /// Returns the equation of `scene`, whose picture is the last one, in double precision.
     pub(crate) fn equation(&self, scene: &Scene) -> Equation<f64> {
         Equation::in_units(scene, self.model.output.unit(&scene.camera))
     }
 
-    /// The same with the lights that the picture is shaded with.
+    /// Returns the equation as [`Self::equation`] does, with the lights that the picture is shaded with.
     pub(crate) fn shining_equation(&self, scene: &Scene) -> Equation<f64> {
         let mut equation = self.equation(scene);
         if let Some(plan) = self.plan() {
@@ -70,17 +70,17 @@ impl Renderer {
         equation
     }
 
-    /// What the evaluation of the last picture's pixels reads.
+    /// Returns the inputs for evaluating the last picture's pixels.
     pub(super) fn last(&self) -> Option<Inputs<'_>> {
         self.drawn.as_ref().map(|drawn| self.inputs(drawn))
     }
 
-    /// Where the equation is evaluated for a pixel of the last picture; nothing where the background is seen.
+    /// Returns the evaluation of a pixel of the last picture; `None` where it shows the background.
     pub(crate) fn evaluation(&self, x: u32, y: u32) -> Option<Evaluation<'_>> {
         self.evaluation_seen(pixel_centre(x as usize, y as usize))
     }
 
-    /// The same for any place of the last picture, on the polygon that its pixel sees.
+    /// Returns the evaluation at any point of the last picture, on the polygon that its pixel shows.
     pub(crate) fn evaluation_seen(&self, place: DVec2) -> Option<Evaluation<'_>> {
         let last = self.last()?;
         if last.plan.true_surface {
@@ -89,19 +89,20 @@ impl Renderer {
         Some(last.of_triangle(self.seen([place.x as u32, place.y as u32])?, place))
     }
 
-    /// The model's triangle that a pixel of the last picture sees.
+    /// Returns the model's triangle that a pixel of the last picture shows.
     pub(crate) fn triangle_at(&self, pixel: [u32; 2]) -> Option<u32> {
         let triangle = self.seen(pixel)?;
         Some(self.last()?.triangles.whole(triangle) as u32)
     }
 
-    /// The triangle that a pixel of the last picture sees, one of the model's or of the clipper's.
+    /// Returns the triangle that a pixel of the last picture shows, one of the model's or of the clipper's.
     fn seen(&self, pixel: [u32; 2]) -> Option<u32> {
         self.coverage(&self.drawn.as_ref()?.scene)
             .triangle_at(pixel)
     }
 
-    /// I where `triangle` is seen in the picture of `scene`, which has the last model and no shadows; none if it is clipped.
+    /// Returns I where `triangle` is visible in the picture of `scene`, which has the last model and no shadows; `None` if
+    /// it is clipped.
     pub(crate) fn intensity_turned(
         &self,
         scene: &Scene,
@@ -132,14 +133,14 @@ impl Renderer {
         whole.then(|| inputs.of_triangle(triangle, place).intensity(equation))
     }
 
-    /// What is mixed into the equation's value at a pixel of the last picture that shows the object.
+    /// Returns the light mixed into the equation's value at a pixel of the last picture that shows the object.
     pub(crate) fn mixture(&self, x: u32, y: u32) -> Option<Mixture> {
         let Job { scene, plan, .. } = self.drawn.as_ref()?;
         let last = self.last().filter(|_| plan.composes)?;
         self.rays.mixture_at(&last, self.coverage(scene), [x, y])
     }
 
-    /// Polygons of the last picture's object.
+    /// Returns the number of polygons of the last picture's object.
     pub(crate) fn polygon_count(&self) -> usize {
         if self.drawn.is_some() {
             self.model.output.face_count()
@@ -148,7 +149,7 @@ impl Renderer {
         }
     }
 
-    /// Face `face` of the last picture's object, if there is one of that index.
+    /// Returns face `face` of the last picture's object, if there is one of that index.
     pub(crate) fn polygon(&self, face: u32) -> Option<Polygon<'_>> {
         let last = self
             .last()
@@ -170,7 +171,7 @@ impl Renderer {
         })
     }
 
-    /// The polygon that a pixel of the last picture sees, or that stands for the true surface there.
+    /// Returns the polygon that a pixel of the last picture shows, or that stands for the true surface there.
     pub(crate) fn polygon_at(&self, x: u32, y: u32) -> Option<u32> {
         let last = self.last()?;
         if !last.plan.true_surface {
@@ -189,7 +190,7 @@ impl Renderer {
     }
 }
 
-/// How far along a ray it meets a triangle, in lengths of its direction (Möller and Trumbore 1997).
+/// Returns the distance along a ray to a triangle, in lengths of its direction (Möller and Trumbore 1997).
 fn distance_to([a, b, c]: [DVec3; 3], origin: DVec3, along: DVec3) -> Option<f64> {
     let (e1, e2, from) = (b - a, c - a, origin - a);
     let (p, q) = (along.cross(e2), from.cross(e1));

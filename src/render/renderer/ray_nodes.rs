@@ -1,5 +1,5 @@
-//! The steps that follow rays, each run only when what it reads has changed: the hierarchy of boxes, which light is seen
-//! from where, what is seen past the object, and light from other surfaces.
+//! The steps that follow rays, each run only when its inputs have changed: the hierarchy of boxes, the visibility of
+//! lights, the view past the object, and light from other surfaces.
 
 use super::parts::{Part, bouncing, floor_ka};
 use super::plan::{Inputs, Per, Plan};
@@ -15,7 +15,7 @@ use crate::scene::{
 };
 use glam::Vec3;
 
-/// The outputs that are kept.
+/// The stored outputs of the steps that follow rays.
 #[derive(Default)]
 pub struct RayNodes {
     boxes: Node<Bvh>,
@@ -24,12 +24,12 @@ pub struct RayNodes {
     bounced: Node<Bounced>,
 }
 
-/// What is mixed into the equation's value at a pixel.
+/// The light mixed into the equation's value at a pixel.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Mixture {
-    /// Where light passes through the surface.
+    /// The transmitted ray, where light passes through the surface.
     pub transmission: Option<Transmission>,
-    /// What the surface scatters of the light from other surfaces, which takes the place of the constant ambient term.
+    /// The light from other surfaces that the surface scatters, which replaces the constant ambient term.
     pub bounced: Option<Rgb>,
 }
 
@@ -60,7 +60,7 @@ impl<'a> Inputs<'a> {
         }
     }
 
-    /// What casts shadows upon the object.
+    /// Returns the caster of shadows upon the object.
     fn caster<'b>(&self, bvh: &'b Bvh) -> ShadowCaster<'b>
     where
         'a: 'b,
@@ -68,7 +68,7 @@ impl<'a> Inputs<'a> {
         ShadowCaster::new(self.scene, self.hits(bvh).solid, &self.equation(), true)
     }
 
-    /// What the shadow bits are made from besides the object and the coverage: where lights stand, not how they shine.
+    /// Returns the inputs of the shadow bits besides the object and the coverage: the lights' positions, not their intensities.
     fn shadow_key(&self) -> (Per, bool, Option<f64>, bool, Vec<Light>, Vec<bool>) {
         let place = |light: &Light| Light {
             kind: light.kind,
@@ -101,7 +101,7 @@ impl<'a> Inputs<'a> {
         )
     }
 
-    /// Whether the object's shadow is seen on the floor.
+    /// Returns whether the object's shadow is visible on the floor.
     fn shades_floor(&self) -> bool {
         let soloing = self.scene.soloing();
         let shines = |light: &Light| light.shines(soloing) && light.color != Rgb::ZERO;
@@ -112,7 +112,7 @@ impl<'a> Inputs<'a> {
 }
 
 impl RayNodes {
-    /// The next picture traces every ray anew.
+    /// Makes the next picture trace every ray anew.
     pub fn forget(&mut self) {
         self.boxes.forget();
         self.visibility.forget();
@@ -120,7 +120,7 @@ impl RayNodes {
         self.bounced.forget();
     }
 
-    /// Gives back the memory of what this plan does not need.
+    /// Frees the memory of outputs that this plan does not need.
     pub fn release_unused(&mut self, scene: &Scene, plan: &Plan) {
         let bounces = scene.ambient.source != AmbientSource::Constant;
         if !plan.shadows {
@@ -150,7 +150,7 @@ impl RayNodes {
         self.bounced.output.count(memory);
     }
 
-    /// Builds the boxes, unless the true surface takes their place. `object` is the run that the object is of.
+    /// Builds the boxes, unless the true surface replaces them. `object` is the run that made the object.
     fn build(&mut self, inputs: &Inputs<'_>, object: u64) {
         if !inputs.plan.true_surface {
             self.boxes
@@ -158,7 +158,7 @@ impl RayNodes {
         }
     }
 
-    /// Finds out which sources are seen from the `count` vertices or faces where the equation is evaluated.
+    /// Finds the sources visible from the `count` vertices or faces where the equation is evaluated.
     pub fn shadow_points(&mut self, inputs: &Inputs<'_>, object: u64, count: usize) -> bool {
         self.build(inputs, object);
         let Self {
@@ -179,7 +179,7 @@ impl RayNodes {
         })
     }
 
-    /// Follows the rays of covered pixels; tells whether any had to be followed. `covered` is the run of the coverage.
+    /// Follows the rays of covered pixels; returns whether any had to be followed. `covered` is the run of the coverage.
     pub fn follow(
         &mut self,
         inputs: &Inputs<'_>,
@@ -228,7 +228,7 @@ impl RayNodes {
                 ..transparency.clone()
             });
             let solid = (shadows || glass.is_some()).then_some(object);
-            // What the floor is lit by.
+            // The light that reaches the floor.
             let lights = ground
                 .visible
                 .then(|| (scene.lights.clone(), ambient.clone()));
@@ -251,7 +251,7 @@ impl RayNodes {
         }
         if bounces {
             let wall = (backdrop.pattern != PatternKind::None).then_some(backdrop.distance);
-            // Highlights are not scattered on.
+            // Highlights are not scattered further.
             let surface = (
                 material.ka,
                 material.kd,
@@ -284,12 +284,12 @@ impl RayNodes {
         ran
     }
 
-    /// The shadow bits, where there are shadows.
+    /// Returns the shadow bits, where there are shadows.
     pub fn visibility(&self, plan: &Plan) -> Option<&Visibility> {
         plan.shadows.then_some(&self.visibility.output)
     }
 
-    /// What composes the picture: what is seen beyond, and what other surfaces scatter.
+    /// Returns the layers of the picture: the view beyond, and the light that other surfaces scatter.
     pub fn layers(&self, scene: &Scene) -> [&[Vec3]; 2] {
         let bounces = scene.ambient.source != AmbientSource::Constant;
         [
@@ -302,12 +302,12 @@ impl RayNodes {
         ]
     }
 
-    /// The constant that stands for one bounce best.
+    /// Returns the constant that best approximates one bounce.
     pub fn fit(&self) -> Option<Rgb> {
         self.bounced.output.fit
     }
 
-    /// Which runs the outputs are of: the shadow bits first.
+    /// Returns the runs that made the outputs, that of the shadow bits first.
     pub fn stamps(&self) -> [u64; 3] {
         [
             self.visibility.stamp,
@@ -316,7 +316,7 @@ impl RayNodes {
         ]
     }
 
-    /// What is mixed into the equation's value at a pixel that shows the object.
+    /// Returns the light mixed into the equation's value at a pixel that shows the object.
     pub fn mixture_at(
         &self,
         inputs: &Inputs<'_>,

@@ -1,4 +1,4 @@
-//! The picture's values again, one pixel at a time in double precision.
+//! The reference: the picture's values, one pixel at a time in double precision.
 //!
 //! The modes differ only in where the equation is evaluated; so a pixel's value is a weighted sum of the equation at a few
 //! points, and [`Evaluation`] lists them: one at the face's centre, three at vertices, one at the pixel.
@@ -12,14 +12,14 @@ use crate::render::rays::BLOCK;
 use crate::scene::{FlatAt, Rgb, ShadingMode};
 use glam::{DVec2, DVec3};
 
-/// Where the equation is evaluated for a pixel, and with what weight each point enters.
+/// The points where the equation is evaluated for a pixel, with their weights.
 #[derive(Clone, Debug)]
 pub(crate) struct Evaluation<'a> {
-    /// The point that the pixel sees, world.
+    /// The point that the pixel shows, world.
     pub position: DVec3,
-    /// N at the pixel, as the mode has it.
+    /// N at the pixel, according to the mode.
     pub normal: DVec3,
-    /// Distance along the viewing direction, world units.
+    /// The distance along the viewing direction, world units.
     pub depth: f64,
     pub face: Option<u32>,
     /// Idc, where intensities fade with the depth.
@@ -27,14 +27,14 @@ pub(crate) struct Evaluation<'a> {
     pub points: Vec<WeightedPoint<'a>>,
 }
 
-/// A place where the equation is evaluated.
+/// A point where the equation is evaluated.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct WeightedPoint<'a> {
     pub weight: f64,
-    /// World.
+    /// The point, world.
     pub point: DVec3,
     pub normal: DVec3,
-    /// s0, what is left of its intensity; 1 where nothing fades.
+    /// s0, the fraction of its intensity that remains; 1 where nothing fades.
     pub scale: f64,
     /// The lights that reach it; all of them where there are no shadows.
     pub reached: Option<Reached<'a>>,
@@ -47,7 +47,7 @@ impl WeightedPoint<'_> {
 }
 
 impl Evaluation<'_> {
-    /// I at the pixel, before the display.
+    /// Returns I at the pixel, before the display.
     pub fn intensity(&self, equation: &Equation<f64>) -> Rgb {
         self.points
             .iter()
@@ -55,7 +55,7 @@ impl Evaluation<'_> {
             .sum()
     }
 
-    /// What is left of I at the pixel: each point's share fades by its own s0.
+    /// Returns the part of I that remains at the pixel: each point's share fades by its own s0.
     pub fn kept(&self, equation: &Equation<f64>) -> Rgb {
         self.points
             .iter()
@@ -63,25 +63,25 @@ impl Evaluation<'_> {
             .sum()
     }
 
-    /// s0 at the pixel.
+    /// Returns s0 at the pixel.
     pub fn scale(&self) -> f64 {
         self.points.iter().map(|at| at.weight * at.scale).sum()
     }
 
-    /// What takes the place of the intensity that is gone: `(1 − s0)·Idc`.
+    /// Returns the light that replaces the faded intensity: `(1 − s0)·Idc`.
     pub fn veil(&self) -> Rgb {
         self.cue
             .map_or(Rgb::ZERO, |color| color * (1.0 - self.scale()))
     }
 
-    /// I at the pixel after depth cueing, before the display.
+    /// Returns I at the pixel after depth cueing, before the display.
     pub fn shown(&self, equation: &Equation<f64>) -> Rgb {
         self.kept(equation) + self.veil()
     }
 }
 
 impl<'a> Inputs<'a> {
-    /// The pixel whose sample lies at `place` meets the true surface.
+    /// Returns the evaluation of the pixel whose sample lies at `place`, if it meets the true surface.
     pub fn of_surface(&self, place: DVec2) -> Option<Evaluation<'a>> {
         let (position, hit) = meet(self.lens, self.surface?, place)?;
         let depth = (position - self.lens.eye).dot(self.lens.forward);
@@ -97,7 +97,8 @@ impl<'a> Inputs<'a> {
         })
     }
 
-    /// The pixel whose sample lies at `place` sees `triangle`, one of the model's or of the clipper's.
+    /// Returns the evaluation of the pixel whose sample lies at `place` and shows `triangle`, one of the model's or of the
+    /// clipper's.
     pub fn of_triangle(&self, triangle: u32, place: DVec2) -> Evaluation<'a> {
         let face = self.triangles.face(triangle);
         let (carried, key) = self.carried(triangle, place);
@@ -144,7 +145,7 @@ impl<'a> Inputs<'a> {
         (self.plan.cued != Cued::Nowhere).then_some(self.scene.depth_cueing.color)
     }
 
-    /// The corners of a face, each with the weight 1.
+    /// Returns the corners of a face, each with the weight 1.
     pub fn corner_points(&self, face: u32) -> Vec<WeightedPoint<'a>> {
         self.model()
             .face(face)
@@ -153,7 +154,7 @@ impl<'a> Inputs<'a> {
             .collect()
     }
 
-    /// Where flat shading evaluates the equation for a face.
+    /// Returns the points where flat shading evaluates the equation for a face.
     pub fn flat_points(&self, face: u32) -> Vec<WeightedPoint<'a>> {
         let corners = self.model().face(face);
         let share = 1.0 / corners.len().max(1) as f64;
@@ -186,7 +187,7 @@ impl<'a> Inputs<'a> {
         WeightedPoint { weight, ..point }
     }
 
-    /// A point of weight 1.
+    /// Returns a point of weight 1.
     fn point(
         &self,
         point: DVec3,
@@ -202,13 +203,13 @@ impl<'a> Inputs<'a> {
         }
     }
 
-    /// The sources that reach a pixel.
+    /// Returns the sources that reach a pixel.
     fn visible_at_pixel(&self, place: DVec2) -> Option<Reached<'a>> {
         let visibility = self.visibility.filter(|_| self.plan.per == Per::Pixel)?;
         visibility.at(place.y as usize, place.x as usize)
     }
 
-    /// The sources that reach a vertex, or a face where the equation is evaluated at faces.
+    /// Returns the sources that reach a vertex, or a face where the equation is evaluated at faces.
     fn visible_at_point(&self, index: u32) -> Option<Reached<'a>> {
         let visibility = self.visibility.filter(|_| self.plan.per != Per::Pixel)?;
         visibility.at(index as usize / BLOCK, index as usize % BLOCK)
@@ -232,12 +233,12 @@ impl<'a> Inputs<'a> {
         }
     }
 
-    /// The weights by which values are carried from the model's vertices to a place, and the depth key there.
+    /// Returns the weights by which values are carried from the model's vertices to a position, and the depth key there.
     ///
-    /// Corners are where they are, unless the picture's grid decides what the place shows, as in a polygon hardly wider than
-    /// the grid: there they are where the picture has them. Pixels that are evaluated here know no grid.
+    /// Corners are at their exact positions, unless the picture's grid decides what the pixel shows, as in a polygon hardly
+    /// wider than the grid: there they are at the picture's positions. Pixels that are evaluated here do not use the grid.
     fn carried(&self, triangle: u32, place: DVec2) -> (Vec<(u32, f64)>, f64) {
-        /// The grid decides where it moves a weight by more than this, a quarter of a code value.
+        /// The change of a weight, a quarter of a code value, beyond which the grid decides.
         const MOVED: f64 = 1.0 / 1024.0;
         let pair = self.plan.scanline.then(|| self.pair(triangle, place));
         let by = |grid| match &pair {
@@ -263,7 +264,7 @@ impl<'a> Inputs<'a> {
         }
     }
 
-    /// P and Q on the picture's grid.
+    /// Returns P and Q on the picture's grid.
     fn pair(&self, triangle: u32, place: DVec2) -> [Crossing; 2] {
         let place = place * f64::from(SUBPIXELS);
         let mut crossings = Vec::new();
@@ -281,7 +282,7 @@ impl<'a> Inputs<'a> {
             .map_or([corner; 2], |pair| pair.map(|crossing| *crossing))
     }
 
-    /// The ends of the edges that P and Q lie on, with their weights (Gouraud 1971).
+    /// Returns the ends of the edges that P and Q lie on, with their weights (Gouraud 1971).
     fn along_line(&self, pair: &[Crossing; 2], place: DVec2, grid: bool) -> Vec<(Corner, f64)> {
         let [p, q] = pair.map(|Crossing { ends, alpha, .. }| {
             let [a, b] = ends.map(|v| self.corner(v, grid));
@@ -307,7 +308,7 @@ impl<'a> Inputs<'a> {
         [shared(p.1, 1.0 - t), shared(q.1, t)].concat()
     }
 
-    /// The corners of a triangle, with their weights in the picture; its middle stands for one that is seen edge-on.
+    /// Returns the corners of a triangle, with their weights in the picture; its middle stands for one that is seen edge-on.
     fn over_triangle(&self, triangle: u32, place: DVec2, grid: bool) -> Vec<(Corner, f64)> {
         let corners = self
             .triangles
@@ -328,7 +329,7 @@ impl<'a> Inputs<'a> {
         corners.into_iter().zip(weights).collect()
     }
 
-    /// A vertex of the model or of the clipper.
+    /// Returns a vertex of the model or of the clipper as a corner in the picture.
     fn corner(&self, vertex: u32, grid: bool) -> Corner {
         let view = |v: u32| self.lens.view_from_world(self.model().position(v));
         let view = match self.triangles.cut(vertex) {
@@ -358,7 +359,7 @@ impl<'a> Inputs<'a> {
         }
     }
 
-    /// Weights over the model's vertices, and the depth key, from weights in the picture.
+    /// Returns weights over the model's vertices, and the depth key, from weights in the picture.
     fn weights(&self, seen: &[(Corner, f64)]) -> (Vec<(u32, f64)>, f64) {
         let key: f64 = seen
             .iter()

@@ -1,4 +1,4 @@
-//! Pictures of several samples a pixel, and pictures too large to be drawn at once.
+//! Pictures with several samples per pixel, and pictures too large to be drawn at once.
 
 use super::display::{Linear, display};
 use super::frame::Frame;
@@ -6,11 +6,11 @@ use super::pipeline::Renderer;
 use crate::scene::{AmbientSource, Overflow, Scene};
 use glam::DVec2;
 
-/// A picture of more pixels than this is drawn in strips of at most so many: 3840 × 2160 is drawn at once.
+/// The most pixels drawn at once; a larger picture is drawn in strips of at most this many. 3840 × 2160 is drawn at once.
 pub(super) const MOST_AT_ONCE: u64 = 1 << 23;
-/// Rows of a strip are a multiple of these: the bands' 16, and the 6 after which the marks of overflow repeat.
+/// The multiple of a strip's rows: the bands' 16, and the 6 after which the marks of overflow repeat.
 const STRIDE: u32 = 48;
-/// Rows that are drawn at a time: all of them where the picture is small, or where a pixel depends on all others.
+/// Returns the rows that are drawn at a time: all of them where the picture is small, or where a pixel depends on all others.
 pub(super) fn rows_at_once(scene: &Scene) -> u32 {
     let [width, height] = scene.image.size;
     let alone = scene.display.overflow != Overflow::Scale
@@ -23,9 +23,10 @@ pub(super) fn rows_at_once(scene: &Scene) -> u32 {
 }
 
 impl Renderer {
-    /// Draws with `samples` samples a pixel: the mean of their intensities, each clamped first where the display clamps. What
-    /// a large picture takes besides its stored pixels is bounded, unless [`Renderer::keep_linear`] asks for all of it.
-    /// `progress` gets the number of samples done and returns whether to go on; a stopped picture is unfinished.
+    /// Draws with `samples` samples per pixel: the mean of their intensities, each clamped first where the display clamps.
+    ///
+    /// The memory of a large picture beside its stored pixels is bounded, unless [`Renderer::keep_linear`] requires all of
+    /// it. `progress` gets the number of samples done and returns whether to continue; a stopped picture is unfinished.
     pub fn render_supersampled(
         &mut self,
         scene: &Scene,
@@ -72,7 +73,8 @@ impl Renderer {
         }
     }
 
-    /// Draws the mean of samples into the rows from `first` on of a picture of `height` rows; false if `progress` has stopped it.
+    /// Draws the mean of samples into the rows from `first` on of a picture of `height` rows; returns false if `progress`
+    /// has stopped it.
     fn draw_samples(
         &mut self,
         scene: &Scene,
@@ -108,7 +110,7 @@ impl Renderer {
     }
 }
 
-/// Place of sample `index` of `count` relative to the pixel's centre: a lattice of rank 1 with the golden section.
+/// Returns the position of sample `index` of `count` relative to the pixel's centre: a lattice of rank 1 with the golden section.
 fn sample_offset(index: u32, count: u32) -> DVec2 {
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
     let x = (f64::from(index) + 0.5) / f64::from(count);
@@ -144,7 +146,7 @@ mod tests {
                         true
                     });
                 assert_eq!((strips.width, strips.height, told), (160, 150, samples));
-                // Places in the picture are rounded to 1/256 pixel in single precision, which may fall to either side.
+                // Positions in the picture are rounded to 1/256 pixel in single precision, which may fall to either side.
                 let far = |(a, b): &(&[u8; 4], &[u8; 4])| {
                     a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > 2)
                 };

@@ -1,10 +1,10 @@
 //! The picture along a line, between the pixels as well as at them, in double precision.
 //!
-//! A straight line through the picture meets each triangle in one interval, and the depth key is linear along it; so what
-//! coverage is to a row of pixels is here an ordering of intervals:
+//! A straight line through the picture meets each triangle in one interval, and the depth key is linear along it; so the
+//! counterpart of coverage of a row of pixels is an ordering of intervals:
 //!
 //! ```text
-//!   key        ____/‾‾‾‾          the nearer interval is seen; where two pass
+//!   key        ____/‾‾‾‾          the nearer interval is visible; where two pass
 //!      ‾‾‾‾‾‾‾‾___/____           through each other the line changes there
 //!   line  ├───────┼──────┤        pieces
 //! ```
@@ -19,10 +19,10 @@ use crate::scene::Scene;
 use fearless_simd::Level;
 use glam::DVec2;
 
-/// Parts of the line shorter than this share of it are roundings.
+/// The share of the line below which parts of it are roundings.
 const LEAST: f64 = 1e-12;
 
-/// A part of a line that sees one triangle: from `from` up to `to`, in units of the line.
+/// A part of a line that shows one triangle: from `from` up to `to`, in units of the line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Piece {
     pub triangle: u32,
@@ -47,7 +47,7 @@ impl Interval {
 }
 
 impl Renderer {
-    /// The polygons that the line between two places of the last picture sees, in its order; the true surface has none.
+    /// Returns the polygons visible along the line between two points of the last picture, in its order; the true surface has none.
     pub(crate) fn section(&self, from: DVec2, to: DVec2) -> Vec<Piece> {
         let Some(Inputs {
             plan, triangles, ..
@@ -65,7 +65,8 @@ impl Renderer {
         visible(&intervals, |triangle| triangles.face(triangle))
     }
 
-    /// What is evaluated at a place on a section's line, or beside it in the plane of `piece`. The true surface needs no piece.
+    /// Returns the evaluation at a point of a section's line, or beside it in the plane of `piece`. The true surface needs
+    /// no piece.
     pub(crate) fn evaluation_at(
         &self,
         place: DVec2,
@@ -79,7 +80,7 @@ impl Renderer {
     }
 }
 
-/// A linear picture as the display of `scene` stores it.
+/// Returns a linear picture as the display of `scene` stores it.
 pub(crate) fn displayed(linear: &[Linear], scene: &Scene) -> Frame {
     let [width, height] = scene.image.size;
     let mut pixels = vec![[0; 4]; linear.len()];
@@ -97,13 +98,13 @@ pub(crate) fn displayed(linear: &[Linear], scene: &Scene) -> Frame {
     }
 }
 
-/// Twice the area of a place against an edge, positive to its right (y downwards).
+/// Returns twice the area of a point against an edge, positive to its right (y downwards).
 fn side(a: Place, b: Place, p: DVec2) -> f64 {
     let [ax, ay, bx, by] = [a[0], a[1], b[0], b[1]].map(f64::from);
     (bx - ax) * (p.y - ay) - (by - ay) * (p.x - ax)
 }
 
-/// Where the line meets a triangle that the plan draws.
+/// Intersects the line with a triangle that the plan draws.
 fn meet(
     triangle: u32,
     triangles: &Triangles<'_>,
@@ -182,7 +183,7 @@ fn visible(intervals: &[Interval], face: impl Fn(u32) -> u32) -> Vec<Piece> {
                 active.push(*interval);
             }
         }
-        // Each round ends at the nearest place where another triangle comes before the one that is seen.
+        // Each iteration ends at the nearest point where another triangle comes before the visible one.
         while let Some(seen) = nearest(&active, from, end) {
             let to = overtaken(&active, &seen, from, end);
             match pieces.last_mut() {
@@ -205,7 +206,7 @@ fn visible(intervals: &[Interval], face: impl Fn(u32) -> u32) -> Vec<Piece> {
     pieces
 }
 
-/// The interval seen just after `from`.
+/// Returns the interval visible just after `from`.
 fn nearest(active: &[Interval], from: f64, end: f64) -> Option<Interval> {
     let just_after = from + 1e-6 * (end - from);
     let order = |a: &&Interval, b: &&Interval| {
@@ -216,7 +217,7 @@ fn nearest(active: &[Interval], from: f64, end: f64) -> Option<Interval> {
     active.iter().max_by(order).copied()
 }
 
-/// Where another interval comes before `seen`, at most `end`.
+/// Returns the point where another interval comes before `seen`, at most `end`.
 fn overtaken(active: &[Interval], seen: &Interval, from: f64, end: f64) -> f64 {
     let passes = active
         .iter()

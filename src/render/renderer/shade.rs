@@ -1,4 +1,4 @@
-//! The equation at vertices or faces, and at the pixels of a band's fragments; or the interpolated intensities.
+//! Shading: the equation at vertices or faces, and at the pixels of a band's fragments; or the interpolated intensities.
 
 use super::display::{Linear, pack, raw};
 use super::plan::Inputs;
@@ -16,13 +16,13 @@ use std::ops::Range;
 /// The square of [`SHORTEST_NORMAL`].
 const SHORTEST_SQUARED: f32 = (SHORTEST_NORMAL * SHORTEST_NORMAL) as f32;
 
-/// Colours of pixels from their fragments.
+/// A source of pixels' colours from their fragments.
 pub trait Colour {
-    /// Readies a row: `y` is the pixel row.
+    /// Prepares a row: `y` is the pixel row.
     #[inline(always)]
     fn row(&mut self, _y: u32) {}
 
-    /// Red, green, blue at the pixels from `column` on, given the three carried numbers and the depth key.
+    /// Returns red, green, blue at the pixels from `column` on, given the three carried numbers and the depth key.
     fn at<S: Simd>(
         &mut self,
         simd: S,
@@ -32,10 +32,10 @@ pub trait Colour {
     ) -> [Lanes<S>; 3];
 }
 
-/// The carried numbers are intensities.
+/// Colours whose carried numbers are intensities.
 #[derive(Clone, Copy)]
 pub struct Carried {
-    /// They were multiplied by the depth key.
+    /// True if they were multiplied by the depth key.
     pub by_key: bool,
 }
 
@@ -48,7 +48,7 @@ impl Colour for Carried {
         carried: [Lanes<S>; 3],
         key: Lanes<S>,
     ) -> [Lanes<S>; 3] {
-        // Rounding may leave nothing of the key of what is far beside what is near.
+        // Rounding may leave nothing of the key of a far point beside that of a near one.
         let least = Lanes::splat(simd, (1.0 / FARTHEST) as f32);
         let factor = if self.by_key {
             Lanes::splat(simd, 1.0) / key.max(least)
@@ -60,8 +60,8 @@ impl Colour for Carried {
     }
 }
 
-/// The carried numbers are normals, and the equation is evaluated at the points that the pixels' rays see. Lengths are camera
-/// distances, places relative to the eye.
+/// Colours whose carried numbers are normals: the equation is evaluated at the points that the pixels' rays meet. Lengths
+/// are camera distances, positions relative to the eye.
 pub struct Evaluated<'a> {
     inputs: &'a Inputs<'a>,
     equation: &'a Equation<f32>,
@@ -69,13 +69,13 @@ pub struct Evaluated<'a> {
     perspective: bool,
     by_key: bool,
     renormalise: bool,
-    /// Change of the ray to the next pixel on the right.
+    /// The change of the ray to the next pixel on the right.
     step: [f32; 3],
-    /// Through column 0 of the present row.
+    /// The ray through column 0 of the current row.
     start: [f32; 3],
     forward: [f32; 3],
     least_key: f32,
-    /// The bits of the present row.
+    /// The shadow bits of the current row.
     reached: Option<Reached<'a>>,
 }
 
@@ -98,7 +98,7 @@ impl<'a> Evaluated<'a> {
         }
     }
 
-    /// The points that pixels in columns `x` see at depth key `key`.
+    /// Returns the points that pixels in columns `x` show at depth key `key`.
     #[inline(always)]
     fn positions<S: Simd>(&self, simd: S, x: Lanes<S>, key: Lanes<S>) -> V3<Lanes<S>> {
         let step = V3::constant(x, self.step);
@@ -111,7 +111,7 @@ impl<'a> Evaluated<'a> {
     }
 }
 
-/// In single precision, no component greater than the farthest distance.
+/// Converts to single precision, with no component larger than the farthest distance.
 fn within_reach(v: DVec3) -> [f32; 3] {
     v.clamp(DVec3::splat(-FARTHEST), DVec3::splat(FARTHEST))
         .as_vec3()
@@ -162,11 +162,11 @@ impl Colour for Evaluated<'_> {
     }
 }
 
-/// Where colours go.
+/// A destination of colours.
 pub trait Target {
     type Pixel: Copy;
 
-    /// The pixels, and what those hold that see no object.
+    /// Returns the pixels, and the value of those that show no object.
     fn pixels(&mut self) -> (&mut [Self::Pixel], Self::Pixel);
     /// Writes one vector's lanes to the pixels from `first` on, at most `count` of them; returns how many overflow.
     fn put<S: Simd>(
@@ -177,10 +177,10 @@ pub trait Target {
         color: [Lanes<S>; 3],
         covered: mask32x16<S>,
     ) -> u32;
-    /// A linear colour as pixels hold it, and whether it overflows.
+    /// Returns a linear colour in the pixels' format, and whether it overflows.
     fn ink<S: Simd>(&self, simd: S, color: [f32; 3]) -> (Self::Pixel, bool);
 
-    /// Fills pixels that see no object.
+    /// Fills pixels that show no object.
     #[inline(always)]
     fn clear(&mut self, range: Range<usize>) {
         let (pixels, background) = self.pixels();
@@ -201,7 +201,7 @@ fn overflows(color: [f32; 3]) -> bool {
     color.iter().any(|&v| v > 1.0)
 }
 
-/// Stored pixels of a band.
+/// The stored pixels of a band.
 pub struct Stored<'a> {
     pub pixels: &'a mut [[u8; 4]],
     pub background: [u8; 4],
@@ -259,7 +259,7 @@ impl Target for Stored<'_> {
     }
 }
 
-/// Linear colours of a band.
+/// The linear colours of a band.
 pub struct Unstored<'a> {
     pub pixels: &'a mut [Linear],
     pub background: Linear,
@@ -316,8 +316,8 @@ impl Target for Unstored<'_> {
     }
 }
 
-/// Colours some columns of a band and returns how many pixels overflow. The lanes that hold the first of them may colour
-/// pixels to its left, too.
+/// Colours some columns of a band and returns how many pixels overflow. The lanes that hold the first of them may also
+/// colour pixels to its left.
 #[inline(always)]
 pub fn shade<S: Simd>(
     simd: S,
@@ -340,7 +340,7 @@ pub fn shade<S: Simd>(
             target.clear(start + columns.start..start + columns.end);
             continue;
         }
-        // Whole blocks: what they have beyond the extent are gaps.
+        // In whole blocks: the part beyond the extent consists of gaps.
         let first = seen.start / LANES * LANES;
         let end = seen.end.next_multiple_of(LANES).min(columns.end);
         target.clear(start + columns.start..start + first.max(columns.start));
@@ -357,7 +357,7 @@ pub fn shade<S: Simd>(
     over
 }
 
-/// The middle of each face, relative to the model's origin, and its own normal; padded as the vertices are.
+/// Returns the middle of each face, relative to the model's origin, and its own normal; padded as the vertices are.
 pub fn face_points(model: &Model) -> [Planes; 2] {
     let count = model.face_count();
     let points: Vec<(DVec3, DVec3)> = (0..u32::try_from(count).unwrap_or(u32::MAX))
@@ -380,7 +380,7 @@ pub fn face_points(model: &Model) -> [Planes; 2] {
     ]
 }
 
-/// Evaluates the equation at the vertices or faces of the model, [`BLOCK`] of them a task.
+/// Evaluates the equation at the vertices or faces of the model, [`BLOCK`] of them in each task.
 pub fn shade_points(
     inputs: &Inputs<'_>,
     equation: &Equation<f32>,
@@ -419,7 +419,7 @@ pub fn shade_points(
     });
 }
 
-/// The same in double precision.
+/// Evaluates the equation at the vertices or faces of the model in double precision.
 pub fn shade_points_in_double(
     inputs: &Inputs<'_>,
     equation: &Equation<f64>,
@@ -447,7 +447,7 @@ pub fn shade_points_in_double(
     });
 }
 
-/// Gives the planes their length, and no more room than that takes.
+/// Resizes the planes, without more capacity than needed.
 fn fit(planes: &mut Planes, count: usize) {
     for plane in planes {
         plane.reserve_exact(count.saturating_sub(plane.len()));

@@ -1,4 +1,4 @@
-//! What a renderer keeps from one picture to the next: forgetting it, giving its memory back, and counting it.
+//! The outputs that a renderer keeps from one picture to the next: discarding them, freeing their memory, and counting it.
 
 use super::{Picture, Renderer};
 use crate::render::node::{Memory, room, room_of_planes};
@@ -7,11 +7,11 @@ use crate::render::renderer::frame::Frame;
 use crate::render::renderer::plan::Per;
 use std::mem::take;
 
-/// Buffers are given back once less than this part of the pixels or triangles is left that they were made for.
+/// The part of the pixels or triangles that buffers were made for below which they are freed.
 const LEAST_USE: f64 = 0.5;
 
 impl Renderer {
-    /// Forgets every output, so that the next picture is drawn from nothing. Buffers are kept.
+    /// Discards every output, so that the next picture is drawn from nothing. Buffers are kept.
     pub fn invalidate(&mut self) {
         self.mesh.forget();
         self.model.forget();
@@ -20,7 +20,7 @@ impl Renderer {
         self.redraw();
     }
 
-    /// Forgets every output but the geometry's: the next picture is transformed, covered and shaded anew.
+    /// Discards every output but the geometry's: the next picture is transformed, covered and shaded anew.
     pub fn redraw(&mut self) {
         self.placed.forget();
         self.points.forget();
@@ -31,7 +31,7 @@ impl Renderer {
         self.picture.forget();
     }
 
-    /// The pixels of the last picture, and the triangles of the model.
+    /// Returns the pixels of the last picture, and the triangles of the model.
     pub(super) fn extent(&self) -> [f64; 2] {
         let Frame { width, height, .. } = self.picture.output.frame;
         [
@@ -40,7 +40,7 @@ impl Renderer {
         ]
     }
 
-    /// Gives back all buffers but the geometry's, where a picture of `size` uses little of what had the extent `before`.
+    /// Frees all buffers but the geometry's, where a picture of `size` uses little of a picture with the extent `before`.
     pub(super) fn give_back_unused(&mut self, before: [f64; 2], size: [u32; 2]) {
         let [width, height] = size.map(f64::from);
         let [_, triangles] = self.extent();
@@ -63,7 +63,7 @@ impl Renderer {
         };
     }
 
-    /// The memory that is held for the next picture. A model's polygons, which its owner shares, count as well.
+    /// Returns the memory held for the next picture. A model's polygons, which its owner shares, count as well.
     pub fn memory(&self) -> Memory {
         let per = self.plan().map_or(Per::Pixel, |plan| plan.per);
         let Picture { frame, linear } = &self.picture.output;
@@ -94,7 +94,7 @@ impl Renderer {
 }
 
 impl Picture {
-    /// Gives the buffers their size; the room of a linear picture that is not wanted is let go.
+    /// Gives the buffers their size; frees the memory of a linear picture that is not wanted.
     pub(super) fn canvas(
         &mut self,
         [width, height]: [u32; 2],
