@@ -2,8 +2,8 @@
 //! and the width of a highlight.
 //!
 //! A power of a cosine is stiff: an error δ of the cosine becomes n·δ of the result, and near the lobe's axis the cosine
-//! itself is rounded to a few 10⁻⁸ in single precision. With the chord between the two unit vectors, `1 − a·b = |a −
-//! b|²/2`, the distance from the axis keeps its digits, and `(a·b)^n = exp(n·ln(1 − |a − b|²/2))`. At small n the plain
+//! itself is rounded to a few 10⁻⁸ in single precision. With the chord between the two unit vectors,
+//! `1 − a·b = |a − b|²/2`, the distance from the axis keeps its digits, and `(a·b)^n = exp(n·ln(1 − |a − b|²/2))`. At small n the plain
 //! cosine is the better form, because the lobe is wide and the chord long.
 
 use super::{Real, Scalar, V3};
@@ -352,8 +352,8 @@ fn seen<R: Real>(n_dot_v: R) -> R {
         .min(one)
 }
 
-/// Returns `G/(N·V)` by Smith's method for the distribution of Walter et al.: G = G₁(N·L)·G₁(N·V) with G₁(x) = 2x/(x + √(α²
-/// + (1 − α²)x²)).
+/// Returns `G/(N·V)` by Smith's method for the distribution of Walter et al.: G = G₁(N·L)·G₁(N·V) with
+/// G₁(x) = 2x/(x + √(α² + (1 − α²)x²)).
 #[inline(always)]
 fn smith_over_view<R: Real>(n_dot_l: R, n_dot_v: R, lobe: &Lobe<R::Scalar>) -> R {
     let least = n_dot_v.number(SMALLEST_COSINE);

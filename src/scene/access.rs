@@ -10,9 +10,9 @@ use toml::{Spanned, Value};
 
 /// The field of a scene that holds a value. The `usize` is the number of its light or pane.
 pub struct Access<T: 'static> {
-    /// Returns the value, in the list's entry of this number; `None` where the list is shorter.
+    /// A function that returns the value, in the list's entry of this number; `None` where the list is shorter.
     pub get: fn(&Scene, usize) -> Option<&T>,
-    /// Returns the value for changing it; `None` where the list is shorter.
+    /// A function that returns the value for changing it; `None` where the list is shorter.
     pub get_mut: fn(&mut Scene, usize) -> Option<&mut T>,
 }
 

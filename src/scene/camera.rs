@@ -94,7 +94,7 @@ impl Camera {
 choices! {
     /// The projection of points onto the picture plane.
     pub enum Projection = "projection" {
-        /// As seen by an eye: what is farther away is smaller.
+        /// The view of an eye: farther objects appear smaller.
         Perspective = "perspective";
         /// Parallel rays: no foreshortening.
         Orthographic = "orthographic";
@@ -104,7 +104,7 @@ choices! {
 choices! {
     /// The side of the picture that the field of view or the height spans.
     pub enum Framing = "framing" {
-        /// From bottom to top: a narrow picture shows less.
+        /// The height, from bottom to top: a narrow picture shows less.
         Height = "height";
         /// The shorter side: a picture of any shape shows all that a square one does.
         Whole = "whole";
@@ -114,9 +114,9 @@ choices! {
 choices! {
     /// The point or direction that the equation's V points to.
     pub enum Viewer = "viewer" {
-        /// From each point to the eye.
+        /// The direction from each point to the eye.
         Local = "local";
-        /// From the target to the eye, the same at every point.
+        /// The direction from the target to the eye, the same at every point.
         Infinite = "infinite";
     }
 }

@@ -199,7 +199,7 @@ table! {
     pub struct Pattern = [pattern] in pattern {
         /// The kind of pattern.
         PATTERN_KIND kind: PatternKind = PatternKind::None, Choice.symbol(Symbol::Od).idle(colourless);
-        /// Its second colour, linear. The material's colour is seen between.
+        /// The pattern's colour, linear. The material's colour is visible between.
         PATTERN_COLOR color: Rgb = Rgb::new(0.95, 0.92, 0.85), Colour(COEFFICIENT)
             .letter("Od", Symbol::Od).idle(no_pattern);
         /// Width of a field, world units, 10⁻⁴ to 10⁴.

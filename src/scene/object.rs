@@ -162,9 +162,9 @@ choices! {
     pub enum NormalSource = "normals" {
         /// The weighted mean over the polygons that meet at the vertex.
         Averaged = "averaged";
-        /// Those of the true surface.
+        /// The normals of the true surface.
         Exact = "exact";
-        /// Those of the model or of the scene; averaged where they are missing.
+        /// The normals of the model or of the scene; averaged where they are missing.
         File = "file";
         /// Each polygon's own normal: no smoothing.
         Facet = "facet";

@@ -68,7 +68,7 @@ pub struct Parameter {
     /// The kind of value, with access to it.
     pub kind: Kind,
     messages: Keys,
-    /// Tells why it has no effect in a scene at present; for a light's parameters, in the light of this number.
+    /// The reason why it has no effect in a scene at present, if any; for a light's parameters, in the light of this number.
     pub idle: fn(&Scene, usize) -> Option<&'static str>,
 }
 

@@ -80,16 +80,16 @@ pub struct Problem {
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Place {
-    /// In a text, at a line counted from 1.
+    /// A line of a text.
     Line {
         /// The text's name: its file's path, or a built-in scene's name.
         file: String,
         /// The line, counted from 1.
         line: usize,
     },
-    /// In an override, `KEY=VALUE`.
+    /// An override, `KEY=VALUE`.
     Override(String),
-    /// In a scene without a text.
+    /// A scene without a text.
     Scene,
 }
 

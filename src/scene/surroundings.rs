@@ -13,16 +13,16 @@ table! {
     pub struct Ground = [ground] in ground {
         /// A switch that shows the floor.
         GROUND_VISIBLE visible: bool = false, Switch;
-        /// Its y, world units.
+        /// The floor's y, world units.
         GROUND_HEIGHT height: f64 = -1.0, Number(Limits::COORDINATE, Slider::linear(-3.0, 3.0))
             .measured_in(Unit::World).idle(no_ground);
-        /// Its ambient coefficient Ka, 0 to 10⁶.
+        /// The floor's ambient coefficient Ka, 0 to 10⁶.
         GROUND_KA ka: f64 = 0.1, Number(COEFFICIENT, Slider::UNIT)
             .idle(|scene, index| no_ground(scene, index).or(no_ambient(scene)));
-        /// Its diffuse coefficient Kd, 0 to 10⁶.
+        /// The floor's diffuse coefficient Kd, 0 to 10⁶.
         GROUND_KD kd: f64 = 0.7, Number(COEFFICIENT, Slider::UNIT)
             .idle(|scene, index| no_ground(scene, index).or(no_light(scene, index)));
-        /// Its colour Od, linear.
+        /// The floor's colour Od, linear.
         GROUND_COLOR color: Rgb = Rgb::new(0.8, 0.8, 0.8), Colour(COEFFICIENT).idle(no_ground);
     }
 }
@@ -35,7 +35,7 @@ table! {
     /// A patterned wall behind the object, perpendicular to the viewing direction and without end. Between the pattern it
     /// has the background's colour; it hides the parts of the ground beyond it.
     pub struct Backdrop = [backdrop] in backdrop {
-        /// Its pattern; without one there is no wall.
+        /// The pattern; without one there is no wall.
         BACKDROP_PATTERN pattern: PatternKind = PatternKind::None, Choice;
         /// Colour of the pattern, linear: displayed as it is, not lit.
         BACKDROP_COLOR color: Rgb = Rgb::new(0.85, 0.83, 0.78), Colour(Limits::INTENSITY).idle(no_backdrop);

@@ -193,7 +193,7 @@ impl Solid<'_> {
 pub struct PrimaryHit {
     /// The point, world.
     pub point: DVec3,
-    /// Its unit normal according to the mode.
+    /// The unit normal according to the mode.
     pub normal: DVec3,
     /// The origin of rays that leave to the side of the normal: lifted from the polygon to the rounded shape that its
     /// vertex normals stand for, so that a smooth surface's facets cast no shadow on each other.

@@ -31,7 +31,7 @@ pub enum Per {
     Vertex,
     /// Once for each pixel that shows the object.
     Pixel,
-    /// Not at all.
+    /// No evaluation at all.
     None,
 }
 
