@@ -122,7 +122,8 @@ impl<T: Scalar> Fresnel<T> {
 /// `incident` and `n` are unit vectors, `incident·n` ≤ 0: the ray comes from the side that `n` points to. `eta` is the
 /// index of refraction beyond the surface relative to that before it. T is a unit vector (A. S. Glassner, *An Introduction
 /// to Ray Tracing*, 1989, 4.3):
-/// `T = I/η + (c/η − √(1 − (1 − c²)/η²))·n`, c = −I·n. At η = 1 the ray goes straight on. There is no T where `sin θ₁ > η`, beyond the critical angle arcsin η, for η < 1.
+/// `T = I/η + (c/η − √(1 − (1 − c²)/η²))·n`, c = −I·n. At η = 1 the ray goes straight on. There is no T where
+/// `sin θ₁ > η`, beyond the critical angle arcsin η, for η < 1.
 pub fn refract(incident: DVec3, n: DVec3, eta: f64) -> Option<DVec3> {
     let cosine = -incident.dot(n);
     // From the cross product, since 1 − cos² would lose its digits near the normal.

@@ -3,8 +3,8 @@
 //!
 //! A power of a cosine is stiff: an error δ of the cosine becomes n·δ of the result, and near the lobe's axis the cosine
 //! itself is rounded to a few 10⁻⁸ in single precision. With the chord between the two unit vectors,
-//! `1 − a·b = |a − b|²/2`, the distance from the axis keeps its digits, and `(a·b)^n = exp(n·ln(1 − |a − b|²/2))`. At small n the plain
-//! cosine is the better form, because the lobe is wide and the chord long.
+//! `1 − a·b = |a − b|²/2`, the distance from the axis keeps its digits, and `(a·b)^n = exp(n·ln(1 − |a − b|²/2))`.
+//! At small n the plain cosine is the better form, because the lobe is wide and the chord long.
 
 use super::{Real, Scalar, V3};
 use crate::scene::{Distribution, Material, ReflectionModel, Rgb, Scene, ShadingMode};

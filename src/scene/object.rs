@@ -121,15 +121,15 @@ choices! {
     /// The shapes. All but models and polygons fit into the unit sphere about the origin, except for the plane's corners.
     /// Their axis is y; that of the plane and the corrugated sheet, which face +z, is z.
     pub enum ObjectKind = "object-kind" {
-        /// Radius 1.
+        /// A sphere of radius 1.
         Sphere = "sphere";
-        /// Radius 0.7 of the ring, 0.3 of the tube.
+        /// A torus with a ring of radius 0.7 and a tube of radius 0.3.
         Torus = "torus";
-        /// Radius 0.6, from y = −0.8 to 0.8, with caps.
+        /// A cylinder of radius 0.6, from y = −0.8 to 0.8, with caps.
         Cylinder = "cylinder";
-        /// Radius 0.8 at y = −0.6, apex at y = 1, with a cap.
+        /// A cone of radius 0.8 at y = −0.6, with its apex at y = 1 and a cap.
         Cone = "cone";
-        /// Half an edge is 1/√3.
+        /// A cube with edges of length 2/√3.
         Cube = "cube";
         /// The square −1 ≤ x, y ≤ 1 in the plane z = 0, facing +z.
         Plane = "plane";

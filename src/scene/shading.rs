@@ -40,7 +40,7 @@ fn not_phong(scene: &Scene, _: usize) -> Option<&'static str> {
 choices! {
     /// The points where the illumination equation is evaluated.
     pub enum ShadingMode = "shading" {
-        /// Once for each polygon.
+        /// Evaluation once for each polygon.
         Flat = "flat";
         /// At the vertices with the polygon's own normal; intensities are interpolated.
         Interpolated = "interpolated";

@@ -14,13 +14,13 @@ use std::io::{self, BufRead, Read, Write};
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ObjError {
-    /// The file or stream could not be read.
+    /// A failure to read the file or stream.
     #[error("{}", text!("obj-unreadable", error = .0.to_string()))]
     Read(#[from] io::Error),
     /// A line that is not Wavefront OBJ, or that refers to something that does not exist.
     #[error("{what}")]
     Line {
-        /// Counted from 1.
+        /// The line, counted from 1.
         line: u64,
         /// A sentence that says what is wrong and what was expected.
         what: String,

@@ -1,6 +1,6 @@
 //! A small part of a Bézier patch, and four rays that Newton's iteration brings to it side by side.
 //!
-//! The derivatives of a leaf lie within radii r about those in its middle, since thrice the differences of the control
+//! The derivatives of a leaf lie within radii r about those in its middle, since three times the differences of the control
 //! points hold them. Seen along a unit direction d, the Jacobian in the middle is J = (Sᵤ × Sᵥ)·d, and that between any two
 //! points of the leaf, a mean of its derivatives, differs from it by at most rᵤ|Sᵥ| + rᵥ|Sᵤ| + rᵤrᵥ. Where |J| is larger,
 //! the ray meets the leaf once at most (the mean value theorem); and the first step towards a meeting differs from the

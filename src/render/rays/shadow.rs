@@ -20,7 +20,7 @@ const FAR_POINT: f64 = 1e9;
 /// One light of the scene.
 struct Lamp {
     sources: Range<usize>,
-    /// True if any of its sources lies under the floor, and if any lies above.
+    /// One flag for sources under the floor, and one for sources above it.
     sides: [bool; 2],
     /// The area light, where testing all its sources at once is worthwhile.
     area: Option<AreaLight>,

@@ -1,6 +1,6 @@
 //! A finished picture, the report of how it was made, and the coarser size drawn while something is dragged.
 
-/// A picture as stored: 8 bits a channel, rows from the top.
+/// A picture as stored: 8 bits per channel, rows from the top.
 ///
 /// ```
 /// use shading_lab::render::Renderer;
