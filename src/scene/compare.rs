@@ -65,7 +65,7 @@ choices! {
     pub enum CompareView = "compare" {
         /// The scene alone.
         Single = "single";
-        /// Side by side.
+        /// All panes side by side.
         Panes = "panes";
         /// The first pane and the reference on either side of a line.
         Wipe = "wipe";

@@ -233,7 +233,7 @@ choices! {
     pub enum AreaShape = "area-shape" {
         /// A rectangle whose points shine to all sides.
         Rectangle = "rectangle";
-        /// A globe.
+        /// A sphere.
         Sphere = "sphere";
     }
 }

@@ -185,7 +185,7 @@ impl Ambient {
 choices! {
     /// The model of the light that arrives from all sides.
     pub enum AmbientSource = "ambient-source" {
-        /// Ia everywhere.
+        /// A constant Ia everywhere.
         Constant = "constant";
         /// Light that other surfaces of the scene have scattered once.
         Bounce = "bounce";

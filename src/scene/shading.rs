@@ -42,13 +42,13 @@ choices! {
     pub enum ShadingMode = "shading" {
         /// Evaluation once for each polygon.
         Flat = "flat";
-        /// At the vertices with the polygon's own normal; intensities are interpolated.
+        /// Evaluation at the vertices with the polygon's own normal; intensities are interpolated.
         Interpolated = "interpolated";
-        /// At the vertices with their normals; intensities are interpolated (Gouraud 1971).
+        /// Evaluation at the vertices with their normals; intensities are interpolated (Gouraud 1971).
         Gouraud = "gouraud";
-        /// At every pixel with the interpolated normal (Phong 1975).
+        /// Evaluation at every pixel with the interpolated normal (Phong 1975).
         Phong = "phong";
-        /// At every pixel on the true surface, with its own normal and outline.
+        /// Evaluation at every pixel on the true surface, with its own normal and outline.
         Exact = "exact";
     }
 }
@@ -56,7 +56,7 @@ choices! {
 choices! {
     /// The source of a flat polygon's one shade.
     pub enum FlatAt = "flat-at" {
-        /// At the polygon's centre with its own normal.
+        /// The intensity at the polygon's centre, with its own normal.
         Centre = "centre";
         /// The mean of the intensities at its vertices, with their normals.
         VertexMean = "vertex-mean";
@@ -68,11 +68,11 @@ choices! {
 choices! {
     /// The interpolation of values between vertices.
     pub enum Interpolation = "interpolation" {
-        /// Linear on the polygon in space.
+        /// Linear interpolation on the polygon in space.
         Perspective = "perspective";
-        /// Linear on the triangle in the picture.
+        /// Linear interpolation on the triangle in the picture.
         Affine = "affine";
-        /// Linear along the edges, then along the scan line, in the picture.
+        /// Linear interpolation along the edges, then along the scan line, in the picture.
         Scanline = "scanline";
     }
 }

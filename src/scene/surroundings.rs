@@ -94,7 +94,7 @@ impl DepthCueing {
 choices! {
     /// The points where s0 is evaluated.
     pub enum CuedBy = "depth-cueing" {
-        /// Nothing fades.
+        /// No fading.
         Off = "off";
         /// Fading where intensities are known, at vertices or faces, before they are interpolated; in Phong shading s0
         /// itself is interpolated between the vertices. Exact shading has no vertices and uses each pixel's depth.

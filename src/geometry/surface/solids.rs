@@ -190,7 +190,7 @@ pub fn frustum(shape: &Frustum, ray: &UnitRay) -> Option<Meeting> {
 /// Intersects a ray with the torus, whose surface is (|p|² + R² − r²)² = 4R²(x² + z²). With p = o + s·d, |d| = 1 and o·d =
 /// 0, |p|² is |o|² + s², and the cubic term of the quartic in s vanishes.
 pub fn torus(ray: &UnitRay) -> Option<Meeting> {
-    /// Widens the search so that rounding at its ends loses no root.
+    /// The widening of the search, so that rounding at its ends loses no root.
     const MARGIN: f64 = 1e-9;
     const FOUR_RING_SQUARED: f64 = 4.0 * TORUS_RING * TORUS_RING;
     let (p, d) = (ray.origin, ray.direction);
@@ -226,7 +226,7 @@ pub fn torus(ray: &UnitRay) -> Option<Meeting> {
 /// sheet is linear in s, and where the height changes sign the ray meets the slope. Over a ridge both neighbours use the
 /// same height, so that no ray slips between them.
 pub fn corrugated(ray: &UnitRay, slopes: u32) -> Option<Meeting> {
-    /// Lets rays begin before the ridges and end behind the troughs, so that those are met.
+    /// The factor by which rays begin before the ridges and end behind the troughs, so that those are met.
     const WIDER: f64 = 1.0 + 1e-9;
     let (p, d) = (ray.origin, ray.direction);
     let part =
