@@ -317,6 +317,8 @@ pub struct Normals {
 impl Asks for Normals {
     type Question = NormalsQuestion;
     const NAME: &'static str = "normals";
+    // The polygons and their normals of each kind stand beside the mesh.
+    const MESHES: u64 = 3;
 
     fn question(&self, scene: &mut Scene) -> Result<NormalsQuestion, Failure> {
         Ok(NormalsQuestion {

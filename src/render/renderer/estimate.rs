@@ -11,8 +11,8 @@ use crate::text::text;
 const PIXEL: u64 = 96;
 /// Bytes for each triangle and each vertex while the arrays of a mesh are made from its polygons, which is when they take the
 /// most: what `tests/cli/scripts/memory.rs` grants is enough.
-const TRIANGLE: u64 = 64;
-const VERTEX: u64 = 76;
+const TRIANGLE: u64 = 96;
+const VERTEX: u64 = 108;
 /// Bytes for each triangle where rays are followed: their hierarchy of boxes while it is sorted.
 const BOXED: u64 = 144;
 /// Bytes for everything else in a process that draws, and that draws a picture in strips.
