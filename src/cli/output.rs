@@ -77,12 +77,12 @@ impl From<io::Error> for Failure {
     }
 }
 
-/// Writes text to stdout, without terminal control characters.
+/// Writes text to stdout, with control characters escaped.
 pub fn print(text: &str) -> Result<(), Failure> {
     written(&escaped(text))
 }
 
-/// Writes a JSON object to stdout, for programs; control characters are escaped as in JSON.
+/// Writes a JSON object to stdout, for programs, with control characters as JSON escapes.
 pub fn print_json(json: &str) -> Result<(), Failure> {
     written(&escaped_json(json))
 }
@@ -99,7 +99,7 @@ pub fn print_help(help: &clap::Error) -> Result<(), Failure> {
     Ok(io::stdout().flush()?)
 }
 
-/// Writes messages for people to stderr, without terminal control characters.
+/// Writes a message for people to stderr, with control characters escaped.
 fn tell(text: &str) {
     // If stderr fails, there is nowhere to report it.
     let _ = io::stderr().write_all(escaped(text).as_bytes());
