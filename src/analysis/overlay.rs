@@ -90,9 +90,9 @@ impl OverlayLayer {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Halo {
-    /// White.
+    /// A white halo.
     Light,
-    /// Nearly black.
+    /// A nearly black halo.
     Dark,
 }
 

@@ -293,7 +293,7 @@ fn by_reason(terms: &[Term]) -> Vec<(Vec<String>, &'static str)> {
     for (term, reason) in terms.iter().filter_map(|term| Some((term, term.omitted?))) {
         let light = term.name.light();
         let last = groups.len().saturating_sub(1);
-        // Parts of a light join only the group right before them.
+        // Parts of a light join only the group directly before them.
         let from = if light.is_some() { last } else { 0 };
         match groups[from..]
             .iter_mut()

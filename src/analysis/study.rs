@@ -35,7 +35,7 @@ choices! {
         Phong = "phong";
         /// Phong shading with interpolated normals that are not normalised.
         PhongUnnormalised = "phong-unnormalised";
-        /// Phong shading in the same scalar code as the two below.
+        /// Phong shading in the same scalar code as Taylor's and the angular method.
         PhongScalar = "phong-scalar";
         /// Taylor expansion of the cosines over each triangle (Bishop and Weimer 1986).
         Taylor = "taylor";

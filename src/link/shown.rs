@@ -23,7 +23,7 @@ pub const VIEWS: [&str; 9] = [
 /// refer to the same point of the scene on a phone and on a projector.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Shown {
-    /// One of [`VIEWS`].
+    /// The view, one of [`VIEWS`].
     pub view: Option<&'static str>,
     /// Position of the probe.
     pub probe: Option<DVec2>,

@@ -12,7 +12,7 @@ const ROUNDING: f64 = 2e-6;
 /// A straight line through points, by least squares: `y = offset + slope·x`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Fit {
-    /// Growth of y with x.
+    /// Change of y per unit of x.
     pub slope: f64,
     /// Value of y at x = 0.
     pub offset: f64,
