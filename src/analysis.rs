@@ -1,7 +1,7 @@
-//! What a picture means in numbers: questions, and answers with their reports.
+//! Analyses of a picture in numbers: questions, and answers with their reports.
 //!
-//! Each analysis is a module with a [`Question`] and an [`Answer`]; [`ANALYSES`] lists them. The terminal, CSV, JSON, pictures
-//! and the window show any answer by its [`Report`].
+//! Each analysis is a module with a [`Question`] and an [`Answer`]; [`ANALYSES`] lists them. The terminal, CSV, JSON,
+//! pictures and the window show any answer by its [`Report`].
 
 mod bench;
 mod codec;

@@ -1,7 +1,8 @@
-//! Moving pictures: a scene whose numbers go from one value to another, frame by frame, as an animated PNG or as a GIF.
+//! Animations: a scene whose numbers change from one value to another, frame by frame, as an animated PNG or as a
+//! GIF.
 //!
-//! A [`Sweep`] says what each frame shows; whoever draws the frames hands them to [`write_film`] one after the other, so that one
-//! frame at a time is in memory.
+//! A [`Sweep`] defines the scene of each frame; the caller draws the frames for [`write_film`] one after the other,
+//! so that one frame at a time is in memory.
 
 mod palette;
 
@@ -16,23 +17,23 @@ use std::io::{self, Write};
 use std::path::Path;
 use toml::Value;
 
-/// Most frames of a sweep from one end to the other.
+/// Maximum number of frames of a sweep from one end to the other.
 pub const MOST_FRAMES: u32 = 10_000;
-/// Frames of a sweep, unless somebody says otherwise.
+/// Default number of frames of a sweep.
 pub const USUAL_FRAMES: u32 = 60;
-/// Frames a second, unless somebody says otherwise.
+/// Default frame rate, frames per second.
 pub const USUAL_RATE: f64 = 30.0;
-/// The longest that a frame may stand, seconds: APNG has 16 bits for the milliseconds.
+/// Longest duration of a frame, seconds: APNG has 16 bits for the milliseconds.
 const LONGEST: f64 = 60.0;
 
-/// How the frames lie between the two ends.
+/// Distribution of the frames between the two ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Course {
-    /// From one end to the other, both with it.
+    /// Number of frames from one end to the other, both included.
     pub frames: u32,
-    /// Equal ratios from frame to frame instead of equal steps.
+    /// True for equal ratios from frame to frame, false for equal steps.
     pub logarithmic: bool,
-    /// Back to the beginning afterwards.
+    /// True to return to the beginning afterwards.
     pub back_and_forth: bool,
 }
 
@@ -61,24 +62,24 @@ struct Track {
     key: String,
     whole: bool,
     ends: Vec<[f64; 2]>,
-    /// Written without the brackets of a list.
+    /// True if it is written without the brackets of a list.
     single: bool,
 }
 
-/// Why a sweep cannot be drawn.
+/// The reason why a sweep cannot be drawn.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum SweepError {
-    /// The settings of the beginning.
+    /// An error in the settings of the beginning.
     #[error("{0}")]
     Beginning(SceneError),
-    /// The settings of the end.
+    /// An error in the settings of the end.
     #[error("{0}")]
     End(SceneError),
     /// A key that is set at one end only.
     #[error("{}", text!("animation-one-end", key = .0.as_str()))]
     OneEnd(String),
-    /// A key that is no number, and changes.
+    /// A key that changes but is not a number.
     #[error("{}", text!("animation-no-number", key = .0.as_str()))]
     NoNumber(String),
     /// A key that is infinite at an end.
@@ -87,7 +88,7 @@ pub enum SweepError {
     /// A key with more numbers at one end.
     #[error("{}", text!("animation-lengths", key = .0.as_str()))]
     Lengths(String),
-    /// A key that cannot go in equal ratios.
+    /// A key that cannot change in equal ratios.
     #[error("{}", text!("animation-sign", key = .0.as_str()))]
     Sign(String),
     /// No number changes.
@@ -96,31 +97,31 @@ pub enum SweepError {
     /// Fewer than two frames, or more than [`MOST_FRAMES`].
     #[error("{}", text!("animation-frames", most = MOST_FRAMES))]
     Frames,
-    /// A frame between the ends is no sound scene.
+    /// A frame between the ends is not a valid scene.
     #[error("{}", text!("animation-frame", frame = .frame, error = .error.to_string()))]
     Frame {
-        /// From 0.
+        /// Index of the frame, from 0.
         frame: u32,
-        /// What is wrong with it.
+        /// The error in it.
         error: SceneError,
     },
-    /// Frames would stand too briefly or too long.
+    /// The duration of a frame would be too short or too long.
     #[error("{}", text!("animation-seconds", least = format!("{least:.2}"), most = format!("{most:.0}")))]
     Seconds {
-        /// The shortest that the film may take.
+        /// Minimum duration of the film, seconds.
         least: f64,
-        /// The longest.
+        /// Maximum duration of the film, seconds.
         most: f64,
     },
 }
 
 impl Sweep {
-    /// From a scene with the settings of the beginning to the same scene with those of the end, `KEY=VALUE` as
-    /// [`Scene::with_overrides`] takes them. Every number that differs then changes from frame to frame: coefficients, colours,
-    /// points and directions in each of their numbers.
+    /// Creates a sweep from a scene with the settings of the beginning to the same scene with those of the end,
+    /// `KEY=VALUE` in the form of [`Scene::with_overrides`]. Every number that differs then changes from frame to
+    /// frame: coefficients, colours, points and directions in each of their numbers.
     ///
     /// # Errors
-    /// See [`SweepError`]; every frame is known to be a sound scene.
+    /// See [`SweepError`]; every frame is checked to be a valid scene.
     pub fn new(
         scene: &Scene,
         from: &[impl AsRef<str>],
@@ -160,12 +161,12 @@ impl Sweep {
         Ok(sweep)
     }
 
-    /// The scene at its beginning.
+    /// Returns the scene at its beginning.
     pub fn scene(&self) -> &Scene {
         &self.scene
     }
 
-    /// How many frames are shown in all.
+    /// Returns the total number of frames shown.
     pub fn count(&self) -> u32 {
         let frames = self.course.frames;
         if self.course.back_and_forth {
@@ -175,16 +176,16 @@ impl Sweep {
         }
     }
 
-    /// What is shown, in its order.
+    /// Returns the scenes in the order in which they are shown.
     pub fn scenes(&self) -> impl Iterator<Item = Scene> {
         let forth = 0..self.course.frames;
         let back = (1..self.course.frames - 1).rev();
         let back = back.filter(|_| self.course.back_and_forth);
-        // Every one of them was sound when the sweep was made.
+        // Every one of them was valid when the sweep was made.
         forth.chain(back).filter_map(|frame| self.at(frame).ok())
     }
 
-    /// The scene of a frame between the ends.
+    /// Returns the scene of a frame between the ends.
     fn at(&self, frame: u32) -> Result<Scene, SceneError> {
         let share = f64::from(frame) / f64::from(self.course.frames - 1);
         let setting = |track: &Track| track.setting(share, self.course.logarithmic);
@@ -210,7 +211,7 @@ impl Track {
         };
         let length = first.len().max(last.len());
         for end in [&mut first, &mut last] {
-            // One number stands for all channels.
+            // One number represents all channels.
             if end.len() == 1 {
                 end.resize(length, end[0]);
             }
@@ -252,7 +253,7 @@ impl Track {
     }
 }
 
-/// What lies between two numbers; the ends are themselves.
+/// Interpolates between two numbers; the ends are exact.
 fn between([a, b]: [f64; 2], share: f64, logarithmic: bool) -> f64 {
     if share <= 0.0 || a == b {
         a
@@ -265,14 +266,14 @@ fn between([a, b]: [f64; 2], share: f64, logarithmic: bool) -> f64 {
     }
 }
 
-/// The keys of settings.
+/// Returns the keys of settings.
 fn keys(settings: &[impl AsRef<str>]) -> Vec<&str> {
     let texts = settings.iter().map(AsRef::as_ref);
     let key = |text: &'_ str| text.find('=').unwrap_or(text.len());
     texts.map(|text: &str| text[..key(text)].trim()).collect()
 }
 
-/// Whether a parameter is a number, or several.
+/// Returns whether a parameter is one or more numbers.
 pub fn is_number(parameter: &Parameter) -> bool {
     matches!(
         parameter.kind,
@@ -300,17 +301,17 @@ fn numbers(value: Option<Value>) -> Option<Vec<f64>> {
     }
 }
 
-/// How a film is stored.
+/// The file format of a film.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FilmFormat {
-    /// An animated PNG: every colour as it is.
+    /// An animated PNG with exact colours.
     Apng,
-    /// 256 colours, chosen for each frame.
+    /// A GIF with 256 colours, chosen for each frame.
     Gif,
 }
 
 impl FilmFormat {
-    /// What a name's ending says.
+    /// Returns the format of a name's ending.
     pub fn from_path(path: &Path) -> Option<Self> {
         let ending = path.extension().map(OsStr::to_ascii_lowercase)?;
         match ending.to_str()? {
@@ -320,7 +321,7 @@ impl FilmFormat {
         }
     }
 
-    /// Units of time in a second.
+    /// Returns the number of time units per second.
     fn units(self) -> f64 {
         match self {
             Self::Apng => 1000.0,
@@ -328,7 +329,7 @@ impl FilmFormat {
         }
     }
 
-    /// The shortest that a frame may stand, seconds: browsers show a GIF's shorter ones far longer.
+    /// Returns the shortest duration of a frame, seconds: browsers show shorter ones of a GIF far longer.
     fn shortest(self) -> f64 {
         match self {
             Self::Apng => 0.001,
@@ -336,14 +337,14 @@ impl FilmFormat {
         }
     }
 
-    /// Checks how long a film of `count` frames takes.
+    /// Checks the duration of a film of `count` frames.
     ///
     /// # Errors
-    /// [`SweepError::Seconds`] for frames that would stand too briefly or too long.
+    /// [`SweepError::Seconds`] for frames whose duration would be too short or too long.
     pub fn check_seconds(self, count: u32, seconds: f64) -> Result<(), SweepError> {
         let count = f64::from(count);
         let (least, most) = (count * self.shortest(), count * LONGEST);
-        // A rounding of the division is no reason.
+        // A rounding error of the division is accepted.
         if seconds >= least * (1.0 - 1e-9) && seconds <= most {
             return Ok(());
         }
@@ -351,11 +352,11 @@ impl FilmFormat {
     }
 }
 
-/// Writes `sweep` as a film of `seconds`, for ever repeated; `draw` draws each of its scenes, or returns nothing to stop. An
-/// animated PNG has the scene of its beginning inside.
+/// Writes `sweep` as a film of `seconds`, repeated forever; `draw` draws each of its scenes, or returns none to stop.
+/// An animated PNG has the scene of its beginning inside.
 ///
 /// # Errors
-/// What `out` reports, or [`io::ErrorKind::Interrupted`] where drawing was stopped.
+/// An error of `out`, or [`io::ErrorKind::Interrupted`] if drawing was stopped.
 pub fn write_film(
     out: &mut dyn Write,
     format: FilmFormat,
@@ -364,7 +365,7 @@ pub fn write_film(
     draw: &mut dyn FnMut(&Scene) -> Option<Frame>,
 ) -> io::Result<()> {
     let count = sweep.count();
-    // Rounded as a whole, so that the film takes as long as it should.
+    // Rounded as a whole, so that the film has its full duration.
     let moment = |frame: u32| {
         (seconds * format.units() * f64::from(frame) / f64::from(count)).round() as u32
     };
@@ -380,7 +381,7 @@ pub fn write_film(
     }
 }
 
-/// Frames, each with how long it stands.
+/// Frames, each with its duration.
 type Frames<'f> = &'f mut dyn Iterator<Item = io::Result<(Frame, u16)>>;
 
 fn write_apng(out: &mut dyn Write, sweep: &Sweep, frames: Frames<'_>) -> io::Result<()> {

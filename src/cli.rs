@@ -1,7 +1,7 @@
-//! The command line: what was asked for, done by one file a command.
+//! The command line, with one file per command.
 //!
-//! Exit status 0 when it is done, 2 for bad input, 1 for a failure. Errors take a line each on stderr, with the file and
-//! the line that they are about.
+//! The exit status is 0 on success, 2 for bad input, 1 for a failure. Errors take one line each on stderr, with the
+//! file and the line that they concern.
 
 mod analyse;
 mod animate;
@@ -33,10 +33,10 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::thread::available_parallelism;
 
-/// Most threads that the environment may ask for, unless there are more cores.
+/// Maximum number of threads that the environment may request, unless there are more cores.
 const MOST_THREADS: usize = 256;
 
-/// What was asked for. The words of the help are in the catalogue: see [`help`].
+/// The arguments. The texts of the help are in the catalogue: see [`help`].
 #[derive(Parser)]
 #[command(version, disable_help_subcommand = true)]
 struct Arguments {
@@ -82,7 +82,7 @@ enum Command {
 }
 
 impl Command {
-    /// The name of a command that takes no scene.
+    /// Returns the name of a command that takes no scene.
     fn without_scene(&self) -> Option<&'static str> {
         match self {
             Self::Scenes(_) => Some("scenes"),
@@ -99,7 +99,7 @@ impl Command {
     }
 }
 
-/// Does what the command line asks for, reports what goes wrong, and says how the process should end.
+/// Runs the command, reports errors, and returns the exit code of the process.
 pub fn run() -> ExitCode {
     bound_threads();
     set_language(language_asked_for().unwrap_or_else(Language::of_system));
@@ -119,22 +119,23 @@ pub fn run() -> ExitCode {
     result.map_or_else(|failure| failure.report(), |()| ExitCode::SUCCESS)
 }
 
-/// Starts [`MOST_THREADS`] where `RAYON_NUM_THREADS` asks for more: each takes memory and time to start, a hundred thousand minutes.
+/// Starts [`MOST_THREADS`] where `RAYON_NUM_THREADS` requests more: each takes memory and time to start, a hundred
+/// thousand minutes.
 fn bound_threads() {
     let asked = env::var("RAYON_NUM_THREADS").ok();
     let asked = asked.and_then(|count| count.trim().parse::<usize>().ok());
     let cores = available_parallelism().map_or(1, usize::from);
     let most = cores.max(MOST_THREADS);
     if asked.is_some_and(|asked| asked > most) {
-        // Another pool may be there only where something has used it before.
+        // Another pool can exist only if something has used it before.
         let _ = rayon::ThreadPoolBuilder::new()
             .num_threads(most)
             .build_global();
     }
 }
 
-/// What follows `--language`, where that is a language. It is looked for before the arguments are read, since their help and
-/// their errors are in it.
+/// Returns the value of `--language`, if that is a language. It is looked up before the arguments are parsed, since
+/// their help and their errors are in it.
 fn language_asked_for() -> Option<Language> {
     let mut arguments = env::args_os().skip(1);
     while let Some(argument) = arguments.next() {
@@ -149,7 +150,8 @@ fn language_asked_for() -> Option<Language> {
     None
 }
 
-/// Of arguments that make no sense after a word that is neither a command nor a scene: what is wrong is that word.
+/// Returns the error of a misspelt command if arguments make no sense after a word that is neither a command nor a
+/// scene: the word is then at fault.
 fn misspelt_command(error: &clap::Error) -> Option<Failure> {
     if error.kind() != ErrorKind::UnknownArgument {
         return None;
@@ -161,7 +163,7 @@ fn misspelt_command(error: &clap::Error) -> Option<Failure> {
         .then(|| manual::no_command(&Arguments::command(), &source.to_string_lossy()))
 }
 
-/// Whether a word names neither a file, by its ending or because it is there, nor a scene, nor a link.
+/// Returns whether a word names neither a file, by its ending or its existence, nor a scene, nor a link.
 fn is_unknown_word(word: &Path) -> bool {
     word.to_str().is_some_and(|name| {
         let letter = |c: char| c.is_alphanumeric() || c == '-';
@@ -223,7 +225,7 @@ fn perform(arguments: Arguments) -> Result<(), Failure> {
     }
 }
 
-/// Whether a word that names no scene is nearer to a command than to any scene.
+/// Returns whether a word that names no scene is nearer to a command than to any scene.
 fn nearest_is_command(word: &Path) -> bool {
     let program = Arguments::command();
     let commands = || program.get_subcommands().map(clap::Command::get_name);
@@ -232,8 +234,8 @@ fn nearest_is_command(word: &Path) -> bool {
     is_unknown_word(word) && meant.is_some_and(|meant| commands().any(|name| name == meant))
 }
 
-/// Opens the window on a scene or a lesson, or on the default scene; in `language`, and with `page` in its links, whatever these were last
-/// time.
+/// Opens the window on a scene or a lesson, or on the default scene; in `language`, and with `page` in its links, in
+/// place of the previous session's.
 fn open_window(
     arguments: &SceneArguments,
     (seed, language): (Option<u64>, Option<Language>),

@@ -1,9 +1,10 @@
-//! Scenes and pictures as files: opened by path, built-in name or link, written whole or not at all.
+//! Scenes and pictures as files: opened by path, built-in name or link, written completely or not at all.
 //!
-//! In memory the path of a model is absolute. In a scene file it is written relative to that file where the model lies
-//! beside or below it, so that the two can be moved together; in a picture, which gets about alone, it stays absolute.
+//! In memory the path of a model is absolute. In a scene file it is written relative to that file where the model
+//! lies beside or below it, so that the two can be moved together; in a picture, which is passed on alone, it stays
+//! absolute.
 //!
-//! A web page has no disk: there `disk` is the files that the page was given, and writing is a download.
+//! A web page has no disk: there `disk` holds the files given to the page, and writing starts a download.
 
 #[cfg_attr(target_arch = "wasm32", path = "document/page.rs")]
 mod disk;
@@ -33,29 +34,29 @@ use std::io::{self, BufRead, BufReader, Cursor, Read, Seek};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// A scene with all that it needs to be drawn.
+/// A scene with everything needed to draw it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Loaded {
-    /// Sound, as [`Scene::validate`] has it; a model's path is absolute.
+    /// The scene, valid by [`Scene::validate`]; a model's path is absolute.
     pub scene: Scene,
     /// The mesh of an object of kind `obj`, fitted where the scene says so.
     pub model: Option<Arc<Mesh>>,
-    /// What to call it: the built-in scene's name, or the file's.
+    /// Name: that of the built-in scene, or of the file.
     pub name: String,
-    /// The file it came from; none for a built-in scene and for a link.
+    /// The file it was read from; none for a built-in scene and for a link.
     pub path: Option<PathBuf>,
-    /// What a link says is shown of it.
+    /// View that a link requests.
     pub shown: Shown,
 }
 
 impl Loaded {
-    /// Says what its model's file has that is not drawn, if anything.
+    /// Describes the parts of its model's file that are not drawn, if any.
     pub fn warning(&self) -> Option<String> {
         undrawn(&self.scene.object, self.model.as_deref())
     }
 }
 
-/// Says what the file of a scene's model has that is not drawn, if anything.
+/// Describes the parts of the file of a scene's model that are not drawn, if any.
 pub fn undrawn(object: &Object, model: Option<&Mesh>) -> Option<String> {
     model.filter(|mesh| mesh.names_materials)?;
     let name = object.path.as_deref().and_then(Path::file_name);
@@ -63,12 +64,12 @@ pub fn undrawn(object: &Object, model: Option<&Mesh>) -> Option<String> {
     Some(text!("document-no-materials", name = name.as_ref()))
 }
 
-/// Is told how many bytes of a model have been read, and how many there are.
+/// A callback for progress: the number of bytes of a model that have been read, and their total.
 pub type Progress<'a> = &'a mut dyn FnMut(u64, u64);
 
-/// Opens a scene: a `.toml` file; a `.obj` model in the default scene, fitted; a `.png` with its scene inside; a link, which
-/// begins with `https://` or with `?`; or a built-in scene by its name, which goes before a file of the same name without
-/// such an ending.
+/// Opens a scene: a `.toml` file; a `.obj` model in the default scene, fitted; a `.png` with its scene inside; a
+/// link, which begins with `https://` or with `?`; or a built-in scene by its name, which takes precedence over a
+/// file of the same name without such an ending.
 ///
 /// # Examples
 /// ```
@@ -91,8 +92,8 @@ pub fn load(source: &Path) -> Result<Loaded, LoadError> {
     load_with(source, &[] as &[&str], &mut |_, _| {})
 }
 
-/// [`load`] with overrides as [`Scene::with_overrides`] takes them, applied before the model is read. A model's path in
-/// an override is relative to the working directory.
+/// Opens a scene like [`load`], with overrides in the form of [`Scene::with_overrides`], applied before the model is
+/// read. A model's path in an override is relative to the working directory.
 ///
 /// # Errors
 /// See [`LoadError`].
@@ -104,7 +105,7 @@ pub fn load_with(
     completed(read_scene(source)?, overrides, progress)
 }
 
-/// The same for what came by another way than a file: the text of a scene file, a picture with its scene inside, or a link.
+/// Opens a scene that is not a file on disk: the text of a scene file, a picture with its scene inside, or a link.
 /// Messages call it `name`; a model's path in it is relative to the working directory.
 ///
 /// # Errors
@@ -139,12 +140,12 @@ pub fn load_bytes(
     completed(loaded, overrides, progress)
 }
 
-/// Whether a file's content is a PNG picture.
+/// Returns whether a file's content is a PNG picture.
 pub fn is_picture(bytes: &[u8]) -> bool {
     bytes.starts_with(b"\x89PNG")
 }
 
-/// With its overrides and its model.
+/// Applies overrides and reads the model.
 fn completed(
     loaded: Loaded,
     overrides: &[impl AsRef<str>],
@@ -166,7 +167,7 @@ fn completed(
         let (centre, radius) = mesh.ball();
         scene.camera = scene.camera.fitted(centre, radius, scene.image.size);
     }
-    // Only now, so that messages name the model as its user does. Where the working directory is unknown, so be it.
+    // Done last, so that messages name the model as the user does. An unknown working directory is ignored.
     if let Some(model_path) = &mut scene.object.path
         && let Ok(absolute) = std::path::absolute(&*model_path)
     {
@@ -181,15 +182,15 @@ fn completed(
     })
 }
 
-/// Bytes that reading a model takes at most for each byte of its file (`tests/engine/obj_memory.rs`).
+/// Maximum number of bytes that reading a model takes for each byte of its file (`tests/engine/obj_memory.rs`).
 const OF_MODEL: u64 = 6;
-/// Files up to so many bytes are read without asking for memory in advance.
+/// Size in bytes up to which files are read without a check of the memory in advance.
 const LARGE_MODEL: u64 = 1 << 22;
 
-/// The model of an object: none unless its kind is `obj`.
+/// Reads the model of an object: none unless its kind is `obj`.
 ///
 /// # Errors
-/// A path that is missing or cannot be read, or a file that is not a sound model.
+/// A path that is missing or cannot be read, or a file that is not a valid model.
 pub fn load_model(object: &Object, progress: Progress<'_>) -> Result<Option<Arc<Mesh>>, LoadError> {
     let (ObjectKind::Obj, Some(path)) = (object.kind, &object.path) else {
         return Ok(None);
@@ -219,7 +220,7 @@ pub fn load_model(object: &Object, progress: Progress<'_>) -> Result<Option<Arc<
     })))
 }
 
-/// All but the model.
+/// Reads everything but the model.
 fn read_scene(source: &Path) -> Result<Loaded, LoadError> {
     if let Some(named) = source.to_str().and_then(read_named) {
         return named;
@@ -244,7 +245,7 @@ fn read_scene(source: &Path) -> Result<Loaded, LoadError> {
     })
 }
 
-/// What is no file: a link, or a built-in scene by its name.
+/// Opens anything that is not a file: a link, or a built-in scene by its name.
 fn read_named(name: &str) -> Option<Result<Loaded, LoadError>> {
     let loaded = |scene, name, shown| Loaded {
         scene,
@@ -261,7 +262,8 @@ fn read_named(name: &str) -> Option<Result<Loaded, LoadError>> {
     Some(Ok(loaded(scene, name.to_owned(), Shown::default())))
 }
 
-/// Opens a built-in scene or a link, and nothing else whatever `name` says: for names from people who may not have files opened.
+/// Opens a built-in scene or a link, and nothing else whatever `name` is: for names from untrusted sources, which
+/// must not open files.
 ///
 /// # Errors
 /// See [`LoadError`].
@@ -269,7 +271,7 @@ pub fn load_named(name: &str) -> Result<Loaded, LoadError> {
     read_named(name).unwrap_or_else(|| Err(no_such_scene(name)))
 }
 
-/// The scene in a text out of `path`. The model that it names lies on this machine.
+/// Parses the scene in a text from `path`. The model that it names is on this machine.
 fn parsed(text: &str, path: &Path) -> Result<Scene, LoadError> {
     let scene = Scene::parse(text, &path.to_string_lossy())?;
     let model = scene.object.path.as_ref();
@@ -284,10 +286,11 @@ fn read_scene_file(path: &Path) -> Result<Scene, LoadError> {
     parsed(&text, path)
 }
 
-/// The text of a file, which was expected to be `what`: at most one byte more than `most`, so that its reader can object.
+/// Reads the text of a file, which was expected to be `what`: at most one byte more than `most`, so that its reader
+/// can report the error.
 ///
 /// # Errors
-/// A file that cannot be read, or is no text in UTF-8.
+/// A file that cannot be read, or is not text in UTF-8.
 pub fn read_text(path: &Path, what: Message, most: usize) -> Result<String, LoadError> {
     let (file, _) = disk::open(path, what)?;
     let mut bytes = Vec::new();
@@ -296,7 +299,7 @@ pub fn read_text(path: &Path, what: Message, most: usize) -> Result<String, Load
     utf_8(path, bytes)
 }
 
-/// A file's content as text.
+/// Converts a file's content to text.
 fn utf_8(path: &Path, bytes: Vec<u8>) -> Result<String, LoadError> {
     String::from_utf8(bytes).map_err(|error| {
         let valid = error.utf8_error().valid_up_to();
@@ -316,7 +319,7 @@ fn read_scene_picture(path: &Path) -> Result<Scene, LoadError> {
     parsed(&text, path)
 }
 
-/// The default scene with a model in the place of its object.
+/// Returns the default scene with a model in place of its object.
 fn scene_of_model(path: &Path) -> Result<Scene, LoadError> {
     let mut scene = presets::default_scene();
     let normals = NormalSource::File;
@@ -333,7 +336,7 @@ fn scene_of_model(path: &Path) -> Result<Scene, LoadError> {
     Ok(scene)
 }
 
-/// Why what the user named is no scene.
+/// Returns the reason why the user's source is not a scene.
 fn unknown(source: &Path) -> LoadError {
     if source.is_dir() {
         return LoadError::file(source, text!("document-directory"));
@@ -344,7 +347,7 @@ fn unknown(source: &Path) -> LoadError {
     no_such_scene(&source.to_string_lossy())
 }
 
-/// Why there is no scene of that name.
+/// Returns the reason why there is no scene of that name.
 fn no_such_scene(name: &str) -> LoadError {
     let name = excerpt(name);
     let meant = nearest(&name, presets::ALL.iter().map(|preset| preset.name));
@@ -382,7 +385,7 @@ pub fn save_picture(path: &Path, frame: &Frame, scene: &Scene) -> Result<(), Sav
     write_picture(path, frame, Some(scene), &[])
 }
 
-/// The same with other texts inside, by their keywords.
+/// Writes a picture as PNG with its scene and other texts inside, by their keywords.
 ///
 /// # Errors
 /// See [`SaveError`].
@@ -397,8 +400,7 @@ pub fn save_picture_with(
 
 /// Draws and writes a film, frame by frame: see [`write_film`].
 ///
-/// # Errors
-/// See [`SaveError`]. Nothing is left behind where `draw` has stopped it.
+/// # Errors See [`SaveError`]. No file is left behind if `draw` has stopped it.
 pub fn save_film(
     path: &Path,
     format: FilmFormat,
@@ -409,7 +411,7 @@ pub fn save_film(
     write_whole(path, |out| write_film(out, format, sweep, seconds, draw))
 }
 
-/// A picture's file as [`crate::picture::read_texts`] takes it.
+/// Opens a picture's file for [`crate::picture::read_texts`].
 ///
 /// # Errors
 /// A file that cannot be read.
@@ -417,7 +419,7 @@ pub fn open_picture(path: &Path) -> Result<impl BufRead + Seek + use<>, LoadErro
     disk::open(path, PICTURE).map(|(file, _)| BufReader::new(file))
 }
 
-/// The bytes of a picture's file.
+/// Returns the bytes of a picture's file.
 ///
 /// # Errors
 /// A frame that has no pixels.
@@ -456,16 +458,16 @@ pub fn save_code(target: &Path, export: &Export) -> Result<(), SaveError> {
 }
 
 impl Format {
-    /// The format that a name's ending says.
+    /// Returns the format of a name's ending.
     pub fn from_path(path: &Path) -> Option<Self> {
         Self::from_word(&path.extension()?.to_string_lossy().to_lowercase())
     }
 }
 
-/// Writes an answer; a figure in `size` and on `paper`, where it is one. A PNG of a scene has the scene inside.
+/// Writes an answer; a figure, if it is one, in `size` and on `paper`. A PNG of a scene has the scene inside.
 ///
 /// # Errors
-/// What cannot be written, or [`SaveError::Nothing`] where there is nothing to draw.
+/// A target that cannot be written, or [`SaveError::Nothing`] where there is nothing to draw.
 pub fn save_answer(
     path: &Path,
     format: Format,
@@ -501,7 +503,7 @@ pub fn save_answer(
     }
 }
 
-/// Writes a drawing that shows no scene; as SVG where the name says so, as PNG otherwise.
+/// Writes a drawing that shows no scene; as SVG according to the name's ending, otherwise as PNG.
 ///
 /// # Errors
 /// See [`SaveError`].
@@ -515,7 +517,7 @@ pub fn save_drawing(path: &Path, drawing: &Drawing, title: &str) -> Result<(), S
     write_picture(path, &frame, None, &[])
 }
 
-/// One JSON object. JSON has no infinity; it becomes null.
+/// Returns one JSON object. JSON has no infinity; it becomes null.
 pub fn json_text(answer: &dyn Answer, about: &Analysed<'_>) -> String {
     format!("{:#}\n", answer.object(about))
 }

@@ -1,7 +1,7 @@
 //! A scene as code: calls of fixed-function OpenGL, or a pair of GLSL shaders.
 //!
-//! In: a [`Scene`] and, for the calls, its polygons. Out: an [`Export`], the text to copy and a list of what the target
-//! cannot express, which also heads the text. The same scene always gives the same text, in plain ASCII.
+//! In: a [`Scene`] and, for the calls, its polygons. Out: an [`Export`], the text to copy and a list of what the
+//! target cannot express, which also heads the text. Equal scenes give equal texts, in plain ASCII.
 
 mod fixed;
 mod glsl;
@@ -23,13 +23,13 @@ use std::path::{Path, PathBuf};
 pub struct Export {
     /// One or more files' worth of text, each complete.
     pub parts: Vec<Part>,
-    /// What of the scene the text does not express; empty where it expresses everything.
+    /// Features of the scene that the text does not express; empty where it expresses everything.
     pub limits: Vec<Limit>,
 }
 
 impl Export {
-    /// Where `part` is written when the whole is written to `target`: there, or beside it with the part's own ending where
-    /// there are several.
+    /// Returns the path of `part` when the whole is written to `target`: `target` itself, or beside it with the
+    /// part's own ending if there are several.
     pub fn path_of(&self, part: &Part, target: &Path) -> PathBuf {
         match self.parts.len() {
             1 => target.to_owned(),
@@ -41,27 +41,27 @@ impl Export {
 /// One file of an [`Export`].
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Part {
-    /// What it is, in a word or two.
+    /// Its title, a word or two.
     pub title: Message,
-    /// The usual ending of such a file's name, without the dot.
+    /// The usual ending of the file's name, without the dot.
     pub ending: &'static str,
-    /// The whole of it, ASCII.
+    /// The complete text, ASCII.
     pub text: String,
 }
 
-/// Why a scene has no text in the language asked for.
+/// The reason why a scene has no text in the requested language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ExportError {
     /// The polygons do not fit into a program's text.
     #[error("{}", crate::text!("export-too-large", triangles = *triangles, most = MAX_PROGRAM_TRIANGLES))]
     MeshTooLarge {
-        /// How many triangles they are; at most [`MAX_PROGRAM_TRIANGLES`] fit.
+        /// Number of triangles; at most [`MAX_PROGRAM_TRIANGLES`] fit.
         triangles: usize,
     },
 }
 
-/// The mesh with the vertex normals that the scene's shading mode evaluates the equation with.
+/// Returns the mesh with the vertex normals with which the scene's shading mode evaluates the equation.
 pub fn export_mesh(scene: &Scene, mesh: &Mesh) -> VertexMesh {
     let source = match scene.shading.mode {
         ShadingMode::Interpolated => NormalSource::Facet,

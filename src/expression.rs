@@ -1,5 +1,5 @@
-//! Arithmetic as people type it: `1/3`, `2*pi`, `max(cos(x), 0)^n`, and questions about quantities such as
-//! `probe.lights[0].phi < 30`. What a name means is up to whoever asks for the value.
+//! Arithmetic as typed by people: `1/3`, `2*pi`, `max(cos(x), 0)^n`, and questions about quantities such as
+//! `probe.lights[0].phi < 30`. The caller defines the meaning of names.
 //!
 //! ```text
 //!   either   = both { or both }
@@ -16,60 +16,60 @@
 use crate::text::{excerpt, text};
 use std::cmp::Ordering;
 
-/// How deep parentheses, signs, powers and calls may be nested.
+/// Maximum nesting depth of parentheses, signs, powers and calls.
 const DEPTH: usize = 64;
 /// Longest text, in bytes.
 const MOST: usize = 4096;
-/// Operations in a row, which are evaluated one inside the other: `1+1+1` is two.
+/// Maximum number of consecutive operations, which are evaluated one inside the other: `1+1+1` has two.
 const CHAIN: usize = 256;
 
-/// What an expression is worth.
+/// The value of an expression.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Value {
     /// A number.
     Number(f64),
     /// The result of a comparison.
     Truth(bool),
-    /// A list, as `[*]` makes it.
+    /// A list, from `[*]`.
     List(Vec<Self>),
 }
 
 /// A step from a quantity to a part of it.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Part {
-    /// `.name`, or the entry of a list that is called so: `["name"]`.
+    /// `.name`, or the list entry of that name: `["name"]`.
     Name(String),
     /// `[number]`, from 0.
     Index(usize),
-    /// `[*]`: what follows, of every entry.
+    /// `[*]`: the following parts of every entry.
     All,
 }
 
-/// What the names of an expression mean.
+/// Meaning of the names in an expression.
 pub trait Quantities {
-    /// The value of a quantity: its name, and the way to a part of it.
+    /// Returns the value of a quantity, given its name and the path to a part of it.
     ///
     /// # Errors
-    /// Why there is none, in words.
+    /// The reason why there is none, in words.
     fn quantity(&self, name: &str, parts: &[Part]) -> Result<Value, String>;
 
     /// Calls `todo` with the quantities under other settings.
     ///
     /// # Errors
-    /// What is wrong with the settings, or what `todo` returns.
+    /// Invalid settings, or the error of `todo`.
     fn with(&self, settings: &str, todo: Todo<'_>) -> Result<Value, String>;
 
     /// Calls `todo` with the quantities at another place.
     ///
     /// # Errors
-    /// What `todo` returns.
+    /// The error of `todo`.
     fn at(&self, x: f64, y: f64, todo: Todo<'_>) -> Result<Value, String>;
 }
 
-/// What is evaluated elsewhere.
+/// A subexpression to evaluate elsewhere.
 pub type Todo<'t> = &'t dyn Fn(&dyn Quantities) -> Result<Value, String>;
 
-/// Numbers alone: no name means anything.
+/// Numbers alone, without any names.
 struct Plain;
 
 impl Quantities for Plain {
@@ -86,7 +86,7 @@ impl Quantities for Plain {
     }
 }
 
-/// An expression that has been read.
+/// A parsed expression.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Expression(Node);
 
@@ -110,7 +110,7 @@ impl Node {
         }
     }
 
-    /// How many operations are evaluated one inside the other.
+    /// Returns the number of operations evaluated one inside the other.
     fn depth(&self) -> usize {
         let deepest = |parts: &[Self]| parts.iter().map(Self::depth).max().unwrap_or(0);
         1 + match self {
@@ -161,7 +161,7 @@ enum Function {
 
 use Function::*;
 
-/// The functions that are called by their names.
+/// Functions called by name.
 const NAMED: [(&str, Function); 18] = [
     ("abs", Abs),
     ("sqrt", Sqrt),
@@ -195,10 +195,10 @@ const COMPARISONS: [(&str, Function); 8] = [
 ];
 
 impl Expression {
-    /// Reads an expression.
+    /// Parses an expression.
     ///
     /// # Errors
-    /// What is wrong, with the place in the text.
+    /// A description of the error, with its position in the text.
     pub fn read(text: &str) -> Result<Self, String> {
         if text.len() > MOST {
             return Err(text!("expression-too-long", most = MOST));
@@ -215,23 +215,23 @@ impl Expression {
         Ok(Self(node))
     }
 
-    /// How many numbers, quantities and operations it has.
+    /// Returns the number of its numbers, quantities and operations.
     pub fn size(&self) -> usize {
         self.0.size()
     }
 
-    /// Its value with what the names mean.
+    /// Evaluates the expression with the meaning of its names.
     ///
     /// # Errors
-    /// Quantities that there are not, and operations on values that have none.
+    /// Unknown quantities, and operations on values for which they are not defined.
     pub fn value(&self, quantities: &dyn Quantities) -> Result<Value, String> {
         value(&self.0, quantities)
     }
 
-    /// The same as a number.
+    /// Evaluates the expression to a number.
     ///
     /// # Errors
-    /// As [`Self::value`], or a value that is no finite number.
+    /// As [`Self::value`], or a value that is not a finite number.
     pub fn number(&self, quantities: &dyn Quantities) -> Result<f64, String> {
         let number = self.value(quantities)?.number()?;
         if number.is_finite() {
@@ -241,7 +241,7 @@ impl Expression {
         }
     }
 
-    /// Whether it holds.
+    /// Returns whether the expression is true.
     ///
     /// # Errors
     /// As [`Self::value`], or a value that is neither true nor false.
@@ -253,7 +253,7 @@ impl Expression {
     }
 }
 
-/// The number that arithmetic stands for; none where it is no arithmetic, or its value is not a number.
+/// Evaluates arithmetic; none if the text is not arithmetic, or its value is not a number.
 ///
 /// ```
 /// use shading_lab::expression::arithmetic;
@@ -277,7 +277,7 @@ impl Value {
         }
     }
 
-    /// The numbers of a list, or the one that it is.
+    /// Returns the numbers of a list, or a single number.
     fn numbers(&self) -> Result<Vec<f64>, String> {
         match self {
             Self::List(values) => values.iter().map(Self::number).collect(),
@@ -308,7 +308,7 @@ fn value(node: &Node, quantities: &dyn Quantities) -> Result<Value, String> {
 }
 
 impl Function {
-    /// Of so many arguments, which the reader has counted.
+    /// Applies the function to its arguments, whose number the parser has checked.
     fn of(self, values: &[Value]) -> Result<Value, String> {
         let number = |index: usize| values[index].number();
         let truth = |index: usize| match &values[index] {
@@ -366,7 +366,7 @@ impl Function {
         })
     }
 
-    /// How many arguments it takes; none where any number will do.
+    /// Returns the number of its arguments; none if any number is allowed.
     fn arguments(self) -> Option<usize> {
         match self {
             Min | Max | Sum | Mean => None,
@@ -383,7 +383,7 @@ fn weighted(a: &[f64], b: &[f64]) -> Result<f64, String> {
     Ok(a.iter().zip(b).map(|(a, b)| a * b).sum())
 }
 
-/// What is left of the text.
+/// The rest of the text.
 struct Rest<'a> {
     text: &'a str,
     at: usize,
@@ -410,7 +410,7 @@ impl Rest<'_> {
         }
     }
 
-    /// Takes one of several signs; returns its place among them.
+    /// Takes one of several signs; returns its index among them.
     fn sign(&mut self, signs: &[&str]) -> Option<usize> {
         self.space();
         let place = signs
@@ -420,7 +420,7 @@ impl Rest<'_> {
         Some(place)
     }
 
-    /// Takes a word, where it stands alone.
+    /// Takes a word that stands alone.
     fn word(&mut self, word: &str) -> bool {
         self.space();
         let follows = |rest: &str| !rest.starts_with(|c: char| c.is_alphanumeric() || c == '_');
@@ -538,7 +538,7 @@ impl Rest<'_> {
         name
     }
 
-    /// A constant, a function or a quantity.
+    /// Parses a constant, a function or a quantity.
     fn named(&mut self, depth: usize) -> Result<Node, String> {
         let begins = self.at;
         let name = self.name();
@@ -632,7 +632,7 @@ impl Rest<'_> {
         }
     }
 
-    /// Digits with at most one point, and an exponent where digits follow the `e`.
+    /// Parses digits with at most one point, and an exponent where digits follow the `e`.
     fn number(&mut self) -> Result<Node, String> {
         let left = self.left();
         let digits =

@@ -1,7 +1,7 @@
-//! Drawings as plain geometry, and the pixels, SVG text and window painting made of them, without any window.
+//! Drawings as plain geometry, and their output as pixels, SVG text and window painting, without any window.
 //!
-//! [`lay_out`] turns a [`Plot`] into a [`Drawing`]: lines, areas and text with their places. What a drawing shows is decided
-//! by the analyses; this module knows none of them. Everything here is a pure function of its arguments.
+//! [`lay_out`] turns a [`Plot`] into a [`Drawing`]: lines, areas and text with their positions. The analyses decide
+//! what a drawing shows; this module knows none of them. Everything here is a pure function of its arguments.
 
 mod area;
 mod drawing;

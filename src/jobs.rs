@@ -1,8 +1,9 @@
-//! Work in the background: plain data is given to a thread, which brings an answer back. Nothing else starts threads.
-//! A web page has none: there a worker does what has [codecs](Work::CODECS), and the rest is done between two frames.
+//! Work in the background: plain data is given to a thread, which returns an answer. Nothing else starts threads. A
+//! web page has none: there a worker does work that has [codecs](Work::CODECS), and the rest is done between two
+//! frames.
 //!
-//! A [`Job`] is one piece of work with its progress; [`Background`] asks one question after the other and keeps the latest
-//! answer.
+//! A [`Job`] is one piece of work with its progress; [`Background`] answers one question after the other and keeps
+//! the latest answer.
 
 #[cfg(target_arch = "wasm32")]
 mod page;
@@ -24,72 +25,72 @@ use web_time::Instant;
 #[cfg(target_arch = "wasm32")]
 pub use worker::{Served, serve, served};
 
-/// What a worker's message is about; on the way it is a number.
+/// The kind of a worker's message, sent as a number.
 #[cfg(target_arch = "wasm32")]
 #[derive(Clone, Copy)]
 enum MessageKind {
-    /// How far the work is.
+    /// The progress.
     Share,
-    /// What is known so far.
+    /// The part of the answer known so far.
     SoFar,
     /// The answer.
     Answer,
-    /// Why there is none.
+    /// The reason why there is none.
     Failure,
 }
 
-/// Progress is shown this often at most: to draw the window disturbs what is measured.
+/// Minimum interval between displays of progress: drawing the window disturbs measurements.
 const PAUSE: Duration = Duration::from_millis(200);
 
-/// Nanoseconds since the first call.
+/// Returns the nanoseconds since the first call.
 pub fn nanoseconds() -> u64 {
     static START: OnceLock<Instant> = OnceLock::new();
     u64::try_from(START.get_or_init(Instant::now).elapsed().as_nanos()).unwrap_or(u64::MAX)
 }
 
-/// Something to be done.
+/// Work to be done in the background.
 pub trait Work: Send + Sync + Sized + 'static {
-    /// What comes of it.
+    /// The type of the answer.
     type Answer: Clone + Send + Sync + 'static;
 
-    /// How the work goes to a worker of a web page, and its answer comes back. What does not travel is done on the page.
+    /// Encodings of the work and of its answer, for a worker of a web page. Work without them is done on the page.
     const CODECS: Option<(Codec<Self>, Codec<Self::Answer>)> = None;
 
-    /// Does it.
+    /// Does the work.
     ///
     /// # Errors
-    /// Why there is no answer, in a sentence.
+    /// The reason why there is no answer, in a sentence.
     fn run(&self, watch: &dyn Watch<Self::Answer>) -> Result<Self::Answer, String>;
 }
 
-/// Work that is done, with its answer or why there is none.
+/// Finished work, with its answer or the reason why there is none.
 pub type Answered<W> = (Arc<W>, Result<<W as Work>::Answer, String>);
 
-/// Work under way. Dropping it cancels it.
+/// Work in progress. Dropping it cancels it.
 pub struct Job<W: Work> {
     /// The work.
     pub work: Arc<W>,
     progress: Arc<Progress<W::Answer>>,
     over: Receiver<Result<W::Answer, String>>,
-    /// The number of what was sent to a worker.
+    /// Number of the order sent to a worker.
     #[cfg(target_arch = "wasm32")]
     sent: Option<u64>,
 }
 
-/// What comes from a job.
+/// A message from a job.
 #[derive(Clone, Debug)]
 pub enum News<A> {
-    /// What is known so far.
+    /// The part of the answer known so far.
     SoFar(A),
-    /// The answer, or why there is none.
+    /// The answer, or the reason why there is none.
     Over(Result<A, String>),
 }
 
 struct Progress<A> {
     cancel: AtomicBool,
-    /// In thousandths.
+    /// Share of the work done, in thousandths.
     share: AtomicU32,
-    /// The latest of what is known so far, until it is taken: nobody may look for a long time.
+    /// The latest intermediate answer, until it is taken, which may be after a long time.
     so_far: Mutex<Option<A>>,
 }
 
@@ -109,10 +110,10 @@ impl<A> Progress<A> {
     }
 }
 
-/// Asks whoever waits to look again after a while.
+/// A callback that asks the caller to check again after a while.
 type Wake = Arc<dyn Fn(Duration) + Send + Sync>;
 
-/// The job's side of it.
+/// The job's side of its progress.
 struct Reporter<A> {
     progress: Arc<Progress<A>>,
     over: Sender<Result<A, String>>,
@@ -134,18 +135,18 @@ impl<A: Clone + Send + Sync> Watch<A> for Reporter<A> {
 }
 
 impl<A> Drop for Reporter<A> {
-    /// The end of the work is noticed even if it panics: then the channel is closed without an answer.
+    /// Wakes the caller even if the work panics: then the channel is closed without an answer.
     fn drop(&mut self) {
         (self.wake)(Duration::ZERO);
     }
 }
 
-/// Hears what a worker says about a job.
+/// The receiver of a worker's messages about a job.
 #[cfg(target_arch = "wasm32")]
 struct Listener<W: Work> {
     progress: Arc<Progress<W::Answer>>,
     over: Sender<Result<W::Answer, String>>,
-    /// What is known when the worker is stopped.
+    /// The answer in case the worker is stopped.
     latest: Option<W::Answer>,
     answers: Codec<W::Answer>,
 }
@@ -175,7 +176,7 @@ impl<W: Work> Listener<W> {
                 page::WorkerMessage::Failed(why) => Some(Err(why)),
                 page::WorkerMessage::Stopped => Some(self.latest.take().ok_or_else(ended)),
             };
-            // The receiver may be gone; dropping the answer is fine.
+            // The receiver may be gone; then the answer is dropped.
             let _ = over.map(|answer| self.over.send(answer));
             wake(Duration::ZERO);
         }
@@ -183,7 +184,7 @@ impl<W: Work> Listener<W> {
 }
 
 impl<W: Work> Job<W> {
-    /// Starts on a thread. `wake` is called, with how long to wait, when there is something to take.
+    /// Starts work on a thread. `wake` is called, with the time to wait, when there is news.
     pub fn start(work: W, wake: impl Fn(Duration) + Send + Sync + 'static) -> Self {
         let (sender, over) = channel();
         let (work, progress) = (Arc::new(work), Arc::new(Progress::default()));
@@ -220,7 +221,7 @@ impl<W: Work> Job<W> {
         let run = move || {
             if !reporter.progress.cancel.load(Ordering::Relaxed) {
                 let answer = in_language(language, || work.run(&reporter));
-                // The receiver may be gone; dropping the answer is fine.
+                // The receiver may be gone; then the answer is dropped.
                 let _ = reporter.over.send(answer);
             }
         };
@@ -231,13 +232,13 @@ impl<W: Work> Job<W> {
         job
     }
 
-    /// How far it is, from 0 to 1.
+    /// Returns the share of the work done, from 0 to 1.
     #[expect(clippy::cast_precision_loss, reason = "a share for the eye")]
     pub fn share(&self) -> f32 {
         self.progress.share.load(Ordering::Relaxed) as f32 / 1000.0
     }
 
-    /// Asks it to end soon with what it has.
+    /// Asks the job to end soon with its results so far.
     pub fn cancel(&self) {
         self.progress.cancel.store(true, Ordering::Relaxed);
         #[cfg(target_arch = "wasm32")]
@@ -248,7 +249,7 @@ impl<W: Work> Job<W> {
         self.progress.cancel.load(Ordering::Relaxed)
     }
 
-    /// The latest that has come since the last call.
+    /// Returns the latest news since the last call.
     pub fn news(&self) -> Option<News<W::Answer>> {
         match self.over.try_recv() {
             Ok(over) => Some(News::Over(over)),
@@ -259,9 +260,9 @@ impl<W: Work> Job<W> {
         }
     }
 
-    /// Waits until it is over. A page cannot wait: there what has not begun never will.
+    /// Waits until the job is over. A page cannot wait: there work that has not begun never will.
     pub fn wait(self) {
-        // What comes of it does not matter here, nor whether it panics.
+        // Neither its result nor a panic matters here.
         #[cfg(not(target_arch = "wasm32"))]
         let _ = self.over.recv();
     }
@@ -289,11 +290,11 @@ impl<W: Work> Debug for Job<W> {
     }
 }
 
-/// The answer that is known, and the work on the next one.
+/// The latest answer, and the work on the next one.
 pub struct Background<W: Work> {
     known: Option<Answered<W>>,
     job: Option<Job<W>>,
-    /// Whether the work that the answer is of was cancelled.
+    /// True if the work of the answer was cancelled.
     stopped: bool,
 }
 
@@ -317,8 +318,8 @@ impl<W: Work> Debug for Background<W> {
 }
 
 impl<W: Work> Background<W> {
-    /// Answers `work` in the background unless that is the `same` as what is known; the work under way is done first. Returns
-    /// whether something new has come.
+    /// Answers `work` in the background unless it is the `same` as that of the latest answer; current work is
+    /// finished first. Returns whether there is something new.
     pub fn ask(
         &mut self,
         wake: impl Fn(Duration) + Send + Sync + 'static,
@@ -332,12 +333,12 @@ impl<W: Work> Background<W> {
         new
     }
 
-    /// Begins `work` in place of whatever is under way.
+    /// Starts `work` in place of any current work.
     pub fn start(&mut self, work: W, wake: impl Fn(Duration) + Send + Sync + 'static) {
         self.job = Some(Job::start(work, wake));
     }
 
-    /// Takes what has come; returns whether that is anything.
+    /// Takes any news; returns whether there was any.
     pub fn take(&mut self) -> bool {
         let Some((work, cancelled, news)) = self
             .job
@@ -357,38 +358,38 @@ impl<W: Work> Background<W> {
         true
     }
 
-    /// Cancels the work under way and forgets the answer, where these are not of the question wanted.
+    /// Cancels the current work and forgets the answer, unless they belong to the wanted question.
     pub fn keep_only(&mut self, same: impl Fn(&W) -> bool) {
         self.known.take_if(|(known, _)| !same(known));
         self.job.take_if(|job| !same(&job.work));
     }
 
-    /// The answer last known, or why there is none.
+    /// Returns the latest answer, or the reason why there is none.
     pub fn known(&self) -> Option<&Result<W::Answer, String>> {
         self.known.as_ref().map(|(_, answer)| answer)
     }
 
-    /// The answer last known.
+    /// Returns the latest answer.
     pub fn answer(&self) -> Option<&W::Answer> {
         self.known()?.as_ref().ok()
     }
 
-    /// What that is the answer to.
+    /// Returns the work that it answers.
     pub fn answered(&self) -> Option<&W> {
         self.known.as_ref().map(|(work, _)| &**work)
     }
 
-    /// How far the work is, from 0 to 1, while it runs.
+    /// Returns the share of the work done, from 0 to 1, while it runs.
     pub fn progress(&self) -> Option<f32> {
         self.job.as_ref().map(Job::share)
     }
 
-    /// Ends the work soon; what it has found by then is its answer.
+    /// Ends the work soon; its results so far are its answer.
     pub fn stop(&self) {
         self.job.iter().for_each(Job::cancel);
     }
 
-    /// Whether the answer is that of work that was stopped.
+    /// Returns whether the answer is that of stopped work.
     pub fn stopped(&self) -> bool {
         self.stopped && self.job.is_none()
     }
@@ -411,7 +412,7 @@ pub struct Request<Q> {
 }
 
 impl<Q: PartialEq> Request<Q> {
-    /// Of a scene whose picture is to be of `size` pixels.
+    /// Creates a request about a scene with a picture of `size` pixels.
     pub fn new(question: Q, scene: &Scene, model: Option<&Arc<Mesh>>, size: [u32; 2]) -> Self {
         Self {
             question,
@@ -421,7 +422,7 @@ impl<Q: PartialEq> Request<Q> {
         }
     }
 
-    /// Whether this is what [`Self::new`] would make.
+    /// Returns whether this is what [`Self::new`] would make.
     pub fn is(
         &self,
         question: &Q,
@@ -435,7 +436,7 @@ impl<Q: PartialEq> Request<Q> {
             && self.scene == *scene
     }
 
-    /// The scene, its picture of the size asked for, with the model.
+    /// Returns the subject: the scene with the requested picture size, and the model.
     pub fn subject(&self) -> Subject {
         let mut scene = self.scene.clone();
         scene.image.size = self.size;
@@ -447,7 +448,7 @@ impl<Q: PartialEq> Request<Q> {
     }
 }
 
-/// A model travels with the question.
+/// Serializes a model, which is sent with the question.
 pub(crate) fn model_to_bytes<S: Serializer>(
     model: &Option<Arc<Mesh>>,
     into: S,

@@ -1,7 +1,7 @@
 //! Pictures as PNG, with the scene that they show inside.
 //!
-//! A finished [`Frame`] goes out as 8 bits a channel with its scene as the text of a scene file in an iTXt chunk, so that
-//! the picture can be opened in place of the scene. Only the chunk is read back, never the pixels.
+//! A finished [`Frame`] is written with 8 bits per channel and its scene as the text of a scene file in an iTXt
+//! chunk, so that the picture can be opened in place of the scene. Only the chunk is read back, never the pixels.
 
 use crate::render::Frame;
 use crate::scene::{Encoding, Scene};
@@ -15,7 +15,7 @@ pub const SCENE_KEYWORD: &str = "shading-lab:scene";
 /// Memory granted to everything in a PNG file besides its pixels, in bytes.
 const ANCILLARY_LIMIT: usize = 64 << 20;
 
-/// Why a picture could not be read or written.
+/// The reason why a picture could not be read or written.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum PictureError {
@@ -28,9 +28,9 @@ pub enum PictureError {
     /// A text chunk does not hold text, or too many bytes of it.
     #[error("{}", text!("png-unreadable-text", error = cause(.error), limit = .most >> 20))]
     UnreadableText {
-        /// What is wrong with it.
+        /// The decoder's error.
         error: png::DecodingError,
-        /// In bytes.
+        /// Maximum size in bytes.
         most: usize,
     },
     /// The picture could not be written.
@@ -38,7 +38,7 @@ pub enum PictureError {
     Unwritten(#[from] png::EncodingError),
 }
 
-/// Returns what is wrong with a PNG: the decoder's own words name its types.
+/// Returns the cause of a PNG error without the decoder's own words, which name its types.
 fn cause(error: &png::DecodingError) -> String {
     use png::DecodingError::{Format, IoError, LimitsExceeded, Parameter};
     match error {
@@ -51,7 +51,7 @@ fn cause(error: &png::DecodingError) -> String {
     }
 }
 
-/// A text to go into a picture, by its keyword.
+/// A text to embed in a picture, with its keyword.
 pub type PictureText<'t> = (&'t str, &'t str);
 
 /// Writes `frame` as a PNG that holds `scene`, if it shows one, and other `texts`, compressed: three channels where every pixel is
@@ -107,7 +107,7 @@ pub fn write_png(
     Ok(())
 }
 
-/// The head of a picture of three channels or four.
+/// Writes the header of a picture of three or four channels.
 fn encoder<'w>(
     out: &'w mut dyn Write,
     [width, height]: [u32; 2],
@@ -134,14 +134,14 @@ fn encoder<'w>(
     Ok(encoder)
 }
 
-/// An animated PNG, written frame by frame: what a program that knows of no animation shows is the first one.
+/// An animated PNG, written frame by frame. A program without support for animation shows the first frame.
 pub struct Apng<'w> {
     writer: png::Writer<&'w mut dyn Write>,
     size: [u32; 2],
 }
 
 impl<'w> Apng<'w> {
-    /// Of so many frames, for ever repeated, with a scene inside.
+    /// Creates an animation with that number of frames, repeated forever, with a scene inside.
     ///
     /// # Errors
     /// [`PictureError::Unwritten`], when `out` refuses or there are no pixels or no frames.
@@ -158,7 +158,7 @@ impl<'w> Apng<'w> {
         Ok(Self { writer, size })
     }
 
-    /// Writes the next frame, which stands for so many milliseconds.
+    /// Writes the next frame with its duration in milliseconds.
     ///
     /// # Errors
     /// [`PictureError::Unwritten`], also for a frame of another size, or one too many.
@@ -170,6 +170,8 @@ impl<'w> Apng<'w> {
         Ok(self.writer.write_image_data(&bytes)?)
     }
 
+    /// Completes the file.
+    ///
     /// # Errors
     /// [`PictureError::Unwritten`], also where frames are missing.
     pub fn finish(self) -> Result<(), PictureError> {
@@ -177,7 +179,7 @@ impl<'w> Apng<'w> {
     }
 }
 
-/// The text of the scene in a PNG.
+/// Reads the text of the scene in a PNG.
 ///
 /// # Errors
 /// Not a PNG, no scene inside, or a text that is too long.
@@ -186,7 +188,7 @@ pub fn read_scene_text(png: impl BufRead + Seek) -> Result<String, PictureError>
     scene.ok_or(PictureError::NoScene)
 }
 
-/// Texts in a PNG by their keywords, each with the most bytes that it may have.
+/// Reads texts in a PNG by their keywords, each with its maximum size in bytes.
 ///
 /// # Errors
 /// Not a PNG, or a text that is too long.
@@ -350,7 +352,7 @@ mod tests {
     #[test]
     fn no_damage_takes_the_reader_down() {
         let sound = written(&checkered(255), &Scene::default());
-        // Where it notices, it says so in words.
+        // If it detects the damage, it reports it in words.
         let read = |bytes: &[u8]| {
             if let Err(error) = read_scene_text(Cursor::new(bytes)) {
                 let words = error.to_string();

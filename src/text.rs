@@ -1,5 +1,5 @@
-//! The text that people read, from one catalogue in two languages: `assets/text/LANGUAGE/*.ftl`, in the syntax of Project
-//! Fluent. What programs read (JSON, CSV keys, scene files) is not text and never changes with the language.
+//! Text for people, from one catalogue in two languages: `assets/text/LANGUAGE/*.ftl`, in the syntax of Project
+//! Fluent. Data for programs (JSON, CSV keys, scene files) is not text and never changes with the language.
 
 mod foreign;
 mod number;
@@ -13,8 +13,8 @@ use std::sync::atomic::{AtomicU8, Ordering};
 use std::sync::{LazyLock, PoisonError, RwLock};
 use unic_langid::LanguageIdentifier;
 
-/// A message of the catalogue: `text!("key")` is a `&'static str`, `text!("key", name = value)` a `String` with the
-/// variables filled in (strings or numbers). An attribute is written `key.attribute`.
+/// Returns a message of the catalogue: `text!("key")` is a `&'static str`, `text!("key", name = value)` a `String`
+/// with the variables filled in (strings or numbers). An attribute is written `key.attribute`.
 #[macro_export]
 macro_rules! text {
     ($key:expr) => {
@@ -43,27 +43,28 @@ pub enum Language {
 }
 
 impl Language {
-    /// Every language, English first.
+    /// All languages, English first.
     pub const ALL: [Self; 2] = [Self::English, Self::TraditionalChinese];
 
-    /// Its tag by BCP 47, as `--language` takes it.
+    /// Returns its BCP 47 tag, the value of `--language`.
     pub fn tag(self) -> &'static str {
         ["en", "zh-Hant"][self as usize]
     }
 
-    /// The language of a tag as [`Self::tag`] has it, in any case.
+    /// Returns the language of a tag of [`Self::tag`], in any case.
     pub fn from_tag(tag: &str) -> Option<Self> {
         Self::ALL
             .into_iter()
             .find(|language| language.tag().eq_ignore_ascii_case(tag))
     }
 
-    /// Its own name for itself.
+    /// Returns its name in that language.
     pub fn name(self) -> &'static str {
         ["English", "繁體中文"][self as usize]
     }
 
-    /// The language for a locale such as `zh_TW.UTF-8` or `en-GB`: Chinese for any Chinese, English for anything else.
+    /// Returns the language for a locale such as `zh_TW.UTF-8` or `en-GB`: Chinese for any Chinese, English for
+    /// anything else.
     pub fn from_locale(locale: &str) -> Self {
         let language = locale.split(['-', '_', '.']).next().unwrap_or_default();
         if language.eq_ignore_ascii_case("zh") {
@@ -73,7 +74,7 @@ impl Language {
         }
     }
 
-    /// The language of the system's locale.
+    /// Returns the language of the system's locale.
     pub fn of_system() -> Self {
         sys_locale::get_locale().map_or(Self::English, |locale| Self::from_locale(&locale))
     }
@@ -86,21 +87,21 @@ thread_local! {
     static OVERRIDE: Cell<Option<Language>> = const { Cell::new(None) };
 }
 
-/// The language that text is in at present.
+/// Returns the current language.
 pub fn language() -> Language {
     OVERRIDE
         .get()
         .unwrap_or(Language::ALL[usize::from(CHOSEN.load(Ordering::Relaxed))])
 }
 
-/// Chooses the language of the process, and of this thread whatever another one chooses later: so that each of several windows
-/// keeps its own.
+/// Sets the language of the process, and that of this thread independently of later choices of other threads, so that
+/// each of several windows keeps its own.
 pub fn set_language(language: Language) {
     CHOSEN.store(language as u8, Ordering::Relaxed);
     OVERRIDE.set(Some(language));
 }
 
-/// Runs `work` with this thread's text in `language`, as what programs read is written in English.
+/// Runs `work` with this thread's text in `language`; data for programs is written in English in this way.
 pub fn in_language<T>(language: Language, work: impl FnOnce() -> T) -> T {
     struct Restore(Option<Language>);
     impl Drop for Restore {
@@ -112,18 +113,18 @@ pub fn in_language<T>(language: Language, work: impl FnOnce() -> T) -> T {
     work()
 }
 
-/// A message without variables that is put into words where it is shown.
+/// A message without variables, put into words where it is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Message(pub &'static str);
 
 impl Message {
-    /// What the message says in the language of the moment.
+    /// Returns the message in the current language.
     pub fn text(self) -> &'static str {
         message(self.0)
     }
 }
 
-/// For people its text, for programs of its own kind its key.
+/// Serializes the text for people, and the key for programs of this kind.
 impl Serialize for Message {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let readable = serializer.is_human_readable();
@@ -137,7 +138,7 @@ impl<'de> Deserialize<'de> for Message {
     }
 }
 
-/// The one copy of a key that came from elsewhere.
+/// Returns the one copy of a key that came from elsewhere.
 pub fn interned(key: &str) -> &'static str {
     static KEYS: RwLock<BTreeSet<&'static str>> = RwLock::new(BTreeSet::new());
     let mut keys = KEYS.write().unwrap_or_else(PoisonError::into_inner);
@@ -151,7 +152,7 @@ pub fn interned(key: &str) -> &'static str {
 
 macro_rules! files {
     ($($(#[$where:meta])* $name:literal)*) => {
-        /// The catalogue's files, by language: name and content.
+        /// Files of the catalogue by language: name and content.
         pub const FILES: [&[(&str, &str)]; 2] = [
             &[$($(#[$where])* ($name, include_str!(concat!("../assets/text/en/", $name, ".ftl")))),*],
             &[$($(#[$where])* ($name, include_str!(concat!("../assets/text/zh-Hant/", $name, ".ftl")))),*],
@@ -165,14 +166,14 @@ files! {
     #[cfg(not(target_arch = "wasm32"))] "cli"
 }
 
-/// The fonts of all text but Chinese, by name.
+/// Fonts of all text except Chinese, by name.
 #[cfg(not(target_arch = "wasm32"))]
 pub const FONTS: [(&str, &[u8]); 2] = [
     ("Ubuntu-Light", epaint_default_fonts::UBUNTU_LIGHT),
     ("Hack", epaint_default_fonts::HACK_REGULAR),
 ];
 
-/// The fonts of all text but Chinese, by name, cut down by `.ci/font`: the browser draws other letters.
+/// Fonts of all text except Chinese, by name, reduced by `.ci/font`: the browser draws other letters.
 #[cfg(target_arch = "wasm32")]
 pub const FONTS: [(&str, &[u8]); 2] = [
     (
@@ -185,8 +186,8 @@ pub const FONTS: [(&str, &[u8]); 2] = [
     ),
 ];
 
-/// A font with the Chinese characters of the catalogue: Noto Sans CJK TC, cut down by `.ci/font`. A web page fetches it when
-/// that language is chosen; until then it is empty.
+/// Returns a font with the Chinese characters of the catalogue: Noto Sans CJK TC, reduced by `.ci/font`. A web page
+/// fetches it when that language is chosen; until then it is empty.
 #[cfg(not(target_arch = "wasm32"))]
 pub fn chinese_font() -> &'static [u8] {
     include_bytes!("../assets/fonts/NotoSansTC-subset.otf")
@@ -201,12 +202,12 @@ mod page_font {
 
     static FONT: OnceLock<Vec<u8>> = OnceLock::new();
 
-    /// The font, empty until it has been fetched.
+    /// Returns the font, empty until it has been fetched.
     pub fn chinese_font() -> &'static [u8] {
         FONT.get().map_or(&[], Vec::as_slice)
     }
 
-    /// Takes the font that was fetched, the first time.
+    /// Sets the fetched font, the first time only.
     pub fn set_chinese_font(font: Vec<u8>) {
         let _ = FONT.set(font);
     }
@@ -214,7 +215,7 @@ mod page_font {
 
 struct Catalogue {
     bundle: FluentBundle<FluentResource>,
-    /// Messages without variables that have been asked for.
+    /// Messages without variables that have been requested.
     known: RwLock<HashMap<String, &'static str>>,
 }
 
@@ -227,10 +228,10 @@ impl Catalogue {
     fn read(language: Language) -> Self {
         let locale: LanguageIdentifier = language.tag().parse().unwrap_or_default();
         let mut bundle = FluentBundle::new_concurrent(vec![locale]);
-        // Marks around variables for text of mixed directions; both languages run from left to right.
+        // Isolation marks are for text of mixed directions; both languages run from left to right.
         bundle.set_use_isolating(false);
         for (_, file) in FILES[language as usize] {
-            // A message with an error is left out, and so is the second of two with one key; a test finds both.
+            // A message with an error is omitted, and so is the second of two with one key; a test finds both.
             let resource = FluentResource::try_new((*file).to_owned());
             let _ = bundle.add_resource(resource.unwrap_or_else(|(resource, _)| resource));
         }
@@ -259,12 +260,12 @@ fn catalogue() -> &'static Catalogue {
     &CATALOGUES[language() as usize]
 }
 
-/// Whether the catalogue has a message.
+/// Returns whether the catalogue has a message.
 pub fn has(key: &str) -> bool {
     catalogue().fill(key, None).is_some()
 }
 
-/// A message without variables; its key where there is none, which a test finds.
+/// Returns a message without variables; its key if there is none, which a test finds.
 pub fn message(key: &str) -> &'static str {
     let catalogue = catalogue();
     let known = catalogue
@@ -284,7 +285,7 @@ pub fn message(key: &str) -> &'static str {
     known.entry(key.to_owned()).or_insert(text)
 }
 
-/// A message with its variables filled in.
+/// Returns a message with its variables filled in.
 pub fn filled(key: &str, values: &[(&'static str, Value<'_>)]) -> String {
     let mut variables = FluentArgs::with_capacity(values.len());
     for (name, value) in values {

@@ -1,8 +1,8 @@
 //! The time of a frame.
 //!
-//! Every figure is the median over the frames asked for, after frames that are not counted: of everything drawn anew,
-//! with its stages, and of frames in which a single thing changed since the frame before. Of a scene that compares panes all that
-//! it shows are drawn.
+//! Every figure is the median over the requested frames, after frames that are not counted: of a frame drawn from
+//! scratch, with its stages, and of frames in which a single thing changed since the previous frame. Of a scene that
+//! compares panes all visible ones are drawn.
 
 mod growth;
 
@@ -23,29 +23,29 @@ use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::{Map, Value, json};
 use std::cell::Cell;
 
-/// Frames that warm caches and buffers up before any is counted.
+/// Number of uncounted frames that first warm up caches and buffers.
 pub const WARM_UP: u32 = 2;
 
-/// The time of a frame.
+/// The question for the time of a frame.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct BenchQuestion {
-    /// Frames for each figure.
+    /// Number of frames for each figure.
     pub frames: u32,
-    /// Whether to measure also how the time grows with the pixels and with the triangles.
+    /// True to measure also how the time grows with the pixels and with the triangles.
     pub growth: bool,
-    /// The machine's best if none.
+    /// SIMD level; without one, the machine's best.
     pub simd: Option<SimdLevel>,
 }
 
-/// Medians in milliseconds.
+/// Median times in milliseconds.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Bench {
     full: f64,
     stages: Vec<(Stage, f64)>,
-    /// None where the scene has nothing of the kind to change.
+    /// Times of the changes; none where the scene has nothing of the kind to change.
     #[serde(deserialize_with = "changes")]
     changes: Vec<(&'static str, Option<Changed>)>,
-    /// Of a frame drawn anew; of a scene that compares panes the first one's.
+    /// Figures of a frame drawn from scratch; of a scene that compares panes those of the first.
     drawn: Drawn,
     memory: Memory,
     growth: Option<Growth>,
@@ -62,11 +62,11 @@ fn changes<'de, D: Deserializer<'de>>(
     Ok(changes.into_iter().map(named).collect())
 }
 
-/// What a change costs.
+/// Cost of a change.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 struct Changed {
     whole: f64,
-    /// While something is dragged: by what the sides of the picture are divided, and what that takes.
+    /// While the user drags something: the divisor of the picture's sides, and the time.
     dragged: (u32, f64),
 }
 
@@ -114,8 +114,8 @@ impl BenchQuestion {
     }
 }
 
-/// Changes a scene by a number from 1; consecutive numbers up to 8 give different scenes. None where the scene has nothing of
-/// the kind to change.
+/// A change of a scene by a number from 1; consecutive numbers up to 8 give different scenes. It returns none where
+/// the scene has nothing of the kind to change.
 pub type Change = fn(&mut Scene, f64) -> Option<()>;
 
 /// The small changes whose frames are timed.
@@ -149,7 +149,7 @@ pub const CHANGES: [(&str, Change); 5] = [
         Some(())
     }),
     ("tessellation", |scene, step| {
-        // The teapot and the cube are cut anew at every fourth segment only.
+        // The teapot and the cube are tessellated differently at every fourth segment only.
         let (object, more) = (&mut scene.object, 4 * step as u32);
         let finer = object.segments + more;
         object.segments = if finer <= Object::MAX_DIVISIONS {
@@ -161,7 +161,7 @@ pub const CHANGES: [(&str, Change); 5] = [
     }),
 ];
 
-/// What a change is of, in words.
+/// Describes the subject of a change.
 pub fn change_name(name: &str) -> &'static str {
     match name {
         "light" => text!("engine-change-light"),
@@ -172,14 +172,14 @@ pub fn change_name(name: &str) -> &'static str {
     }
 }
 
-/// The scene with a change of a number.
+/// Returns the scene with a change of a number.
 pub fn changed(scene: &Scene, change: Change, number: u32) -> Option<Scene> {
     let mut scene = scene.clone();
     change(&mut scene, number.into())?;
     Some(scene)
 }
 
-/// The panes that a scene shows, a renderer each.
+/// The panes that a scene shows, with one renderer each.
 struct Panes {
     renderers: Vec<Renderer>,
     clock: fn() -> u64,
@@ -199,7 +199,7 @@ impl Panes {
         }
     }
 
-    /// Draws all panes, their sides divided by `coarser`, and says how long that took.
+    /// Draws all panes, their sides divided by `coarser`, and returns the time taken.
     fn draw(&mut self, scene: &Scene, coarser: u32) -> u64 {
         let mut time = 0;
         for ((index, size), renderer) in panes_on_sheet(scene).into_iter().zip(&mut self.renderers)
@@ -213,7 +213,7 @@ impl Panes {
         time
     }
 
-    /// The first one's figures.
+    /// Returns the figures of the first pane.
     fn figures(&self) -> (Drawn, Memory) {
         self.renderers
             .first()
@@ -221,7 +221,7 @@ impl Panes {
             .unwrap_or_default()
     }
 
-    /// The median time of a frame in which only `change` differs from the frame before, milliseconds.
+    /// Measures the median time of a frame in which only `change` differs from the previous frame, milliseconds.
     fn measure_change(
         &mut self,
         scene: &Scene,
@@ -268,7 +268,7 @@ fn measure(
     let changes = CHANGES.map(|(name, change)| {
         let whole = panes.measure_change(scene, change, 1, frames, count);
         let (changed, held) = panes.figures();
-        // Of another tessellation the bytes would be divided by this one's triangles.
+        // With another tessellation the bytes would be divided by this one's triangles.
         if changed.triangles == drawn.triangles && held.total() > memory.total() {
             memory = held;
         }
@@ -293,10 +293,10 @@ fn measure(
     }
 }
 
-/// What the window does while something is dragged that takes `whole` milliseconds.
+/// Measures the window's resolution and time while the user drags something that takes `whole` milliseconds.
 fn dragged(subject: &Subject, level: Level, change: Change, whole: f64, frames: u32) -> (u32, f64) {
     let (mut coarser, mut ms) = (1, whole);
-    // Not every stage shrinks with the picture: what is still too slow is drawn coarser.
+    // Not every stage scales with the picture: a frame that is still too slow is drawn coarser.
     loop {
         let next = coarseness((ms * 1e6) as u64 * u64::from(coarser * coarser));
         if next <= coarser {
@@ -328,7 +328,7 @@ impl StageTimes {
         }
     }
 
-    /// In milliseconds.
+    /// Returns the medians in milliseconds.
     pub fn medians(self) -> Vec<(Stage, f64)> {
         self.0
             .into_iter()
@@ -337,13 +337,13 @@ impl StageTimes {
     }
 }
 
-/// The median of nanoseconds, in milliseconds; of an even number the mean of the middle two.
+/// Returns the median of nanoseconds, in milliseconds; of an even number the mean of the middle two.
 pub fn median_ms(times: &mut [u64]) -> f64 {
     median_and_spread(times).0
 }
 
 impl Bench {
-    /// Bytes a vertex, a triangle and a pixel; none where there are no such.
+    /// Returns the bytes per vertex, per triangle and per pixel; none where there are none of these.
     #[expect(clippy::cast_precision_loss, reason = "far fewer bytes than 2⁵³")]
     fn bytes_each(&self, [width, height]: [u32; 2]) -> [Option<f64>; 3] {
         let Self { memory, drawn, .. } = self;

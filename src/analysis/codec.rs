@@ -1,19 +1,19 @@
-//! Questions and answers as bytes, for a worker of a web page; infinities and what is no number travel too.
+//! Serialization of questions and answers for a worker of a web page; infinities and NaN are preserved.
 
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-/// How a value becomes bytes, and bytes that value again.
+/// Conversion of a value to bytes and back.
 #[derive(Debug)]
 pub struct Codec<T> {
-    /// The value as bytes.
+    /// Serializes the value.
     pub to_bytes: fn(&T) -> Vec<u8>,
-    /// Nothing where the bytes are no such value.
+    /// Deserializes the value; none where the bytes are not valid.
     pub from_bytes: fn(&[u8]) -> Option<T>,
 }
 
 impl<T: Serialize + DeserializeOwned> Codec<T> {
-    /// The value as it is serialised for programs of its own kind.
+    /// Returns the codec that uses the value's own serialization for programs of its kind.
     pub const fn plain() -> Self {
         Self {
             to_bytes: to_bytes::<T>,
@@ -30,12 +30,12 @@ impl<T> Clone for Codec<T> {
 
 impl<T> Copy for Codec<T> {}
 
-/// A value as bytes; none at all where it cannot be told.
+/// Serializes a value; empty if that is impossible.
 pub fn to_bytes<T: Serialize>(value: &T) -> Vec<u8> {
     postcard::to_stdvec(value).unwrap_or_default()
 }
 
-/// The value that [`to_bytes`] made these bytes of; none where they are no such value.
+/// Deserializes bytes that [`to_bytes`] made; none where they are not valid.
 pub fn from_bytes<T: DeserializeOwned>(bytes: &[u8]) -> Option<T> {
     postcard::from_bytes(bytes).ok()
 }

@@ -1,4 +1,4 @@
-//! Two pictures of one scene against each other, and what stands out in one.
+//! Comparison of two pictures of one scene, and the brightest pixel of one.
 
 mod sheet;
 
@@ -17,17 +17,18 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
-/// Pixels in a share of the work.
+/// Number of pixels per task.
 const CHUNK: usize = 1 << 14;
 
-/// A picture before the display: linear red, green, blue and the part of each pixel that shows the object, row by row.
+/// A picture before the display: linear red, green, blue and the share of each pixel that shows the object, row by
+/// row.
 #[derive(Clone, Copy, Debug)]
 pub struct LinearPicture<'a> {
-    /// Pixels in a row.
+    /// Width in pixels.
     pub width: u32,
-    /// `[red, green, blue, part]`, row by row from the top.
+    /// `[red, green, blue, share]`, row by row from the top.
     pub pixels: &'a [[f32; 4]],
-    /// Whether the display clamps at 1: differences above are then not seen, and not counted.
+    /// True if the display clamps at 1: differences above are then invisible and not counted.
     pub clamps: bool,
 }
 
@@ -45,7 +46,7 @@ impl LinearPicture<'_> {
         self.pixels[index][3] != 0.0
     }
 
-    /// |d| of each channel of a pixel.
+    /// Returns |d| of each channel of a pixel.
     fn differences(&self, reference: &Self, index: usize) -> [f64; 3] {
         let (a, b) = (self.color(index), reference.color(index));
         std::array::from_fn(|channel| (a[channel] - b[channel]).abs())
@@ -61,36 +62,36 @@ impl LinearPicture<'_> {
     }
 }
 
-/// How far one picture is from another, in linear intensity (1 is white; 1/255 is a code value of the raw encoding), over
-/// the pixels that show the object in either.
+/// Difference of one picture from another, in linear intensity (1 is white; 1/255 is a code value of the raw
+/// encoding), over the pixels that show the object in either.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ErrorFigures {
-    /// Pixels compared.
+    /// Number of pixels compared.
     pub pixels: u64,
     /// Mean of |d| over pixels and channels.
     pub mean: f64,
     /// Root of the mean of d².
     pub rms: f64,
-    /// Greatest |d| of any channel.
+    /// Maximum |d| of any channel.
     pub greatest: f64,
-    /// The first pixel that has it; nothing where nothing differs.
+    /// The first pixel with that maximum; none where nothing differs.
     pub at: Option<[u32; 2]>,
-    /// Where that pixel is.
+    /// Region of that pixel.
     pub region: Option<ErrorRegion>,
 }
 
-/// A part of the pixels that show an object in two pictures.
+/// A region of the pixels that show an object in two pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum ErrorRegion {
     /// Both show the object.
     Inside,
-    /// One of them shows it, the other what is beside it.
+    /// One of them shows it, the other something else.
     Outline,
 }
 
 impl ErrorRegion {
-    /// Its name in the language of the moment.
+    /// Returns its name in the current language.
     pub fn name(self) -> &'static str {
         match self {
             Self::Inside => text!("picture-region-inside"),
@@ -99,14 +100,14 @@ impl ErrorRegion {
     }
 }
 
-/// The error of `picture` against `reference`, which is as large.
+/// Computes the error of `picture` against `reference` of the same size.
 pub fn error_figures(picture: LinearPicture<'_>, reference: LinearPicture<'_>) -> ErrorFigures {
     error_figures_where(picture, reference, |index| {
         picture.shows(index) || reference.shows(index)
     })
 }
 
-/// The same over the pixels that `counts`.
+/// Computes the error over the pixels accepted by `counts`.
 fn error_figures_where(
     picture: LinearPicture<'_>,
     reference: LinearPicture<'_>,
@@ -117,7 +118,7 @@ fn error_figures_where(
         true => ErrorRegion::Inside,
         false => ErrorRegion::Outline,
     };
-    // Of a part the sums in place of the means.
+    // For a part, sums in place of the means.
     let part = |chunk: usize| {
         let mut part = ErrorFigures::default();
         for index in (chunk * CHUNK..count.min((chunk + 1) * CHUNK)).filter(|index| counts(*index))
@@ -138,7 +139,7 @@ fn error_figures_where(
         .into_par_iter()
         .map(part)
         .collect();
-    // Added up in the picture's order, so that the number of threads does not matter.
+    // Added in the picture's order, so that the number of threads does not matter.
     let mut total = ErrorFigures::default();
     for part in parts {
         total.pixels += part.pixels;
@@ -160,21 +161,22 @@ fn error_figures_where(
     }
 }
 
-/// How far a picture is from another, apart where both show the object and where one alone does. Linear intensity.
+/// Difference of a picture from another, separately where both show the object and where only one does. Linear
+/// intensity.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RegionErrors {
-    /// Over the pixels inside.
+    /// Error over the pixels inside.
     pub interior: ErrorFigures,
-    /// What 99 % of the pixels inside do not exceed, by the greatest |d| of their channels (nearest rank).
+    /// 99th percentile of the errors inside, by the maximum |d| of a pixel's channels (nearest rank).
     pub percentile_99: f64,
-    /// Pixels that show the object in one of the pictures only.
+    /// Number of pixels that show the object in one of the pictures only.
     pub outline_pixels: u64,
-    /// Root of the mean of d² over them.
+    /// Root of the mean of d² over those pixels.
     pub outline_rms: f64,
 }
 
-/// The errors of `picture` against `reference`, which is as large. What is inside is what `inside` says, as far as both show
-/// the object there.
+/// Computes the errors of `picture` against `reference` of the same size. A pixel is inside if `inside` says so and
+/// both show the object there.
 pub fn region_errors(
     picture: LinearPicture<'_>,
     reference: LinearPicture<'_>,
@@ -224,7 +226,7 @@ pub struct Brightest {
     pub at: [u32; 2],
 }
 
-/// The brightest pixel that shows the object, the first of equal ones.
+/// Finds the brightest pixel that shows the object, the first of equal ones.
 pub fn brightest(picture: LinearPicture<'_>) -> Option<Brightest> {
     let seen = picture
         .pixels
@@ -250,25 +252,25 @@ pub fn brightest(picture: LinearPicture<'_>) -> Option<Brightest> {
         })
 }
 
-/// What a caption says of a pane.
+/// The figures in a pane's caption.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PaneFigures {
-    /// Its number, from 0.
+    /// Index of the pane.
     #[serde(skip)]
     pub pane: usize,
-    /// What the pane is called.
+    /// Name of the pane.
     pub name: String,
     /// The brightest pixel; none where no pixel shows the object.
     pub brightest: Option<Brightest>,
-    /// Against the reference, which has none.
+    /// Error against the reference; none for the reference itself.
     pub error: Option<ErrorFigures>,
 }
 
-/// How far the scene's panes are from the reference among them. Which panes there are is part of the scene.
+/// The question for the difference of the scene's panes from the reference among them. The scene defines its panes.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct ComparisonQuestion;
 
-/// The figures, a pane each.
+/// The figures of each pane.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Comparison(pub Vec<PaneFigures>);
 
@@ -302,7 +304,7 @@ impl Question for ComparisonQuestion {
 }
 
 impl Comparison {
-    /// The panes with their names in the present language.
+    /// Returns the panes with their names in the current language.
     fn named(&self, scene: &Scene) -> Vec<PaneFigures> {
         let mut panes = self.0.clone();
         for pane in panes.iter_mut().filter(|one| one.pane < scene.pane_count()) {

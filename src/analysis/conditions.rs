@@ -1,13 +1,14 @@
-//! When flat shading is exact: the three conditions of Foley, van Dam, Feiner and Hughes (1990, section 16.2.1), and by how
-//! much a scene fails each.
+//! Conditions under which flat shading is exact: the three of Foley, van Dam, Feiner and Hughes (1990, section
+//! 16.2.1), and by how much a scene violates each.
 //!
-//! One intensity a polygon is right where nothing in the equation varies across the polygon:
+//! One intensity per polygon is correct where nothing in the equation varies across the polygon:
 //!
 //! 1. the light is at infinity, so that L and with it N·L are constant;
 //! 2. the viewer is at infinity, so that V and with it N·V are constant;
-//! 3. the polygon is the surface itself and stands for no curved one, so that N is constant.
+//! 3. the polygon is the surface itself and does not approximate a curved one, so that N is constant.
 //!
-//! They assume besides that the equation takes nothing else that varies; [`Assumption`] lists what a scene can have that does.
+//! They also assume that nothing else in the equation varies; [`Assumption`] lists the properties of a scene that
+//! can.
 
 use super::report::{About, Answer, Column, Report, Table, cells, grouped};
 use super::{ErrorFigures, LinearPicture, Question, Subject, Watch, error_figures, region_errors};
@@ -24,19 +25,19 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use std::sync::Arc;
 
-/// Angles below this are what rounding corners and normals to single precision leaves, degrees.
+/// Largest angle that rounding corners and normals to single precision produces, degrees.
 const ROUNDING: f64 = 0.01;
 
-/// How a unit vector varies across a polygon, at most.
+/// Maximum variation of a unit vector across a polygon.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Variation {
-    /// Of the polygon across which it turns most: by how much, degrees.
+    /// Angle by which it turns across the polygon where it turns most, degrees.
     pub degrees: f64,
-    /// The greatest change of its cosine with N across any polygon.
+    /// Maximum change of its cosine with N across any polygon.
     pub cosine: f64,
 }
 
-/// What the three conditions assume, and a scene does not keep: flat shading is then not exact, even where they hold.
+/// An assumption of the three conditions that a scene violates: flat shading is then not exact even where they hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
@@ -47,41 +48,41 @@ pub enum Assumption {
     ViewerDistance,
     /// f is constant; it falls with the distance to a light.
     LightDistance,
-    /// A light is as bright in all directions; a spot light is not.
+    /// A light is equally bright in all directions; a spot light is not.
     Spot,
     /// A light reaches all of a polygon; a shadow can fall on part of it.
     Shadows,
     /// The intensity does not fade; flat shading fades it by one depth a polygon.
     DepthCueing,
-    /// N is the polygon's own; at the vertices, where the equation is evaluated, it is another.
+    /// N is the polygon's own; at the vertices, where the equation is evaluated, it is a different one.
     VertexNormals,
 }
 
-/// Which conditions a scene meets.
+/// The conditions as measured in a scene.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Conditions {
-    /// Of L, over all lights that are on.
+    /// Variation of L, over all lights that are on.
     pub light: Variation,
-    /// Of V.
+    /// Variation of V.
     pub viewer: Variation,
-    /// Greatest angle, degrees, between a polygon's normal and those that it stands for at its corners: the surface's, or
-    /// where there is none beyond the polygons the vertex normals.
+    /// Maximum angle between a polygon's normal and the normals at its corners, degrees: those of the surface, or the
+    /// vertex normals if there is no surface beyond the polygons.
     pub surface: f64,
-    /// Whether the object has a surface beyond its polygons.
+    /// True if the object has a surface beyond its polygons.
     pub has_surface: bool,
-    /// What the scene does not keep of what the three conditions assume.
+    /// Assumptions of the three conditions that the scene violates.
     pub further: Vec<Assumption>,
-    /// Flat minus exact shading, where both show the object; of an object whose polygons are its surface, where both show the
-    /// same polygon.
+    /// Difference of flat and exact shading, where both show the object; of an object whose polygons are its surface,
+    /// where both show the same polygon.
     pub error: ErrorFigures,
-    /// The same where either shows the object, as a comparison of both pictures has it.
+    /// Difference of flat and exact shading where either shows the object, as a comparison of both pictures has it.
     pub everywhere: ErrorFigures,
 }
 
-/// Whether a condition holds.
+/// A test of a condition.
 type Holds = fn(&Conditions) -> bool;
 
-/// The conditions: the key of each one's sentence, and whether it holds.
+/// The conditions: the key of each one's sentence, and its test.
 pub const CONDITIONS: [(&str, Holds); 3] = [
     ("picture-condition-light", |found| {
         found.light.degrees < ROUNDING
@@ -94,7 +95,7 @@ pub const CONDITIONS: [(&str, Holds); 3] = [
     }),
 ];
 
-/// Whether flat shading is exact in a scene.
+/// The question whether flat shading is exact in a scene.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct ConditionsQuestion;
 
@@ -123,7 +124,7 @@ pub fn conditions(renderer: &mut Renderer, scene: &Scene) -> Conditions {
     });
     let mesh = &*Arc::clone(renderer.mesh_shown());
     let has_surface = scene.object.kind.has_surface();
-    // Where there is no surface beyond the polygons, the vertex normals say what they stand for.
+    // If there is no surface beyond the polygons, the vertex normals represent it.
     let surface = if has_surface {
         leaning(mesh, scene, NormalSource::Exact)
     } else {
@@ -152,7 +153,7 @@ pub fn conditions(renderer: &mut Renderer, scene: &Scene) -> Conditions {
     }
 }
 
-/// The scene without panes, in a shading mode.
+/// Returns the scene without panes, in a shading mode.
 fn alone(scene: &Scene, mode: ShadingMode) -> Scene {
     let mut alone = Scene {
         compare: Compare::default(),
@@ -162,8 +163,9 @@ fn alone(scene: &Scene, mode: ShadingMode) -> Scene {
     alone
 }
 
-/// In which pixels the exact and the flat picture show the same polygon of an object whose polygons are its surface, as the
-/// normals tell. A pixel's centre beside an edge can lie on either side of it by the picture's grid. The flat picture is drawn last.
+/// Returns for each pixel whether the exact and the flat picture show the same polygon of an object whose polygons
+/// are its surface, judging by the normals. Beside an edge, the grid of the picture can put a pixel's centre on
+/// either side. The flat picture is drawn last.
 fn same_polygon(renderer: &mut Renderer, scene: &Scene) -> Vec<bool> {
     let width = scene.image.size[0] as usize;
     let [exact, flat] = [ShadingMode::Exact, ShadingMode::Flat].map(|mode| {
@@ -183,7 +185,7 @@ fn same_polygon(renderer: &mut Renderer, scene: &Scene) -> Vec<bool> {
     exact.into_iter().zip(flat).map(same).collect()
 }
 
-/// How L varies, over all lights that are on and not at infinity.
+/// Measures the variation of L over all lights that are on and not at infinity.
 fn light_variation(mesh: &Mesh, scene: &Scene) -> Variation {
     let soloing = scene.soloing();
     scene
@@ -194,7 +196,7 @@ fn light_variation(mesh: &Mesh, scene: &Scene) -> Variation {
         .fold(Variation::default(), Variation::or_more)
 }
 
-/// What the scene does not keep of what the three conditions assume; `plan` is that of its flat picture.
+/// Returns the assumptions of the three conditions that the scene violates; `plan` is that of its flat picture.
 fn assumptions(mesh: &Mesh, scene: &Scene, plan: &Plan) -> Vec<Assumption> {
     let any = |varies: fn(&Light) -> bool| {
         let mut lights = scene.lights.iter().zip(&plan.lights);
@@ -226,7 +228,7 @@ fn assumptions(mesh: &Mesh, scene: &Scene, plan: &Plan) -> Vec<Assumption> {
     broken.map(|(assumption, _)| assumption).collect()
 }
 
-/// Whether f of a light falls with the distance to it.
+/// Returns whether f of a light falls with the distance to it.
 fn falls_with_distance(light: &Light) -> bool {
     let falls = match light.attenuation {
         Attenuation::None | Attenuation::Viewer => false,
@@ -245,7 +247,8 @@ impl Variation {
     }
 }
 
-/// How the direction to a place varies across the polygons of a mesh: between their corners and their centres.
+/// Measures the variation of the direction to a place across the polygons of a mesh, between their corners and their
+/// centres.
 fn variation(mesh: &Mesh, place: DVec3) -> Variation {
     let of_face = |f: usize| {
         let normal = mesh.face_normal(f);
@@ -277,7 +280,7 @@ fn variation(mesh: &Mesh, place: DVec3) -> Variation {
         .reduce(Variation::default, Variation::or_more)
 }
 
-/// The greatest angle between a polygon's normal and those at its corners, degrees.
+/// Returns the maximum angle between a polygon's normal and those at its corners, degrees.
 fn leaning(mesh: &Mesh, scene: &Scene, normals: NormalSource) -> f64 {
     let vertices = mesh.with_vertex_normals(normals, scene.object.weighting);
     let of_face = |f: usize| {
@@ -295,13 +298,14 @@ fn leaning(mesh: &Mesh, scene: &Scene, normals: NormalSource) -> f64 {
         .reduce(|| 0.0, f64::max)
 }
 
-/// Degrees.
+/// Returns the angle between two vectors, degrees.
 fn angle(a: DVec3, b: DVec3) -> f64 {
     a.cross(b).length().atan2(a.dot(b)).to_degrees()
 }
 
 impl Conditions {
-    /// The sentence of a condition. Where there is no surface beyond the polygons, the third speaks of their normals.
+    /// Returns the sentence of a condition. If there is no surface beyond the polygons, the third refers to their
+    /// normals.
     pub fn title(&self, index: usize) -> &'static str {
         match CONDITIONS[index].0 {
             "picture-condition-surface" if !self.has_surface => text!("picture-condition-polygons"),
@@ -309,7 +313,7 @@ impl Conditions {
         }
     }
 
-    /// What of the scene varies besides L, V and N, in words.
+    /// Describes the quantities of the scene that vary besides L, V and N.
     pub fn further_words(&self) -> String {
         if self.further.is_empty() {
             return text!("picture-further-none").to_owned();
@@ -318,7 +322,7 @@ impl Conditions {
         words.join(text!("point-sentence-gap"))
     }
 
-    /// What was measured of a condition, in words.
+    /// Describes the measurements of a condition.
     pub fn figures(&self, index: usize) -> String {
         let varies = |key, found: &Variation| {
             text!(
@@ -341,7 +345,8 @@ impl Conditions {
         }
     }
 
-    /// Pixels at outlines and edges: those that show the object in one of the pictures only, or another polygon.
+    /// Returns the number of pixels at outlines and edges: those that show the object in one of the pictures only, or
+    /// another polygon.
     pub fn outline_pixels(&self) -> u64 {
         self.everywhere.pixels - self.error.pixels
     }
@@ -361,7 +366,7 @@ impl Assumption {
     }
 }
 
-/// "Holds:" or "Fails:".
+/// Returns "Holds:" or "Fails:".
 fn verdict(holds: bool) -> &'static str {
     if holds {
         text!("picture-holds")
@@ -371,7 +376,7 @@ fn verdict(holds: bool) -> &'static str {
 }
 
 impl Answer for Conditions {
-    /// A section for each condition, one for what they assume, and one for the pictures.
+    /// Returns a section for each condition, one for their assumptions, and one for the pictures.
     fn report(&self, about: &About<'_>) -> Report {
         let mut report = Report::new(text!(
             "picture-conditions-of",

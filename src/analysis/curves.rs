@@ -1,7 +1,7 @@
 //! The curves of local illumination, sampled in double precision: the family cosⁿ φ, the attenuation f(d), the reflectance
 //! W(θ) and the polar lobe.
 //!
-//! A scene and what was probed in it come in; out go [`Plot`]s, plain data with the scene's own values marked.
+//! Input is a scene and its probe, output are [`Plot`]s: plain data with the scene's own values marked.
 
 mod attenuation;
 mod highlight;
@@ -21,32 +21,32 @@ use attenuation::has_distance;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
-/// The curves of local illumination.
+/// The question for the curves of local illumination.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct CurvesQuestion {
-    /// One plot; otherwise all that the scene has.
+    /// The plot; without one, all that the scene has.
     pub kind: Option<PlotKind>,
-    /// The pixel whose values are marked; otherwise the clearest one.
+    /// The pixel whose values are marked; without one, the clearest pixel.
     pub pixel: Option<[u32; 2]>,
-    /// The light whose attenuation and lobe are plotted, by its number from 0; otherwise the first that the point faces.
+    /// Index of the light whose attenuation and lobe are plotted; without one, the first that the point faces.
     pub light: Option<usize>,
 }
 
-/// What the curves are of. The plots are made when they are asked for, in the language of the moment.
+/// The subject of the curves. The plots are made on request, in the current language.
 #[derive(Clone, Debug, Default)]
 pub struct Curves {
     /// The pixel whose point the curves belong to.
     pub pixel: [u32; 2],
-    /// The light whose attenuation is plotted, by its number from 0.
+    /// Index of the light whose attenuation is plotted.
     pub light: usize,
-    /// The plots that there are.
+    /// The kinds of plot available.
     pub kinds: Vec<PlotKind>,
     hit: Option<ProbeHit>,
     distances: Distances,
 }
 
 impl Curves {
-    /// The curves that have something to say for `probe`, of a picture of `scene` that `renderer` has drawn, and a light.
+    /// Returns the curves that apply to `probe`, of a picture of `scene` that `renderer` has drawn, and a light.
     pub fn new(renderer: &Renderer, scene: &Scene, probe: &Probe, light: usize) -> Self {
         let mut curves = Self {
             pixel: probe.pixel,
@@ -70,7 +70,7 @@ impl Curves {
         curves
     }
 
-    /// The plots.
+    /// Returns the plots.
     pub fn plots(&self, scene: &Scene) -> Vec<Plot> {
         let several = scene.lights.len() > 1;
         let plots = self.kinds.iter().filter_map(|kind| {
@@ -173,8 +173,9 @@ impl Answer for Curves {
     }
 }
 
-/// The plot of that kind for `probe`, of a picture of `scene` that `renderer` has drawn, and the light of index `light`.
-/// Nothing where there is nothing to plot: no such light, or for the lobe a light that does not reach the point.
+/// Returns the plot of that kind for `probe`, of a picture of `scene` that `renderer` has drawn, and the light of
+/// index `light`. Returns none if there is nothing to plot: no such light, or for the lobe a light that does not
+/// reach the point.
 pub fn plot(
     kind: PlotKind,
     renderer: &Renderer,
@@ -185,7 +186,7 @@ pub fn plot(
     Curves::new(renderer, scene, probe, light).plot(kind, scene)
 }
 
-/// The kinds of plot that have something to say: f only where there is a distance to count.
+/// Returns the kinds of plot that apply: f only where it has a distance to depend on.
 pub fn shown_kinds(scene: &Scene, light: usize) -> Vec<PlotKind> {
     let shown = |kind: &PlotKind| match kind {
         PlotKind::Attenuation => scene.lights.get(light).is_some_and(has_distance),

@@ -1,8 +1,8 @@
 //! The five defects of interpolated shading, each as a number that measures it in a scene.
 //!
-//! Foley, van Dam, Feiner and Hughes (1990, section 16.2.6) name them: the polygonal silhouette, the perspective distortion,
-//! the dependence on orientation, the problems at shared vertices, and unrepresentative vertex normals. None is made up here:
-//! each is measured on what the engine draws.
+//! Foley, van Dam, Feiner and Hughes (1990, section 16.2.6) name them: the polygonal silhouette, the perspective
+//! distortion, the dependence on orientation, the problems at shared vertices, and unrepresentative vertex normals.
+//! None is contrived here: each is measured on the engine's own pictures.
 
 mod drawing;
 mod edges;
@@ -23,30 +23,30 @@ use crate::text::Language;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Value, json};
 
-/// A measurement, or the key of the sentence that says why there is nothing to measure.
+/// A measurement, or the key of the sentence that explains why there is none.
 pub type Finding<T> = Result<T, &'static str>;
 
-/// What was measured in a scene.
+/// Measurements of the defects in a scene.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Defects {
     /// The outline, which is that of the polygons.
     #[serde(serialize_with = "or_missing", deserialize_with = "found")]
     pub silhouette: Finding<Silhouette>,
-    /// How far intensities that are interpolated in the picture lie from perspective-correct ones.
+    /// Difference between intensities interpolated in the picture and perspective-correct ones.
     #[serde(serialize_with = "or_missing", deserialize_with = "found")]
     pub perspective: Finding<PerspectiveDistortion>,
-    /// How much an interpolated intensity changes while the picture turns.
+    /// Change of an interpolated intensity while the picture is rotated.
     #[serde(serialize_with = "or_missing", deserialize_with = "found")]
     pub orientation: Finding<Orientation>,
-    /// Breaks of intensity at vertices that one side of an edge lacks.
+    /// Discontinuities of intensity at vertices that one side of an edge lacks.
     #[serde(serialize_with = "or_missing", deserialize_with = "found")]
     pub shared_vertices: Finding<SharedVertices>,
-    /// Angles between vertex normals and polygons, and the contrast that averaging costs.
+    /// Angles between vertex normals and polygons, and the contrast lost to averaging.
     #[serde(serialize_with = "or_missing", deserialize_with = "found")]
     pub vertex_normals: Finding<VertexNormals>,
 }
 
-/// A missing measurement is written for people as the reason, for programs of this kind as its key.
+/// Serializes a missing measurement as its reason for people and as its key for programs of this kind.
 fn or_missing<T: Serialize, S: Serializer>(
     finding: &Finding<T>,
     serializer: S,
@@ -70,7 +70,7 @@ fn found<'de, T: Deserialize<'de>, D: Deserializer<'de>>(
     Ok(finding.map_err(|key| text::interned(&key)))
 }
 
-/// Goes on with a measurement, unless whoever waits has stopped.
+/// Continues a measurement unless the caller has cancelled it.
 fn goes_on(watch: &dyn Watch<()>, share: f32) -> Finding<()> {
     if watch.at(share) {
         Ok(())
@@ -79,7 +79,7 @@ fn goes_on(watch: &dyn Watch<()>, share: f32) -> Finding<()> {
     }
 }
 
-/// Why nothing is interpolated in a scene, where nothing is.
+/// Returns the reason why a scene interpolates nothing, if so.
 fn interpolates(scene: &Scene) -> Finding<()> {
     match scene.shading.mode {
         ShadingMode::Flat => Err("picture-missing-flat"),
@@ -88,13 +88,14 @@ fn interpolates(scene: &Scene) -> Finding<()> {
     }
 }
 
-/// Measures all five in `scene`, as its picture of `scene.image.size` has them; the dependence on orientation at what `pixel`
-/// sees. `renderer` holds the model, if there is one, and draws other pictures in between.
+/// Measures all five defects in the picture of `scene` with its size `scene.image.size`; the dependence on
+/// orientation at the point visible in `pixel`. `renderer` holds the model, if there is one, and draws other pictures
+/// in between.
 pub fn defects(renderer: &mut Renderer, scene: &Scene, pixel: [u32; 2]) -> Defects {
     defects_with_progress(renderer, scene, pixel, &unwatched)
 }
 
-/// The same with somebody who waits; what is not measured when they stop stays missing.
+/// Measures with progress and cancellation; on cancellation, what is not yet measured is missing.
 pub fn defects_with_progress(
     renderer: &mut Renderer,
     scene: &Scene,
@@ -118,19 +119,19 @@ pub fn defects_with_progress(
     found
 }
 
-/// The five defects.
+/// The question for the five defects.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct DefectsQuestion {
-    /// The pixel whose point is followed while the picture turns; otherwise the clearest one.
+    /// The pixel whose point is followed while the picture is rotated; without one, the clearest pixel.
     pub pixel: Option<[u32; 2]>,
 }
 
-/// The defects, and the pixel whose point was followed.
+/// The measured defects, and the pixel whose point was followed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct MeasuredDefects {
-    /// The pixel whose point was followed while the picture turned.
+    /// The pixel whose point was followed while the picture was rotated.
     pub pixel: [u32; 2],
-    /// What was measured.
+    /// The measurements.
     pub defects: Defects,
 }
 
@@ -153,23 +154,23 @@ impl Question for DefectsQuestion {
     }
 }
 
-/// A defect: what it is, and where to see it.
+/// A defect's description, scene and plot.
 #[derive(Clone, Copy, Debug)]
 pub struct Defect {
-    /// The keys of its name, of what it is and of what to try.
+    /// Keys of its name, of its description and of the suggested experiment.
     keys: [&'static str; 3],
-    /// The built-in scene about it.
+    /// The built-in scene that shows it.
     pub scene: &'static str,
-    /// The plot that shows it, where there is one.
+    /// The plot that shows it, if there is one.
     pub plot: Option<PlotKind>,
     figures: fn(&Defects) -> Finding<Figures>,
 }
 
-/// Numbers, each with what it is.
+/// Numbers with their descriptions.
 type Figures = Vec<(String, String)>;
 
 impl Defect {
-    /// What it is called, in the language of the moment.
+    /// Returns its name in the current language.
     pub fn title(&self) -> &'static str {
         text!(self.keys[0])
     }
@@ -178,13 +179,13 @@ impl Defect {
         text!(self.keys[1])
     }
 
-    /// What to try in its scene.
+    /// Returns the suggested experiment for its scene.
     pub fn try_this(&self) -> &'static str {
         text!(self.keys[2])
     }
 }
 
-/// All five, in the order of the textbook and of the report's sections.
+/// All five defects, in the order of the textbook and of the report's sections.
 pub const DEFECTS: [Defect; 5] = [
     Defect {
         keys: [
@@ -299,7 +300,7 @@ pub const DEFECTS: [Defect; 5] = [
     },
 ];
 
-/// A place in the picture, in whole pixels.
+/// Formats a place in the picture, in whole pixels.
 fn place([x, y]: [f64; 2]) -> String {
     format!("{x:.0},{y:.0}")
 }
@@ -332,7 +333,7 @@ impl Answer for MeasuredDefects {
         report
     }
 
-    /// The samples of the two curves, one below the other.
+    /// Returns the table of the samples of the two curves, one below the other.
     fn table(&self) -> Option<Table> {
         let mut table = Table::new(["curve", "x", "first", "second"].map(Column::key));
         if let Ok(orientation) = &self.defects.orientation {

@@ -1,14 +1,14 @@
-//! The lobe of reflection: what a point sends to every side from one light.
+//! The lobe of reflection: the light that a point reflects in every direction from one light.
 
 use super::{ProbeHit, luminance};
 use crate::illumination::{Equation, ShadingPoint, V3};
 use crate::scene::{Backfacing, Light, LightKind, Rgb, Scene};
 use glam::DVec3;
 
-/// Below this sine an angle's plane is lost to rounding, and a length that differs less from 1 is 1.
+/// Sine below which an angle's plane is lost to rounding, and tolerance for a length of 1.
 const UPRIGHT: f64 = 1e-9;
 
-/// What a viewer in one direction sees of a light's reflection, as luminance.
+/// Reflection of a light as seen from one direction, as luminance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Response {
     /// Luminance by the diffuse term, the same in every direction.
@@ -18,7 +18,7 @@ pub struct Response {
 }
 
 impl Response {
-    /// Both terms.
+    /// Returns the sum of both terms.
     pub fn total(self) -> f64 {
         self.diffuse + self.specular
     }
@@ -27,28 +27,29 @@ impl Response {
 /// The reflection of one light at one point as a function of the viewer's direction:
 /// `I(V) = f·Ip·(kd·Od·(N·L) + ks·W·S(V))`, luminance by Rec. 709.
 ///
-/// The light's own switches are left aside, and so are shadows: the lobe shows what the surface would do. An area light is
-/// taken as a point in its middle, and f where it counts the distance to the viewer keeps the picture's.
+/// The light's own switches are ignored, and so are shadows: the lobe shows how the surface would reflect. An area
+/// light is treated as a point in its middle, and where f depends on the distance to the viewer, that of the picture
+/// is kept.
 #[derive(Clone, Debug)]
 pub struct ReflectionLobe {
     equation: Equation<f64>,
     site: ShadingPoint<f64>,
     od: Rgb,
-    /// N, unit, on the side of the light.
+    /// N, a unit vector on the side of the light.
     pub n: DVec3,
-    /// L, unit.
+    /// L, a unit vector.
     pub l: DVec3,
-    /// L mirrored at N, unit.
+    /// L mirrored at N, a unit vector.
     pub r: DVec3,
-    /// The picture's V.
+    /// V of the picture.
     pub v: DVec3,
-    /// The direction at right angles to N away from L, unit: with N it spans the plane of incidence.
+    /// Unit vector perpendicular to N and away from L: with N it spans the plane of incidence.
     pub across: DVec3,
 }
 
 impl ReflectionLobe {
-    /// The lobe of the light of index `light` at `hit`; nothing where there is no such light or no normal, or where the
-    /// light stands behind the surface.
+    /// Returns the lobe of the light of index `light` at `hit`; none where there is no such light or no normal, or
+    /// where the light is behind the surface.
     pub fn at(scene: &Scene, hit: &ProbeHit, light: usize) -> Option<Self> {
         let kind = |kind| {
             if kind == LightKind::Area {
@@ -92,7 +93,7 @@ impl ReflectionLobe {
         }
         let cosine = lobe.n.dot(lobe.l);
         lobe.r = mirrored(hit.normal, lobe.l)?;
-        // A light straight above has every plane for its plane of incidence; the viewer's is as good as any.
+        // A light directly above has every plane for its plane of incidence; the viewer's is as good as any.
         let aside = |vector: DVec3| {
             let level = vector - lobe.n * vector.dot(lobe.n);
             (level.length() > UPRIGHT).then(|| level.normalize())
@@ -102,24 +103,24 @@ impl ReflectionLobe {
         (cosine > 0.0 && lobe.l.is_finite()).then_some(lobe)
     }
 
-    /// The direction in the plane of incidence `angle` radians from N, positive on the side of R.
+    /// Returns the direction in the plane of incidence `angle` radians from N, positive on the side of R.
     pub fn in_plane(&self, angle: f64) -> DVec3 {
         let (sine, cosine) = angle.sin_cos();
         self.n * cosine + self.across * sine
     }
 
-    /// The angle from N to R, radians.
+    /// Returns the angle from N to R, radians.
     pub fn mirror_angle(&self) -> f64 {
         self.r.dot(self.across).atan2(self.r.dot(self.n))
     }
 
-    /// What a viewer in the unit direction `v` sees; nothing from below the surface.
+    /// Returns the reflection as seen from the unit direction `v`; zero from below the surface.
     pub fn towards(&self, v: DVec3) -> Response {
         let mut response = Response {
             diffuse: 0.0,
             specular: 0.0,
         };
-        // A viewer in the surface itself still sees it, whatever the last digit says.
+        // A viewer in the surface itself still sees it, whatever the last digit is.
         if v.dot(self.n) < -1e-12 {
             return response;
         }
@@ -138,7 +139,8 @@ impl ReflectionLobe {
     }
 }
 
-/// R by the equation's own operations, so that a mirror, which sends light nowhere else, is met to the last digit.
+/// Computes R by the equation's own operations, so that the direction of a mirror, which reflects nowhere else,
+/// matches to the last digit.
 fn mirrored(n: DVec3, l: DVec3) -> Option<DVec3> {
     let (n, l) = (V3::from(n), V3::from(l));
     let r = DVec3::from(n.scale_add(2.0 * n.dot(l), -l));

@@ -1,8 +1,8 @@
-//! The normals of a scene's polygons and vertices: which of them a picture shows, and which faces a vertex normal comes
-//! from.
+//! The normals of a scene's polygons and vertices: those that a picture shows, and the faces that a vertex normal
+//! comes from.
 //!
-//! A polygon is seen from its front where N·(eye − centre) > 0. A vertex is seen where one of its polygons is, whichever way
-//! its own normal leans: at an outline that may be away from the eye.
+//! A polygon is seen from its front where N·(eye − centre) > 0. A vertex is visible if one of its polygons is,
+//! whichever way its own normal leans: at an outline that may be away from the eye.
 
 mod fine;
 mod needles;
@@ -18,8 +18,8 @@ use glam::{DVec2, DVec3};
 use serde::Serialize;
 use std::sync::Arc;
 
-/// A point that lies farther behind what its pixel sees than this many median edges is hidden. Less is a neighbouring
-/// polygon seen at a grazing angle, or the true surface before the polygons that stand for it.
+/// Distance behind the surface that its pixel sees, in median edges, beyond which a point is hidden. Less is a
+/// neighbouring polygon seen at a grazing angle, or the true surface in front of the polygons that approximate it.
 const BEHIND: f64 = 0.5;
 
 /// The polygons of an object with their normals, and its vertices with theirs.
@@ -27,70 +27,70 @@ const BEHIND: f64 = 0.5;
 pub struct NormalField {
     mesh: Arc<Mesh>,
     vertices: VertexMesh,
-    /// Where the vertices' normals come from.
+    /// Source of the vertices' normals.
     pub source: NormalSource,
-    /// The weight of each polygon in an averaged normal.
+    /// Weighting of the polygons in an averaged normal.
     pub weighting: Weighting,
-    /// The centre, world, and the unit normal of each face.
+    /// Centre, world, and unit normal of each face.
     faces: Vec<[DVec3; 2]>,
-    /// The median length of an edge, world units; 0 where there is none.
+    /// Median length of an edge, world units; 0 where there is none.
     pub median_edge: f64,
 }
 
-/// A vertex, its normal, and the faces that this comes from.
+/// A vertex, its normal, and the faces that the normal comes from.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct VertexNormal {
-    /// The vertex's number in the mesh, from 0.
+    /// Number of the vertex in the mesh, from 0.
     pub vertex: u32,
-    /// World.
+    /// Position in world coordinates.
     pub position: DVec3,
-    /// Unit.
+    /// Unit normal.
     pub normal: DVec3,
-    /// Whether it is averaged, given or the true surface's.
+    /// Origin of the normal: averaged, given or the true surface's.
     pub origin: NormalOrigin,
     /// The faces that meet at the vertex.
     pub faces: Vec<VertexFace>,
-    /// Whether the faces' mirror images in x count as much.
+    /// True if the faces' mirror images in x count as much.
     pub mirrored: bool,
-    /// `Σ share·N`, before it is made a unit vector; zero where nothing is averaged.
+    /// `Σ share·N`, before normalisation; zero where nothing is averaged.
     pub sum: DVec3,
-    /// Its length: 1 where the faces lie in one plane, 0 where their normals cancel.
+    /// Length of the sum: 1 where the faces lie in one plane, 0 where their normals cancel.
     pub length: f64,
 }
 
 /// A face at a vertex.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct VertexFace {
-    /// The face's number in the mesh, from 0.
+    /// Number of the face in the mesh, from 0.
     pub face: u32,
-    /// Mean of its corners, world.
+    /// Mean of the corners, world.
     pub centre: DVec3,
-    /// Unit; zero for a face without area.
+    /// Unit normal; zero for a face without area.
     pub normal: DVec3,
-    /// 1, the area in square world units, or the angle in degrees; zero where nothing is averaged.
+    /// Weight: 1, the area in square world units, or the angle in degrees; zero where nothing is averaged.
     pub weight: f64,
-    /// The weight divided by the sum of all.
+    /// The weight divided by the sum of all weights.
     pub share: f64,
     /// Degrees between its normal and the vertex's.
     pub angle: f64,
 }
 
-/// A normal at its point, which the picture shows.
+/// A normal at its point, visible in the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SeenNormal {
-    /// The face's or the vertex's number.
+    /// Number of the face or vertex.
     pub index: u32,
-    /// World: a face's centre, or the vertex.
+    /// World position: a face's centre, or the vertex.
     pub point: DVec3,
-    /// Unit.
+    /// Unit normal.
     pub normal: DVec3,
-    /// Where the point appears, pixels.
+    /// Position of the point in the picture, pixels.
     pub pixel: DVec2,
     /// Distance along the viewing direction, world units.
     pub depth: f64,
 }
 
-/// What a picture shows of a field, before it is asked what hides what.
+/// The normals of a field that face the eye in a picture, before occlusion is tested.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SeenNormals {
     /// The faces' normals, at their centres.
@@ -100,7 +100,7 @@ pub struct SeenNormals {
 }
 
 impl NormalField {
-    /// The normals of the object that `renderer` last drew, from `object`'s choice of source and weights.
+    /// Returns the normals of the object that `renderer` last drew, with `object`'s choice of source and weights.
     pub fn new(renderer: &Renderer, object: &Object) -> Self {
         Self::of_mesh(
             Arc::clone(renderer.mesh_shown()),
@@ -109,7 +109,7 @@ impl NormalField {
         )
     }
 
-    /// The normals of a mesh.
+    /// Returns the normals of a mesh.
     pub fn of_mesh(mesh: Arc<Mesh>, source: NormalSource, weighting: Weighting) -> Self {
         let vertices = mesh.with_vertex_normals(source, weighting);
         let faces = (0..mesh.face_count())
@@ -125,7 +125,7 @@ impl NormalField {
         }
     }
 
-    /// Whether it is what `new` would make.
+    /// Returns whether the field is what `new` would make.
     pub fn holds(&self, renderer: &Renderer, object: &Object) -> bool {
         let same_weights = self.weighting == object.weighting || !self.weighs();
         Arc::ptr_eq(&self.mesh, renderer.mesh_shown())
@@ -133,39 +133,40 @@ impl NormalField {
             && same_weights
     }
 
-    /// Whether points and faces have the numbers that they have in what `renderer` last drew, with whatever normals.
+    /// Returns whether points and faces have the same numbers as in the mesh that `renderer` last drew, with any
+    /// normals.
     pub fn of_equal_mesh(&self, renderer: &Renderer) -> bool {
         let (own, other) = (&self.mesh, renderer.mesh_shown());
         Arc::ptr_eq(own, other) || (own.starts == other.starts && own.corners == other.corners)
     }
 
-    /// Whether the weighting has any part in the normals.
+    /// Returns whether the weighting affects the normals.
     pub fn weighs(&self) -> bool {
         matches!(self.source, NormalSource::Averaged | NormalSource::File)
     }
 
-    /// Vertices: as many as there are pairs of a point and a normal.
+    /// Returns the number of vertices, one for each pair of a point and a normal.
     pub fn vertex_count(&self) -> usize {
         self.vertices.positions.len()
     }
 
-    /// Faces of the mesh.
+    /// Returns the number of faces in the mesh.
     pub fn face_count(&self) -> usize {
         self.faces.len()
     }
 
-    /// The corners of a face, world.
+    /// Returns the corners of a face, world.
     pub fn outline(&self, face: u32) -> Vec<DVec3> {
         let corners = self.vertices.face(face as usize);
         corners.iter().map(|&v| self.position(v)).collect()
     }
 
-    /// The point of the mesh at which a vertex lies; whichever normals are chosen, its number is the same.
+    /// Returns the point of the mesh at which a vertex lies; its number does not depend on the choice of normals.
     pub fn point_of(&self, vertex: u32) -> Option<u32> {
         self.mesh.point_of_vertex(&self.vertices, vertex)
     }
 
-    /// A vertex at a point of the mesh.
+    /// Returns a vertex at a point of the mesh.
     pub fn vertex_at(&self, point: u32) -> Option<u32> {
         let corner = self
             .mesh
@@ -175,7 +176,8 @@ impl NormalField {
         Some(self.vertices.corners[corner])
     }
 
-    /// What is known of a vertex; nothing where there is no such vertex. Takes time in proportion to the mesh's corners.
+    /// Returns a vertex with its normal and faces; none where there is no such vertex. Takes time in proportion to
+    /// the mesh's corners.
     pub fn vertex(&self, vertex: u32) -> Option<VertexNormal> {
         let normal = self.vertices.normals.get(vertex as usize)?.as_dvec3();
         let shares = self
@@ -206,8 +208,8 @@ impl NormalField {
         })
     }
 
-    /// The faces that turn their front to the eye and the vertices of such faces, where they appear in a picture of `size`
-    /// pixels. Those that other parts hide are among them: see [`NormalField::hidden`].
+    /// Returns the faces that turn their front to the eye and the vertices of such faces, where they appear in a
+    /// picture of `size` pixels. Those that other parts hide are included: see [`NormalField::hidden`].
     pub fn facing(&self, view: &View, size: [u32; 2]) -> SeenNormals {
         let picture = DVec2::from_array(size.map(f64::from));
         let seen = |index: u32, point: DVec3, normal: DVec3| {
@@ -250,7 +252,7 @@ impl NormalField {
         }
     }
 
-    /// Whether what `renderer` last drew has something else before a point.
+    /// Returns whether something hides a point in the picture that `renderer` last drew.
     pub fn hidden(&self, renderer: &Renderer, seen: &SeenNormal) -> bool {
         let before = renderer
             .evaluation_seen(seen.pixel)
@@ -258,8 +260,8 @@ impl NormalField {
         before.is_some_and(|depth| depth + BEHIND * self.median_edge < seen.depth)
     }
 
-    /// The vertex whose place in the picture is next to `pixel`, within `reach` pixels, of those that are seen. Where
-    /// several share a point it is that of the face under the pixel.
+    /// Returns the visible vertex nearest to `pixel` in the picture, within `reach` pixels. Where several share a
+    /// point it is that of the face under the pixel.
     pub fn vertex_near(
         &self,
         renderer: &Renderer,
@@ -295,12 +297,12 @@ impl NormalField {
     }
 }
 
-/// Radians; without the loss of digits that the cosine has near 0 and π.
+/// Returns the angle in radians, without the loss of digits that the cosine has near 0 and π.
 fn angle_between(a: DVec3, b: DVec3) -> f64 {
     a.cross(b).length().atan2(a.dot(b))
 }
 
-/// Of edges evenly taken, so that a large mesh costs no more than a small one.
+/// Returns the median length of an even selection of edges, so that a large mesh costs no more than a small one.
 fn median_edge(mesh: &Mesh) -> f64 {
     const TAKEN: usize = 4096;
     let faces = mesh.face_count();

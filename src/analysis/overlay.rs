@@ -1,4 +1,4 @@
-//! Drawings over a picture: what they may show, and the sizes, colours and labels that they share.
+//! Drawings over a picture: their layers, and the sizes, colours and labels that they share.
 
 use crate::figure::palette::Rgb8;
 use crate::figure::{Area, Drawing, Label, Placer, Shape, Wish, inked_size};
@@ -6,21 +6,23 @@ use crate::scene::{Projection, View};
 use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};
 
-/// How near to the eye an arrow may come, in depths of its tail. Beyond, perspective would blow it up without bound.
+/// Minimum depth of an arrow's end in depths of its tail; nearer to the eye, perspective would enlarge it without
+/// bound.
 const NEAREST: f64 = 0.05;
-/// Along the line of sight an end nearer than this, in pixels, has its direction from rounding alone.
+/// Distance along the line of sight, in pixels, below which the direction of an end is due to rounding alone.
 const ROUNDING: f64 = 1e-3;
-/// Ends farther away than this, in pixels, are drawn this far: the way to them looks the same.
+/// Distance of an end, in pixels, beyond which it is drawn at this distance: the line to it looks the same.
 const FARTHEST: f64 = 1e6;
-/// Text is never smaller than this, in pixels an em, before [`OverlayOptions::scale`].
+/// Minimum text size, in pixels an em, before [`OverlayOptions::scale`].
 const LEAST_TEXT: f64 = 13.0;
 
-/// Size of letters over a pane whose shorter side is `side` pixels, pixels an em, before [`OverlayOptions::scale`].
+/// Returns the size of letters over a pane whose shorter side is `side` pixels, in pixels an em, before
+/// [`OverlayOptions::scale`].
 pub fn overlay_letters(side: f64) -> f64 {
     LEAST_TEXT.max(side / 28.0)
 }
 
-/// What an overlay may show.
+/// A layer of an overlay.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
@@ -29,28 +31,29 @@ pub enum OverlayLayer {
     Vectors,
     /// The arcs of θ and φ with their values.
     Angles,
-    /// How R comes from L by projection on N.
+    /// Construction of R from L by projection on N.
     Construction,
     /// A sun for each light, parallel rays for each directional one.
     Lights,
-    /// What the point reflects of the light to every side, as a surface about it.
+    /// Light that the point reflects in every direction, as a surface about it.
     Lobe,
-    /// The vectors once more in a corner, seen from the side: V points at the eye, so in the picture itself it is a point.
+    /// The vectors once more in a corner, seen from the side: V points at the eye, so that in the picture itself it
+    /// is a point.
     SideView,
-    /// The intensity along a line. It belongs to no point and is drawn by [`draw_profile`](crate::analysis::draw_profile).
+    /// The intensity along a line. It belongs to no point; [`draw_profile`](crate::analysis::draw_profile) draws it.
     Profile,
-    /// Where the defects of interpolated shading are. They belong to no point and are drawn by
-    /// [`draw_defects`](crate::analysis::draw_defects).
+    /// Positions of the defects of interpolated shading. They belong to no point;
+    /// [`draw_defects`](crate::analysis::draw_defects) draws them.
     Defects,
-    /// A needle at the centre of each polygon that is seen. Like the next it belongs to no point and is drawn by
+    /// A needle at the centre of each visible polygon. Like the vertex normals it belongs to no point and is drawn by
     /// [`Needles`](crate::analysis::Needles).
     FaceNormals,
-    /// A needle at each vertex that is seen.
+    /// A needle at each visible vertex.
     VertexNormals,
 }
 
 impl OverlayLayer {
-    /// Every layer.
+    /// All layers.
     pub const ALL: [Self; 10] = [
         Self::Vectors,
         Self::Angles,
@@ -64,7 +67,7 @@ impl OverlayLayer {
         Self::VertexNormals,
     ];
 
-    /// Whether it explains the probe's point.
+    /// Returns whether the layer explains the probed point.
     pub fn of_point(self) -> bool {
         !matches!(
             self,
@@ -72,45 +75,45 @@ impl OverlayLayer {
         )
     }
 
-    /// Whether it is drawn by an [`Overlay`](crate::analysis::Overlay).
+    /// Returns whether an [`Overlay`](crate::analysis::Overlay) draws the layer.
     pub fn of_overlay(self) -> bool {
         self.of_point() || self == Self::Lights
     }
 
-    /// Whether it is drawn by [`Needles`](crate::analysis::Needles).
+    /// Returns whether [`Needles`](crate::analysis::Needles) draw the layer.
     pub fn of_needles(self) -> bool {
         matches!(self, Self::FaceNormals | Self::VertexNormals)
     }
 }
 
-/// What surrounds strokes and letters to set them off from the picture.
+/// The halo that sets strokes and letters off from the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Halo {
-    /// White.
+    /// A white halo.
     Light,
-    /// Nearly black.
+    /// A nearly black halo.
     Dark,
 }
 
-/// How an overlay is drawn.
+/// Appearance of an overlay.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OverlayOptions {
-    /// What is drawn, the later over the earlier.
+    /// Layers to draw, the later over the earlier.
     pub layers: Vec<OverlayLayer>,
-    /// The light whose L is emphasised and whose R, H, θ, φ and construction are shown, by its index in the scene. With
-    /// nothing chosen it is the first that the point faces, or else the first.
+    /// Index in the scene of the light whose L is emphasised and whose R, H, θ, φ and construction are shown. Without
+    /// one, it is the first light that the point faces, or else the first.
     pub light: Option<usize>,
-    /// Length of a unit vector in world units; nothing makes it about a fifth of the picture's shorter side at the
+    /// Length of a unit vector in world units; without one, about a fifth of the picture's shorter side at the
     /// point's depth.
     pub length: Option<f64>,
-    /// Shows H for every model; without it for Blinn's alone.
+    /// True to show H for every model, false for Blinn's alone.
     pub half_vector: bool,
-    /// What lines and letters are set off from the picture by.
+    /// Halo that sets lines and letters off from the picture.
     pub halo: Halo,
-    /// What else is drawn over the picture, pixels: labels keep off it.
+    /// Areas covered by other drawings, pixels, which labels avoid.
     pub covered: Vec<Area>,
-    /// Multiplies lettering and line widths, from 0.05 to 20; 1 suits a picture that fills the screen.
+    /// Factor of text size and line widths, from 0.05 to 20; 1 suits a picture that fills the screen.
     pub scale: f64,
 }
 
@@ -128,7 +131,7 @@ impl Default for OverlayOptions {
     }
 }
 
-/// Sizes of everything, in pixels, and the neutral colours.
+/// Sizes of all elements, in pixels, and the neutral colours.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(in crate::analysis) struct Style {
     pub text: f64,
@@ -138,13 +141,13 @@ pub(in crate::analysis) struct Style {
     pub head: f64,
     /// Radius of the probe's ring.
     pub ring: f64,
-    /// Colour of what belongs to no vector.
+    /// Colour of lines and letters that belong to no vector.
     pub neutral: Rgb8,
     pub halo_colour: Rgb8,
 }
 
 impl Style {
-    /// The style of a pane whose shorter side is `side` pixels.
+    /// Returns the style of a pane whose shorter side is `side` pixels.
     pub fn new(side: f64, options: &OverlayOptions) -> Self {
         let scale = if options.scale.is_finite() {
             options.scale.clamp(0.05, 20.0)
@@ -154,7 +157,7 @@ impl Style {
         Self::of_text(overlay_letters(side) * scale, options.halo)
     }
 
-    /// The style with letters of `text` pixels an em.
+    /// Returns the style with letters of `text` pixels an em.
     pub fn of_text(text: f64, halo: Halo) -> Self {
         let line = 0.115 * text;
         let (neutral, halo_colour) = match halo {
@@ -172,7 +175,7 @@ impl Style {
         }
     }
 
-    /// A drawing over a picture with this style's halos.
+    /// Returns a drawing over a picture with this style's halos.
     pub fn drawing(&self, shapes: Vec<Shape>) -> Drawing {
         Drawing {
             shapes,
@@ -180,7 +183,7 @@ impl Style {
         }
     }
 
-    /// The same, of labels.
+    /// Returns a drawing of labels with this style's halos.
     pub fn lettered<'a>(&self, labels: impl IntoIterator<Item = &'a Label>) -> Drawing {
         let texts = labels
             .into_iter()
@@ -193,24 +196,24 @@ impl Style {
     }
 }
 
-/// A point of the world in a view, and what is drawn about it.
+/// A point of the world in a view, with the shapes drawn about it.
 pub(in crate::analysis) struct Sketch {
     pub view: View,
     pub style: Style,
-    /// The part of the picture that may be drawn in.
+    /// The part of the picture that may be drawn on.
     pub pane: Area,
     pub position: DVec3,
-    /// Where `position` appears.
+    /// Position of `position` in the picture.
     pub origin: DVec2,
     /// Length of a unit vector, world units.
     pub length: f64,
     pub shapes: Vec<Shape>,
-    /// Labels that have no place yet: their text, size and colour, and where they should stand.
+    /// Labels not yet placed: their text, size and colour, and their preferred position.
     pending: Vec<(String, f64, Rgb8, Wish)>,
 }
 
 impl Sketch {
-    /// Nothing where `position` does not appear. Without a `length`, unit vectors measure `pixels`.
+    /// Creates a sketch; none where `position` does not appear. Without a `length`, unit vectors measure `pixels`.
     pub fn new(
         view: View,
         style: Style,
@@ -234,8 +237,8 @@ impl Sketch {
         })
     }
 
-    /// Where the end of `vector` appears when it starts at the point: in perspective, at the end's own depth. A vector
-    /// that would pass the eye is cut short before it.
+    /// Returns the picture position of the end of `vector` when it starts at the point: in perspective, at the end's
+    /// own depth. A vector that would pass the eye is cut short before it.
     pub fn end(&self, vector: DVec3) -> Option<DVec2> {
         let depth = (self.position - self.view.eye).dot(self.view.forward);
         let reach = vector * self.length;
@@ -258,7 +261,7 @@ impl Sketch {
         })
     }
 
-    /// The sine of the angle between `vector` and the line of sight, signed: positive towards the eye.
+    /// Returns the sine of the angle between `vector` and the line of sight, signed: positive towards the eye.
     pub fn slant(&self, vector: DVec3) -> f64 {
         let towards = match self.view.projection {
             Projection::Perspective => self.view.towards_eye(self.position),
@@ -268,7 +271,7 @@ impl Sketch {
         (1.0 - cosine * cosine).max(0.0).sqrt().copysign(cosine)
     }
 
-    /// The last point of the way from the origin to `point` inside the pane, `margin` from its edge.
+    /// Returns the last point of the line from the origin to `point` inside the pane, `margin` from its edge.
     pub fn inside(&self, point: DVec2, margin: f64) -> DVec2 {
         let room = Area {
             min: self.pane.min + margin,
@@ -287,7 +290,8 @@ impl Sketch {
         from + way * share
     }
 
-    /// The end of an arrow seen along its shaft: a dot in a circle where it points at the eye, a cross where it points away.
+    /// Draws the end of an arrow seen along its shaft: a dot in a circle where it points at the eye, a cross where it
+    /// points away.
     pub fn draw_end_on(&mut self, at: DVec2, radius: f64, towards_eye: bool, colour: Rgb8) {
         let line = self.style.line;
         self.shapes
@@ -302,7 +306,7 @@ impl Sketch {
         self.shapes.extend(cross);
     }
 
-    /// Asks for a label of `size` times the usual size.
+    /// Requests a label of `size` times the usual size.
     pub fn letter(
         &mut self,
         text: String,
@@ -327,7 +331,7 @@ impl Sketch {
         ));
     }
 
-    /// Gives every label asked for its place, in that order, outside `reserved`.
+    /// Places every requested label, in order, outside `reserved`.
     pub fn labels(&mut self, reserved: &[Area]) -> Vec<Label> {
         let mut placer = Placer::new(self.pane, self.style.text, &self.shapes, reserved.to_vec());
         let mut labels = Vec::new();
@@ -346,7 +350,7 @@ impl Sketch {
         labels
     }
 
-    /// A thin line from a label that had to go far away to what it names.
+    /// Draws a thin line from a label that had to be placed far away to the point that it names.
     fn leader(&mut self, wish: &Wish, label: Area, colour: Rgb8) {
         let Wish {
             anchor, clearance, ..

@@ -1,36 +1,37 @@
-//! What an eye makes of intensities: the response that shows Mach bands.
+//! Models of the eye's response to intensities, which shows Mach bands.
 //!
-//! Where the slope of the intensity changes, a bright or a dark line is seen that is not there (Mach 1865). Two models say by
-//! how much; both leave a straight ramp as it is, however steep, and see only what departs from one.
+//! Where the slope of the intensity changes, the eye sees a bright or a dark line that is not there (Mach 1865). Two
+//! models say how strong it is; both leave a straight ramp as it is, however steep, and respond only to departures
+//! from one.
 //!
-//! Intensities come in and go out linear, 1 the display's white; widths are angles at the eye, which a [`Viewing`] turns into
-//! pixels. Beyond the ends of what is given its last value goes on.
+//! Intensities come in and go out linear, 1 the display's white; widths are angles at the eye, which a [`Viewing`]
+//! turns into pixels. Beyond the ends of the input its last value continues.
 
 use crate::scene::Rgb;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::{PI, SQRT_2};
 
-/// Beyond so many widths a Gaussian's part is under 10⁻⁹.
+/// Number of widths beyond which a Gaussian's weight is under 10⁻⁹.
 const REACH: f64 = 6.0;
 
-/// How the picture is looked at.
+/// Viewing conditions of the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Viewing {
-    /// From the eye to the screen, millimetres.
+    /// Distance from the eye to the screen, millimetres.
     pub distance: f64,
-    /// Pixels of the screen to a millimetre.
+    /// Density of the screen, pixels per millimetre.
     pub density: f64,
 }
 
 impl Viewing {
-    /// Least and greatest distance, millimetres.
+    /// Minimum and maximum distance, millimetres.
     pub const DISTANCE: [f64; 2] = [100.0, 5000.0];
-    /// Least and greatest density, pixels a millimetre.
+    /// Minimum and maximum density, pixels per millimetre.
     pub const DENSITY: [f64; 2] = [0.5, 40.0];
 
-    /// The same with what is out of bounds, or no number, put back to its default.
+    /// Returns the conditions with values that are out of bounds or not numbers reset to their defaults.
     pub fn sound(self) -> Self {
         let usual = Self::default();
         Self {
@@ -39,14 +40,14 @@ impl Viewing {
         }
     }
 
-    /// Pixels to a degree of visual angle, about the point that is looked at: `d·tan 1°·density`.
+    /// Returns the pixels per degree of visual angle, about the fixation point: `d·tan 1°·density`.
     pub fn pixels_per_degree(&self) -> f64 {
         self.distance * 1f64.to_radians().tan() * self.density
     }
 }
 
 impl Default for Viewing {
-    /// A screen of 96 pixels to an inch at 60 cm, about 40 pixels a degree.
+    /// Returns a screen of 96 pixels per inch at 60 cm, about 40 pixels per degree.
     fn default() -> Self {
         Self {
             distance: 600.0,
@@ -63,7 +64,7 @@ fn bounded(value: f64, [least, most]: [f64; 2], usual: f64) -> f64 {
     }
 }
 
-/// A model of the response.
+/// A model of the eye's response.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ResponseModel {
@@ -87,20 +88,20 @@ pub enum ResponseModel {
 }
 
 impl ResponseModel {
-    /// Every model.
+    /// All models.
     pub const ALL: [Self; 2] = [Self::LateralInhibition, Self::ResponseNormalisation];
 }
 
-/// A model with its numbers. They differ between observers and with the place in the visual field; the defaults are of the
-/// size found for the fovea's surround, and are there to be changed.
+/// A model with its parameters. They differ between observers and with the position in the visual field; the defaults
+/// have the magnitude found for the fovea's surround and are meant to be changed.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Perception {
-    /// How the eye is modelled.
+    /// The model of the eye.
     pub model: ResponseModel,
     /// σc, the width of the centre, degrees of visual angle.
     pub centre: f64,
-    /// σs, that of the surround.
+    /// σs, the width of the surround, degrees of visual angle.
     pub surround: f64,
     /// w, the strength of the inhibition.
     pub weight: f64,
@@ -121,14 +122,14 @@ impl Default for Perception {
 }
 
 impl Perception {
-    /// Least and greatest σc and σs, degrees of visual angle.
+    /// Minimum and maximum σc and σs, degrees of visual angle.
     pub const WIDTH: [f64; 2] = [0.001, 2.0];
-    /// Least and greatest w.
+    /// Minimum and maximum w.
     pub const WEIGHT: [f64; 2] = [0.0, 10.0];
-    /// Least and greatest ρ.
+    /// Minimum and maximum ρ.
     pub const SATURATION: [f64; 2] = [1e-4, 10.0];
 
-    /// The same with what is out of bounds, or no number, put back to its default.
+    /// Returns the parameters with values that are out of bounds or not numbers reset to their defaults.
     pub fn sound(self) -> Self {
         let usual = Self::default();
         Self {
@@ -140,13 +141,13 @@ impl Perception {
         }
     }
 
-    /// σc and σs in units of which there are `per_degree` in a degree.
+    /// Returns σc and σs in units of which a degree has `per_degree`.
     pub fn widths(&self, per_degree: f64) -> [f64; 2] {
         [self.centre * per_degree, self.surround * per_degree]
     }
 
-    /// The response to `intensity`, where `blur(values, σ)` is a Gaussian's mean of `values` and a degree has `per_degree` of
-    /// the units in which it takes σ.
+    /// Computes the response to `intensity`. `blur(values, σ)` returns a Gaussian's mean of `values`; it takes σ in
+    /// units of which a degree has `per_degree`.
     pub fn respond(
         &self,
         intensity: &[f64],
@@ -192,7 +193,7 @@ impl Perception {
                     self.weight * self.saturation * e / (self.saturation + energy.max(0.0).sqrt());
             }
             width *= 2.0;
-            // The last channel is the one whose wider Gaussian is nearest to σs. A width of 0 would never come near.
+            // The last channel is the one whose wider Gaussian is nearest to σs. A width of 0 would never reach it.
             let goes_on = width > 0.0 && width * SQRT_2 < surround;
             if !goes_on {
                 return response;
@@ -202,11 +203,11 @@ impl Perception {
     }
 }
 
-/// Weights of the samples 0, 1, 2 … places away for a Gaussian of width `sigma` samples, those of the other side the same; no
-/// longer than `longest`, what is cut off goes to the last weight.
+/// Returns the weights of the samples 0, 1, 2 … places away for a Gaussian of width `sigma` samples; those of the
+/// other side are equal. There are at most `longest` weights; the last receives the weight of all that is cut off.
 ///
-/// The samples are taken as joined by straight lines, and the Gaussian's mean of that is exact: a sample's weight is that of a
-/// tent about it, the second difference of ψ(x) = x·Φ(x/σ) + σ·φ(x/σ), the Gaussian's second integral.
+/// The samples are joined by straight lines, and the Gaussian's mean of those is exact: a sample's weight is that of
+/// a tent about it, the second difference of ψ(x) = x·Φ(x/σ) + σ·φ(x/σ), the Gaussian's second integral.
 fn gaussian(sigma: f64, longest: usize) -> Vec<f64> {
     let length = ((REACH * sigma).ceil() as usize)
         .saturating_add(2)
@@ -218,7 +219,7 @@ fn gaussian(sigma: f64, longest: usize) -> Vec<f64> {
         #[expect(clippy::cast_precision_loss, reason = "far fewer samples than 2⁵³")]
         let u = i as f64 / sigma;
         let density = (-0.5 * u * u).exp() / (2.0 * PI).sqrt();
-        // Less the part that is linear, whose second difference is nothing, so that no digits cancel.
+        // Without the linear part, whose second difference is zero, so that no digits cancel.
         sigma * (density - 0.5 * u.abs() * libm::erfc(u.abs() / SQRT_2))
     };
     let tent = |i: i64| {
@@ -235,7 +236,7 @@ fn gaussian(sigma: f64, longest: usize) -> Vec<f64> {
     weights
 }
 
-/// The mean of `values` about sample `at`; beyond the ends the last value goes on.
+/// Returns the mean of `values` about sample `at`; beyond the ends the last value continues.
 fn mean(weights: &[f64], values: &[f64], at: usize) -> f64 {
     let last = values.len() - 1;
     let sides = |i: usize| values[at.saturating_sub(i)] + values[(at + i).min(last)];
@@ -248,7 +249,8 @@ fn mean(weights: &[f64], values: &[f64], at: usize) -> f64 {
         })
 }
 
-/// The Gaussian's mean of width `sigma` samples about each of equally spaced samples, joined by straight lines.
+/// Computes the Gaussian's mean of width `sigma` samples about each of equally spaced samples, joined by straight
+/// lines.
 pub fn blur_line(values: &[f64], sigma: f64) -> Vec<f64> {
     let weights = gaussian(sigma, values.len() + 1);
     (0..values.len())
@@ -257,7 +259,8 @@ pub fn blur_line(values: &[f64], sigma: f64) -> Vec<f64> {
         .collect()
 }
 
-/// The Gaussian's mean of width `sigma` pixels about each pixel of a picture, rows of `width`: along rows, then along columns.
+/// Computes the Gaussian's mean of width `sigma` pixels about each pixel of a picture with rows of `width`: along
+/// rows, then along columns.
 pub fn blur_picture(values: &[f64], width: usize, sigma: f64) -> Vec<f64> {
     if width == 0 || values.is_empty() {
         return Vec::new();
@@ -287,12 +290,12 @@ fn transposed(values: &[f64], width: usize) -> Vec<f64> {
         .collect()
 }
 
-/// Rec. 709 luminance of a linear colour.
+/// Returns the Rec. 709 luminance of a linear colour.
 pub fn luminance(color: Rgb) -> f64 {
     color.dot(Rgb::new(0.2126, 0.7152, 0.0722))
 }
 
-/// The same of a pixel of a linear picture.
+/// Returns the Rec. 709 luminance of a pixel of a linear picture.
 pub fn pixel_luminance(pixel: &[f32; 4]) -> f64 {
     let [r, g, b, _] = pixel.map(f64::from);
     luminance(Rgb::new(r, g, b))

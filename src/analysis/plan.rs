@@ -1,4 +1,4 @@
-//! The plan of a frame: what is evaluated how often, what is left out and why, and the work that this saves.
+//! The plan of a frame: how often each term is evaluated, omissions with their reasons, and the work that they save.
 
 use super::bench::{CHANGES, StageTimes, WARM_UP, change_name, changed, median_ms};
 use super::plan_words::{per_words, stage_words};
@@ -12,35 +12,35 @@ use crate::text::{Message, text};
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
 
-/// The plan of a frame.
+/// The question for the plan of a frame.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct PlanQuestion {
-    /// Frames for each time.
+    /// Number of frames for each time.
     pub frames: u32,
 }
 
-/// A frame's plan; with times only where it was measured for them.
+/// A frame's plan, with times only if they were measured.
 #[derive(Clone, Debug)]
 pub struct FramePlan {
-    /// Every term and step, in the order of the stages.
+    /// All terms and steps, in the order of the stages.
     pub terms: Vec<Term>,
-    /// What the last frame ran.
+    /// Runs of the stages in the last frame.
     pub runs: Vec<StageRun>,
-    /// Times with and without what is left out, where they were measured.
+    /// Times with and without the omissions, if they were measured.
     pub measured: Option<Saved>,
 }
 
-/// What the plan saves, measured.
+/// Measured savings of the plan.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Saved {
     frames: u32,
     /// Median times of the stages, milliseconds.
     stages: Vec<(Stage, f64)>,
-    /// Median times by the plan and with everything left in, milliseconds.
+    /// Median times with the plan and with nothing omitted, milliseconds.
     times: [f64; 2],
-    /// Evaluations likewise.
+    /// Evaluations with the plan and with nothing omitted.
     evaluations: [u64; 2],
-    /// For each kind of change the stages that run again; none where the scene has nothing to change.
+    /// The stages that run again for each kind of change; none where the scene has nothing to change.
     changes: Vec<(&'static str, Option<Vec<Stage>>)>,
 }
 
@@ -95,7 +95,7 @@ impl Question for PlanQuestion {
     }
 }
 
-/// The stages that run when a scene of one change follows another.
+/// Returns the stages that run when a scene with one change follows another.
 fn run_again(renderer: &mut Renderer, change: impl Fn(u32) -> Option<Scene>) -> Option<Vec<Stage>> {
     renderer.render(&change(1)?);
     renderer.render(&change(2)?);
@@ -111,14 +111,14 @@ fn run_again(renderer: &mut Renderer, change: impl Fn(u32) -> Option<Scene>) -> 
 }
 
 impl Saved {
-    /// A stage's time, and its share of all.
+    /// Returns a stage's time, and its share of the total.
     fn time(&self, stage: Stage) -> Option<(f64, f64)> {
         let whole: f64 = self.stages.iter().map(|(_, ms)| ms).sum();
         let (_, ms) = self.stages.iter().find(|(known, _)| *known == stage)?;
         Some((*ms, if whole > 0.0 { ms / whole } else { 0.0 }))
     }
 
-    /// How much more is done without the plan: evaluations, and time.
+    /// Returns the ratios of the work without the plan to that with it: evaluations, and time.
     #[expect(clippy::cast_precision_loss, reason = "far fewer than 2⁵³")]
     fn ratios(&self) -> [f64; 2] {
         let ratio = |[planned, all]: [f64; 2]| if planned > 0.0 { all / planned } else { 1.0 };
@@ -130,7 +130,7 @@ impl Saved {
 }
 
 impl FramePlan {
-    /// A stage's name, with its time: the median where that was measured, otherwise whether it ran last.
+    /// Returns a stage's name with its median time, if that was measured, otherwise with whether it ran last.
     fn heading(&self, stage: Stage) -> String {
         let (name, _) = stage_words(stage);
         let run = self.runs.iter().find(|run| run.stage == stage);
@@ -227,7 +227,7 @@ impl Answer for FramePlan {
         report
     }
 
-    /// The terms, a row each.
+    /// Returns the table of terms, one per row.
     fn table(&self) -> Option<Table> {
         let mut table =
             Table::new(["stage", "name", "per", "evaluations", "omitted", "note"].map(Column::key));
@@ -286,13 +286,14 @@ impl Answer for FramePlan {
     }
 }
 
-/// What is left out, the terms that have one reason together. Of several parts of one light only the first names it.
+/// Returns the omissions, grouping the terms that have one reason. Of several parts of one light only the first names
+/// it.
 fn by_reason(terms: &[Term]) -> Vec<(Vec<String>, &'static str)> {
     let mut groups: Vec<(Vec<String>, Option<usize>, Message)> = Vec::new();
     for (term, reason) in terms.iter().filter_map(|term| Some((term, term.omitted?))) {
         let light = term.name.light();
         let last = groups.len().saturating_sub(1);
-        // Parts of a light join only the group right before them.
+        // Parts of a light join only the group directly before them.
         let from = if light.is_some() { last } else { 0 };
         match groups[from..]
             .iter_mut()

@@ -1,9 +1,9 @@
-//! What the parts of a frame's plan are called.
+//! Names of the parts of a frame's plan.
 
 use crate::render::{Per, Stage};
 use crate::text::text;
 
-/// A stage's name, and what it does.
+/// Returns a stage's name and description.
 pub fn stage_words(stage: Stage) -> (&'static str, &'static str) {
     let [name, what] = match stage {
         Stage::Geometry => ["engine-stage-geometry", "engine-stage-geometry.tip"],
@@ -21,7 +21,7 @@ pub fn stage_words(stage: Stage) -> (&'static str, &'static str) {
     (text!(name), text!(what))
 }
 
-/// How often something is evaluated.
+/// Returns the name of a rate of evaluation.
 pub fn per_words(per: Per) -> &'static str {
     match per {
         Per::Frame => text!("engine-each-frame"),

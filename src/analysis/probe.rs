@@ -30,10 +30,10 @@ use serde::{Serialize, Serializer};
 use std::ops::RangeInclusive;
 use zero::zero_causes;
 
-/// The pixel is sought on a grid of this many columns and rows.
+/// Columns and rows of the grid on which the pixel is searched.
 const SEARCH_GRID: u32 = 64;
 
-/// Degrees between the vectors of a drawing whose letters do not crowd.
+/// Degrees between the vectors of a drawing with uncrowded letters.
 const APART: RangeInclusive<f64> = 15.0..=65.0;
 
 /// The equation at one pixel.
@@ -41,59 +41,59 @@ const APART: RangeInclusive<f64> = 15.0..=65.0;
 pub struct Probe {
     /// The pixel, (0, 0) top left.
     pub pixel: [u32; 2],
-    /// Nothing where the background is seen.
+    /// The hit; none where the background is visible.
     pub hit: Option<ProbeHit>,
-    /// The Ia whose constant term stands best for the bounce of light in the whole picture, where that is gathered.
+    /// The Ia whose constant term best approximates the bounce of light in the whole picture, if that is gathered.
     pub ambient_fit: Option<Rgb>,
 }
 
-/// What the pixel shows of the object.
+/// The point of the object that the pixel shows.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ProbeHit {
-    /// The point seen, world.
+    /// The visible point, world.
     pub position: DVec3,
-    /// N at that point as the shading mode has it: the face's own, or interpolated, or the true surface's. Unit length
-    /// unless the mode leaves it otherwise.
+    /// N at that point according to the shading mode: the face's own, or interpolated, or the true surface's. Unit
+    /// length unless the mode leaves it otherwise.
     pub normal: DVec3,
-    /// V, unit, world.
+    /// V, unit vector, world.
     pub view: DVec3,
     /// Distance from the eye along the viewing direction, world units.
     pub depth: f64,
-    /// Index of the face in the mesh; none where the true surface was met without one.
+    /// Index of the face in the mesh; none where the true surface was hit without one.
     pub face: Option<u32>,
-    /// `ka·color·Ia`, or what one bounce of light from other surfaces puts in its place.
+    /// `ka·color·Ia`, or one bounce of light from other surfaces in its place.
     pub ambient: Rgb,
-    /// Whether `ambient` is light from other surfaces.
+    /// True if `ambient` is light from other surfaces.
     pub bounced: bool,
-    /// Od where the equation is evaluated; the weighted mean where that is at several points.
+    /// Od where the equation is evaluated; the weighted mean if that is at several points.
     #[serde(skip)]
     pub color: Rgb,
-    /// One per light of the scene, in its order.
+    /// Terms of each light of the scene, in its order.
     pub lights: Vec<LightTerms>,
-    /// Irefl: what the terms add up to.
+    /// Irefl, the sum of the terms.
     pub reflected: Rgb,
-    /// What passes through the surface, where any light does.
+    /// Light that passes through the surface, if any does.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub transmission: Option<Transmission>,
-    /// I, what the surface sends out: Irefl, or `(1 − kt)·Irefl + kt·Itrans`.
+    /// I, the light that leaves the surface: Irefl, or `(1 − kt)·Irefl + kt·Itrans`.
     #[serde(skip)]
     pub intensity: Rgb,
-    /// What depth cueing makes of it, where there is any.
+    /// Terms of depth cueing, if there is any.
     #[serde(skip)]
     pub cue: Option<CueTerms>,
     /// The intensity before the display: I, or `s0·I + (1 − s0)·Idc`.
     pub sum: Rgb,
-    /// What the display divides the intensity by; 1 unless it scales the picture.
+    /// Divisor of the display for the intensity; 1 unless it scales the picture.
     pub divisor: f64,
-    /// The stored value of the pixel in the scene's own picture, without the panes of a comparison.
+    /// Stored value of the pixel in the scene's own picture, without the panes of a comparison.
     pub stored: [u8; 3],
 }
 
 /// Depth cueing at a pixel: the intensity is `kept + veil`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CueTerms {
-    /// s0: at the pixel's own depth, or interpolated from the vertices; where intensities fade at vertices, the mean of
-    /// theirs.
+    /// s0 at the pixel's own depth, or interpolated from the vertices; where intensities fade at vertices, the mean
+    /// of theirs.
     pub scale: f64,
     /// `s0·I`; where intensities fade at vertices, the mean of such products.
     pub kept: Rgb,
@@ -101,16 +101,16 @@ pub struct CueTerms {
     pub veil: Rgb,
 }
 
-/// One light's part. JSON has its angles in degrees.
+/// The terms of one light. JSON has its angles in degrees.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct LightTerms {
-    /// Which kind of source it is.
+    /// Kind of the source.
     pub kind: LightKind,
     /// Unit vector to the light, world.
     pub l: DVec3,
     /// L mirrored at N, world.
     pub r: DVec3,
-    /// Half-way between L and V, world, unit.
+    /// Unit vector half-way between L and V, world.
     pub h: DVec3,
     /// N·L, the cosine of θ; not clamped.
     pub n_dot_l: f64,
@@ -125,7 +125,7 @@ pub struct LightTerms {
     pub alpha: f64,
     /// The factor f; the mean of an area light's samples.
     pub attenuation: f64,
-    /// The part of its intensity that a spot light sends this way; 1 for other lights.
+    /// The share of its intensity that a spot light sends in this direction; 1 for other lights.
     pub spot: f64,
     /// W(θ) per channel; 1 where it is constant.
     #[serde(rename = "w")]
@@ -134,23 +134,23 @@ pub struct LightTerms {
     /// at H.
     #[serde(serialize_with = "in_degrees")]
     pub incidence: f64,
-    /// The part of the light that is not in shadow: of an area light's samples, and of the places of evaluation. Where no ray
-    /// is followed, nothing is known to stand before it: with shadows switched off, where the surface is turned away from
-    /// the light, and where the light adds nothing to the whole picture.
+    /// The share of the light that is not in shadow: of an area light's samples, and of the places of evaluation.
+    /// Where no ray is followed, no occluder is known: with shadows switched off, where the surface is turned away
+    /// from the light, and where the light adds nothing to the whole picture.
     pub reached: f64,
     /// `f·Ip·kd·color·(N·L)` as it enters the sum.
     pub diffuse: Rgb,
     /// `f·Ip·ks·W·S` as it enters the sum.
     pub specular: Rgb,
-    /// Why `diffuse` is 0, if it is.
+    /// Causes why `diffuse` is 0, if it is.
     pub diffuse_zero: ZeroCauses,
-    /// Why `specular` is 0, if it is.
+    /// Causes why `specular` is 0, if it is.
     pub specular_zero: ZeroCauses,
 }
 
 impl LightTerms {
-    /// The angle whose cosine a reflection model raises or distributes, with its letter: φ, or α for the models that measure
-    /// N and H.
+    /// Returns the angle whose cosine a reflection model raises or distributes, with its letter: φ, or α for the
+    /// models that measure N and H.
     pub fn lobe_angle(&self, model: ReflectionModel) -> (&'static str, f64) {
         match model {
             ReflectionModel::Phong => ("φ", self.phi),
@@ -158,12 +158,12 @@ impl LightTerms {
         }
     }
 
-    /// Why the diffuse term is 0, in a clause; nothing where it adds something.
+    /// Returns the reason why the diffuse term is 0, in a clause; none if it adds something.
     pub fn why_no_diffuse(&self) -> Option<String> {
         self.diffuse_zero.clauses("Kd·Od")
     }
 
-    /// Why the specular term is 0 likewise.
+    /// Returns the reason why the specular term is 0, in a clause; none if it adds something.
     pub fn why_no_specular(&self) -> Option<String> {
         self.specular_zero.clauses(if self.reflectance == Rgb::ONE {
             "Ks·Os"
@@ -172,7 +172,7 @@ impl LightTerms {
         })
     }
 
-    /// Why the light adds nothing, in a clause; nothing where it adds something.
+    /// Returns the reason why the light adds nothing, in a clause; none if it adds something.
     pub fn why_nothing(&self) -> Option<String> {
         let (diffuse, specular) = (self.why_no_diffuse()?, self.why_no_specular()?);
         Some(if diffuse == specular {
@@ -182,7 +182,7 @@ impl LightTerms {
         })
     }
 
-    /// The same in a word or two.
+    /// Returns the reason why the light adds nothing in a word or two.
     pub fn why_nothing_in_short(&self) -> Option<&'static str> {
         self.why_nothing()?;
         let one = self.diffuse_zero == self.specular_zero
@@ -206,10 +206,10 @@ fn in_degrees<S: Serializer>(radians: &f64, serializer: S) -> Result<S::Ok, S::E
 
 /// Evaluates the equation at pixel (`x`, `y`) of `scene`, drawing it first if it is not the picture last drawn.
 ///
-/// The sum is what the picture shows there, to the rounding of single precision: it is evaluated where the shading mode
-/// evaluates it. Where that is not at the pixel (flat, interpolated and Gouraud shading), `diffuse` and `specular` are the
-/// weighted sums over those places, while the vectors and angles are those at the pixel itself, with the normal that the
-/// mode has there. A pixel outside the picture sees nothing.
+/// The sum is the picture's value there, up to rounding to single precision: it is evaluated where the shading mode
+/// evaluates it. Where that is not at the pixel (flat, interpolated and Gouraud shading), `diffuse` and `specular`
+/// are the weighted sums over those places, while the vectors and angles are those at the pixel itself, with the
+/// normal that the mode has there. A pixel outside the picture sees nothing.
 ///
 /// ```
 /// use shading_lab::analysis::probe;
@@ -301,7 +301,7 @@ pub fn probe(renderer: &mut Renderer, scene: &Scene, x: u32, y: u32) -> Probe {
     }
 }
 
-/// One light's part; the second equation has only the sources that the picture is shaded with.
+/// Computes one light's terms; the second equation has only the sources with which the picture is shaded.
 fn light_terms(
     scene: &Scene,
     [equation, shining]: [&Equation<f64>; 2],
@@ -352,14 +352,14 @@ fn light_terms(
     }
 }
 
-/// Angle between two vectors in radians, exact to rounding for small and for straight angles too (Kahan).
+/// Returns the angle between two vectors in radians, exact to rounding for small and for straight angles too (Kahan).
 fn angle(a: DVec3, b: DVec3) -> f64 {
     let (a, b) = (a.normalize_or_zero(), b.normalize_or_zero());
     2.0 * (a - b).length().atan2((a + b).length())
 }
 
-/// The clearest pixel to explain, of those of a coarse grid the nearest to the picture's middle: one whose vectors are well
-/// apart; or else a lit one; or else one of the object.
+/// Finds the clearest pixel to explain, the one nearest to the picture's middle among those of a coarse grid: one
+/// whose vectors are well apart; or else a lit one; or else one of the object.
 pub fn clearest_pixel(renderer: &mut Renderer, scene: &Scene) -> Probe {
     let [width, height] = scene.image.size;
     let middle = [width / 2, height / 2];
@@ -397,8 +397,9 @@ pub fn clearest_pixel(renderer: &mut Renderer, scene: &Scene) -> Probe {
     best.1
 }
 
-/// A pixel on the flank of the brightest highlight, where R, V and φ mean something: of a grid the one whose specular light is
-/// nearest to half of the most; the brightest by diffuse light where there is no highlight, and none without an object.
+/// Finds a pixel on the flank of the brightest highlight, where R, V and φ are meaningful: the one of a grid whose
+/// specular light is nearest to half of the maximum; the brightest by diffuse light where there is no highlight, and
+/// none without an object.
 pub fn pixel_beside_highlight(renderer: &mut Renderer, scene: &Scene) -> Option<[u32; 2]> {
     const GRID: u32 = 24;
     let [width, height] = scene.image.size;
@@ -438,14 +439,14 @@ pub fn pixel_beside_highlight(renderer: &mut Renderer, scene: &Scene) -> Option<
     best.map(|(pixel, ..)| *pixel)
 }
 
-/// How much a drawing at a pixel explains.
+/// Explanatory value of a drawing at a pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Clarity {
     Background,
     /// No light reaches the point.
     Dark,
     Lit,
-    /// Lit, near the highlight but not in it: N, L, R and V point in directions of their own.
+    /// Lit, near the highlight but not in it: N, L, R and V point in distinct directions.
     Apart,
 }
 

@@ -1,12 +1,12 @@
-//! The intensity along a line through the picture, for each way of shading, with its slope and what is perceived of it.
+//! The intensity along a line through the picture for each shading mode, with its slope and its perceived brightness.
 //!
 //! Gouraud shading makes the intensity continuous but leaves corners in it, where its slope jumps: Mach bands appear there.
 //! Phong shading weakens them but does not remove them.
 //!
 //! Intensities are linear and before the display: neither clamped nor rounded, as Rec. 709 luminance. The equation is
-//! evaluated at the places of the line themselves, in double precision, where the shading mode evaluates it; only what rays
-//! find (a ground, what is seen through glass, light from other surfaces) is taken from the pixels and is linear between their
-//! centres.
+//! evaluated at the places of the line themselves, in double precision, where the shading mode evaluates it; only the
+//! contributions of rays (a ground, objects seen through glass, light from other surfaces) are taken from the pixels,
+//! linear between their centres.
 
 mod line;
 mod picture;
@@ -30,23 +30,23 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use thiserror::Error;
 
-/// What the profile is taken of.
+/// The line, modes and viewing conditions of a profile.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ProfileQuestion {
-    /// The line's ends in pixels, a pixel's centre at +0.5; inside the picture.
+    /// Start of the line in pixels, inside the picture; pixel centres are at +0.5.
     pub from: DVec2,
-    /// Where the line ends, pixels.
+    /// End of the line in pixels, likewise.
     pub to: DVec2,
-    /// The modes to be compared, at least one.
+    /// The modes to compare, at least one.
     pub modes: Vec<ShadingMode>,
-    /// How large a pixel is for the eye.
+    /// Viewing conditions, which give a pixel's size for the eye.
     pub viewing: Viewing,
     /// The model of the eye.
     pub perception: Perception,
 }
 
 impl ProfileQuestion {
-    /// The modes that are compared unless others are asked for.
+    /// The modes that are compared by default.
     pub const MODES: [ShadingMode; 4] = [
         ShadingMode::Flat,
         ShadingMode::Gouraud,
@@ -54,7 +54,7 @@ impl ProfileQuestion {
         ShadingMode::Exact,
     ];
 
-    /// A line between two places, with everything else as usual.
+    /// Returns a question for the line between two places, with everything else at its default.
     pub fn new(from: DVec2, to: DVec2) -> Self {
         let (viewing, perception) = Default::default();
         Self {
@@ -66,10 +66,10 @@ impl ProfileQuestion {
         }
     }
 
-    /// Whether there is such a profile in a picture of `size`.
+    /// Checks whether such a profile exists in a picture of `size`.
     ///
     /// # Errors
-    /// Why there is none.
+    /// The reason why there is none.
     pub fn check(&self, size: [u32; 2]) -> Result<(), ProfileError> {
         self.line(size).map(|_| ())
     }
@@ -89,7 +89,7 @@ impl ProfileQuestion {
     }
 }
 
-/// Why there is no profile.
+/// The reason why there is no profile.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum ProfileError {
@@ -102,7 +102,7 @@ pub enum ProfileError {
     /// Both ends are the same point.
     #[error("{}", text!("line-error-no-length"))]
     NoLength,
-    /// No mode is asked for.
+    /// No mode is requested.
     #[error("{}", text!("line-error-no-mode"))]
     NoMode,
 }
@@ -114,11 +114,11 @@ fn outside([width, height]: [u32; 2]) -> String {
 /// The profile along a line.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Profile {
-    /// Places along the line, evenly spaced: pixels' centres, and places between them on short lines.
+    /// Places along the line, evenly spaced: pixel centres, and places between them on short lines.
     pub samples: Vec<Sample>,
-    /// One per mode, in the order asked for.
+    /// One trace per mode, in the order requested.
     pub traces: Vec<Trace>,
-    /// Where the line crosses from one polygon to another or to the background. The true surface has none.
+    /// Crossings of the line from one polygon to another or to the background. The true surface has none.
     pub borders: Vec<Border>,
     /// Length of the line, pixels.
     pub length: f64,
@@ -126,19 +126,19 @@ pub struct Profile {
     pub widths: [f64; 2],
 }
 
-/// One mode's values, one per sample.
+/// The values of one mode, one per sample.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Trace {
-    /// The shading.
+    /// The shading mode.
     pub mode: ShadingMode,
     /// Luminance, linear and before the display.
     pub intensity: Vec<f64>,
-    /// Per pixel along the line. It is taken within the polygon that the sample sees and never across its border, so that a
-    /// corner stays a jump of the slope.
+    /// Slope per pixel along the line. It is taken within the polygon that the sample sees and never across its
+    /// border, so that a corner stays a jump of the slope.
     pub slope: Vec<f64>,
-    /// What the eye makes of it, by the question's model.
+    /// Perceived brightness, by the question's model.
     pub perceived: Vec<f64>,
-    /// What happens at each border; nothing where the mode knows no polygons.
+    /// Intensities at each border; none where the mode knows no polygons.
     pub corners: Vec<Option<Corner>>,
 }
 
@@ -149,28 +149,30 @@ pub struct Border {
     pub x: f64,
     /// Pixels from the picture's top.
     pub y: f64,
-    /// 0 at the line's beginning, 1 at its end.
+    /// Parameter along the line, 0 at its start and 1 at its end.
     pub t: f64,
-    /// The faces before and after it; none is the background. Twice the same is the diagonal along which a polygon was cut.
+    /// The faces before and after the border; none is the background. The same face twice is the diagonal along which
+    /// a polygon was cut.
     pub faces: [Option<u32>; 2],
 }
 
 /// The intensity on both sides of a border.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Corner {
-    /// By how much the intensity jumps.
+    /// Jump of the intensity.
     pub step: f64,
     /// One-sided slopes before and after, per pixel.
     pub slopes: [f64; 2],
-    /// Their difference.
+    /// Difference of the slopes.
     pub jump: f64,
 }
 
-/// Takes the profile of `scene`, which is drawn once for each mode.
+/// Computes the profile of `scene`, which is drawn once for each mode.
 ///
 /// The samples are at most a quarter of a pixel apart (a pixel, on lines beyond 4096) and include the place of every
-/// pixel's centre that lies on the line: the longer of its sides runs over multiples of a quarter. What is perceived depends on
-/// what lies past the line's ends too; there the picture is followed to its edge, past which its last value goes on.
+/// pixel's centre that lies on the line: the longer of its sides runs over multiples of a quarter. The perceived
+/// brightness also depends on the picture past the line's ends; there it is followed to its edge, beyond which its
+/// last value continues.
 ///
 /// # Errors
 /// A line without length or with an end outside the picture, or no mode.
@@ -234,12 +236,12 @@ pub fn profile(
     })
 }
 
-/// The profile, and how it was asked.
+/// A profile with its question.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TakenProfile {
     /// The profile.
     pub profile: Profile,
-    /// How it was asked.
+    /// The question that it answers.
     pub question: ProfileQuestion,
 }
 
@@ -263,7 +265,7 @@ impl Question for ProfileQuestion {
 }
 
 impl TakenProfile {
-    /// The samples, a row each.
+    /// Returns the table of samples, one per row.
     fn samples(&self) -> Table {
         let Profile {
             samples, traces, ..

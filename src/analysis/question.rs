@@ -1,4 +1,4 @@
-//! How an analysis is asked, and the list of all analyses.
+//! The interface of questions and answers, and the list of all analyses.
 
 use super::codec::Codec;
 use super::report::Answer;
@@ -11,7 +11,7 @@ use serde::de::DeserializeOwned;
 use std::fmt::Debug;
 use std::sync::Arc;
 
-/// What is asked of a scene: plain data, so that it can be kept, compared and sent elsewhere.
+/// A question about a scene: plain data, so that it can be stored, compared and sent elsewhere.
 ///
 /// ```
 /// use shading_lab::analysis::{About, Answer, NormalsQuestion, Question, Subject, unwatched};
@@ -31,16 +31,17 @@ use std::sync::Arc;
 pub trait Question:
     Clone + Debug + PartialEq + Serialize + DeserializeOwned + Send + Sync + 'static
 {
-    /// What it is answered by.
+    /// The type of the answer.
     type Answer: Answer + Clone + 'static;
 
-    /// How the answer comes back from a worker of a web page; without it the page finds it itself.
+    /// Encoding of the answer for its way back from a worker of a web page; without one, the page computes the answer
+    /// itself.
     const CODEC: Option<Codec<Self::Answer>> = None;
 
-    /// Finds the answer.
+    /// Computes the answer.
     ///
     /// # Errors
-    /// Why there is none, in a sentence that says what was expected.
+    /// The reason why there is none, in a sentence that says what was expected.
     fn answer(
         &self,
         subject: &Subject,
@@ -48,19 +49,19 @@ pub trait Question:
     ) -> Result<Self::Answer, String>;
 }
 
-/// What a question is about.
+/// The subject of a question.
 #[derive(Clone, Debug)]
 pub struct Subject {
     /// The scene.
     pub scene: Scene,
     /// The mesh of an object of kind `obj`.
     pub model: Option<Arc<Mesh>>,
-    /// Nanoseconds from any fixed moment.
+    /// Clock in nanoseconds since any fixed moment.
     pub clock: fn() -> u64,
 }
 
 impl Subject {
-    /// A scene without a model and without a clock: what measures times finds 0.
+    /// Creates a subject without a model and without a clock: time measurements find 0.
     pub fn new(scene: Scene) -> Self {
         Self {
             scene,
@@ -69,7 +70,7 @@ impl Subject {
         }
     }
 
-    /// A renderer that has the model and the clock.
+    /// Returns a renderer that has the model and the clock.
     pub fn renderer(&self) -> Renderer {
         let mut renderer = Renderer::with_clock(self.clock);
         renderer.set_model(self.model.clone());
@@ -77,12 +78,13 @@ impl Subject {
     }
 }
 
-/// Whoever waits for an answer. A closure from the share of the work that is done, from 0 to 1, to whether to go on is one.
+/// The caller waiting for an answer. Implemented by closures that take the share of the work done, from 0 to 1, and
+/// return whether to continue.
 pub trait Watch<A>: Sync {
-    /// Takes how far the work is; returns whether to go on.
+    /// Takes the share of the work done; returns whether to continue.
     fn at(&self, share: f32) -> bool;
 
-    /// Takes what is known so far.
+    /// Takes the part of the answer that is known so far.
     fn found(&self, _so_far: &A) {}
 }
 
@@ -92,13 +94,13 @@ impl<A, F: Fn(f32) -> bool + Sync> Watch<A> for F {
     }
 }
 
-/// Lets the work go on to its end.
+/// Lets the work continue to its end.
 pub fn unwatched(_share: f32) -> bool {
     true
 }
 
 choices! {
-    /// A way to write an answer; its word is what names of such files end in.
+    /// Output format of an answer; its word is the file name extension.
     pub enum Format = "format" {
         /// The figure as pixels.
         Png = "png";
@@ -114,14 +116,14 @@ choices! {
 /// An analysis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Analysis {
-    /// The command.
+    /// Name of the command.
     pub name: &'static str,
-    /// What its answer can be written as.
+    /// Formats in which its answer can be written.
     pub formats: &'static [Format],
 }
 
 impl Analysis {
-    /// The analysis of that name.
+    /// Returns the analysis of that name.
     pub fn find(name: &str) -> Option<&'static Self> {
         ANALYSES.iter().find(|analysis| analysis.name == name)
     }

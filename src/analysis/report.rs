@@ -1,7 +1,8 @@
-//! What an analysis found, in the one form that the terminal, CSV, JSON, pictures and the window show.
+//! The result of an analysis in the one form that the terminal, CSV, JSON, pictures and the window show.
 //!
-//! People read a report in the language of the moment: it is made when it is shown, from messages of the catalogue. Programs
-//! read the columns' keys and the words of choices, which are in the code; what text there is in CSV and JSON is English.
+//! A report for people is in the current language: it is made from messages of the catalogue when it is shown.
+//! Programs read the keys of columns and the words of choices, which are in the code; any text in CSV and JSON is
+//! English.
 
 mod csv;
 
@@ -15,17 +16,17 @@ use serde_json::Value;
 use std::borrow::Cow;
 use std::fmt::Debug;
 
-/// What was analysed.
+/// The subject of an analysis.
 #[derive(Clone, Copy, Debug)]
 pub struct About<'a> {
-    /// What the scene is called.
+    /// Name of the scene.
     pub name: &'a str,
     /// The scene.
     pub scene: &'a Scene,
 }
 
 impl About<'_> {
-    /// The name, where there is one, and the picture's size.
+    /// Returns the name, if there is one, and the picture's size.
     pub fn heading(&self) -> String {
         let [width, height] = self.scene.image.size;
         if self.name.is_empty() {
@@ -35,25 +36,25 @@ impl About<'_> {
     }
 }
 
-/// What an analysis found.
+/// The result of an analysis.
 pub trait Answer: Debug + Send + Sync {
-    /// Words, numbers, tables and plots, in the present language.
+    /// Returns text, numbers, tables and plots, in the current language.
     fn report(&self, about: &About<'_>) -> Report;
 
-    /// The object that `--json` prints; [`dyn Answer::object`] asks for it in English.
+    /// Returns the object that `--json` prints; [`dyn Answer::object`] requests it in English.
     fn json(&self, about: &About<'_>) -> Value;
 
-    /// The rows for a file, where they are more than the report shows.
+    /// Returns the rows for a file, where they are more than the report shows.
     fn table(&self) -> Option<Table> {
         None
     }
 
-    /// Pixels of a figure of so many plots, unless another size is asked for.
+    /// Returns the default size in pixels of a figure with that many plots.
     fn figure_size(&self, plots: usize) -> [u32; 2] {
         [[1280, 800], [1920, 760], [1920, 1280]][plots.clamp(1, 3) - 1]
     }
 
-    /// The figure; by default the plots of the report on one sheet. Nothing where there is nothing to draw.
+    /// Returns the figure; by default the plots of the report on one sheet. Returns none if there is nothing to draw.
     fn figure(&self, about: &About<'_>, size: Option<[u32; 2]>, paper: Paper) -> Option<Figure> {
         let report = self.report(about);
         let plots: Vec<Plot> = report.plots().cloned().collect();
@@ -68,43 +69,43 @@ pub trait Answer: Debug + Send + Sync {
     }
 }
 
-/// A figure to be written.
+/// A figure to write to a file.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub enum Figure {
     /// Lines and texts.
     Drawing {
-        /// What is drawn.
+        /// The shapes and texts.
         drawing: Drawing,
-        /// What the figure is called in files that have a place for it.
+        /// Title in file formats that have a place for it.
         title: String,
     },
-    /// Pixels alone, and the scene that they show, where it is one.
+    /// A picture, with the scene that it shows if it is one.
     Picture {
         /// The pixels.
         frame: Frame,
-        /// The scene that they show.
+        /// The scene that they show, if it is one.
         scene: Option<Box<Scene>>,
     },
 }
 
-/// Everything that is said about an analysis, in reading order.
+/// The complete report of an analysis, in reading order.
 #[derive(Clone, Debug, Default)]
 pub struct Report {
-    /// What heads it.
+    /// Title of the report.
     pub title: String,
-    /// In reading order.
+    /// The sections in reading order.
     pub sections: Vec<Section>,
-    /// Why a command that asked fails, although there is an answer.
+    /// Reason why the command fails although there is an answer.
     pub failure: Option<String>,
 }
 
-/// A part of a report under a heading of its own, which may be empty.
+/// A part of a report under its own heading, which may be empty.
 #[derive(Clone, Debug, Default)]
 pub struct Section {
-    /// What heads it; may be empty.
+    /// Heading of the section; may be empty.
     pub title: String,
-    /// In reading order.
+    /// The parts in reading order.
     pub parts: Vec<Part>,
 }
 
@@ -112,25 +113,25 @@ pub struct Section {
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub enum Part {
-    /// A sentence or more.
+    /// One or more sentences.
     Text(String),
     /// An explanation or a remark.
     Note(String),
-    /// A number with its unit, and what it is.
+    /// A number with its unit, and its name.
     Quantity {
-        /// The number with its unit, as it is written.
+        /// The number with its unit, as text.
         value: String,
-        /// What it is the value of.
+        /// Name of the quantity.
         name: String,
     },
-    /// Rows under headed columns.
+    /// A table with headed columns.
     Table(Table),
     /// Curves.
     Plot(Box<Plot>),
 }
 
 impl Report {
-    /// A report without sections.
+    /// Creates a report without sections.
     pub fn new(title: impl Into<String>) -> Self {
         Self {
             title: title.into(),
@@ -152,7 +153,7 @@ impl Report {
         self.sections.iter().flat_map(|section| &section.parts)
     }
 
-    /// Every plot, in reading order.
+    /// Returns all plots in reading order.
     pub fn plots(&self) -> impl Iterator<Item = &Plot> {
         self.parts().filter_map(|part| {
             if let Part::Plot(plot) = part {
@@ -165,12 +166,13 @@ impl Report {
 }
 
 impl dyn Answer + '_ {
-    /// The rows as CSV: the answer's own table, or that of the report which has keys, or the samples of all curves.
+    /// Returns the rows as CSV: the answer's own table, or the report's table that has keys, or the samples of all
+    /// curves.
     pub fn csv(&self, about: &About<'_>) -> String {
         in_language(Language::English, || self.rows(about))
     }
 
-    /// The object that programs read, whatever the language.
+    /// Returns the object that programs read, whatever the language.
     pub fn object(&self, about: &About<'_>) -> Value {
         in_language(Language::English, || self.json(about))
     }
@@ -191,7 +193,7 @@ impl dyn Answer + '_ {
         own.map_or_else(|| samples(report.plots()).to_csv(), Table::to_csv)
     }
 
-    /// The report for a terminal. One without a title is its table.
+    /// Returns the report for a terminal. One without a title is only its table.
     pub fn text(&self, about: &About<'_>) -> String {
         let report = self.report(about);
         if report.title.is_empty() {
@@ -221,7 +223,7 @@ impl Section {
         self.push(Part::Note(text.into()))
     }
 
-    /// Adds a number with its unit, and what it is.
+    /// Adds a number with its unit, and its name.
     pub fn quantity(&mut self, value: impl Into<String>, name: impl Into<String>) -> &mut Self {
         self.push(Part::Quantity {
             value: value.into(),
@@ -258,7 +260,7 @@ impl Section {
     }
 }
 
-/// What a plot says, in words and numbers.
+/// Describes a plot in words and numbers.
 fn plot_text(plot: &Plot) -> String {
     let mut text = format!("{}\n  {}\n", plot.title, plot.note);
     if !plot.legend.is_empty() {
@@ -284,7 +286,7 @@ fn plot_text(plot: &Plot) -> String {
     text
 }
 
-/// A row for each sample of each curve.
+/// Returns a table with a row for each sample of each curve.
 fn samples<'a>(plots: impl Iterator<Item = &'a Plot>) -> Table {
     let mut table = Table::new(["plot", "curve", "x", "y"].map(Column::key));
     for plot in plots {
@@ -301,7 +303,7 @@ fn samples<'a>(plots: impl Iterator<Item = &'a Plot>) -> Table {
     table
 }
 
-/// The word that stands for a choice in files.
+/// Returns the word that represents a choice in files.
 pub fn word(choice: &impl serde::Serialize) -> String {
     serde_json::to_value(choice)
         .ok()
@@ -316,57 +318,57 @@ pub struct Table {
     pub columns: Vec<Column>,
     /// The rows; each has a cell for every column.
     pub rows: Vec<Vec<Cell>>,
-    /// Whether its rows are things to choose from in the window.
+    /// True if its rows can be chosen in the window.
     pub to_choose: bool,
 }
 
 /// A column.
 #[derive(Clone, Debug)]
 pub struct Column {
-    /// Its name in files, where it is written to files.
+    /// Name in files; none if it is not written to files.
     pub key: Option<Cow<'static, str>>,
-    /// Its name for people, where people are shown it.
+    /// Heading for people; none if it is not shown to them.
     pub head: Option<Cow<'static, str>>,
-    /// How people are shown its numbers; files have all digits.
+    /// Number format for people; files have all digits.
     pub show: fn(f64) -> String,
-    /// Whether people can do without it where there is little room.
+    /// True if the column can be omitted where space is short.
     pub extra: bool,
 }
 
-/// A column with what each row has in it.
+/// A column with the function that returns its cell for each row.
 pub type Filled<T> = (Column, fn(&T) -> Cell);
 
-/// What stands in a row under a column.
+/// The content of a cell.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Cell {
-    /// Nothing is known or defined there.
+    /// No value is known or defined.
     Empty,
     /// A word or a sentence.
     Text(String),
-    /// A number; as files have it, with all its digits.
+    /// A number; files have it with all its digits.
     Number(f64),
     /// A whole number.
     Count(u64),
 }
 
-/// A row of cells.
+/// Makes a row of cells.
 macro_rules! cells {
     ($($cell:expr),* $(,)?) => { vec![$($crate::analysis::Cell::from($cell)),*] };
 }
 pub(crate) use cells;
 
-/// A number with as many digits as it has.
+/// Formats a number with as many digits as it has.
 pub fn as_it_is(value: f64) -> String {
     value.to_string()
 }
 
-/// A number with so many decimals.
+/// Formats a number with a fixed number of decimals.
 pub fn fixed<const DECIMALS: usize>(value: f64) -> String {
     format!("{value:.DECIMALS$}")
 }
 
-/// Digits in groups of three.
+/// Formats a number with digits in groups of three.
 pub fn grouped(value: u64) -> String {
     let digits = value.to_string();
     let mut text = String::new();
@@ -380,7 +382,7 @@ pub fn grouped(value: u64) -> String {
 }
 
 impl Column {
-    /// A column for files.
+    /// Creates a column for files.
     pub fn key(key: impl Into<Cow<'static, str>>) -> Self {
         Self {
             key: Some(key.into()),
@@ -390,7 +392,7 @@ impl Column {
         }
     }
 
-    /// A column for people.
+    /// Creates a column for people.
     pub fn shown(head: impl Into<Cow<'static, str>>, show: fn(f64) -> String) -> Self {
         Self {
             key: None,
@@ -400,7 +402,7 @@ impl Column {
         }
     }
 
-    /// A column for both.
+    /// Creates a column for both files and people.
     pub fn both(
         key: &'static str,
         head: impl Into<Cow<'static, str>>,
@@ -414,7 +416,7 @@ impl Column {
         }
     }
 
-    /// The same, left out where there is little room.
+    /// Makes the column one that is omitted where space is short.
     pub fn extra(self) -> Self {
         Self {
             extra: true,
@@ -424,7 +426,7 @@ impl Column {
 }
 
 impl Table {
-    /// A table without rows.
+    /// Creates a table without rows.
     pub fn new(columns: impl IntoIterator<Item = Column>) -> Self {
         Self {
             columns: columns.into_iter().collect(),
@@ -432,7 +434,7 @@ impl Table {
         }
     }
 
-    /// A row for each of `rows`; every column says what stands in it.
+    /// Creates a table with a row for each of `rows`; every column provides its cell.
     pub fn of<T, const N: usize>(rows: &[T], columns: [Filled<T>; N]) -> Self {
         let rows = rows
             .iter()
@@ -445,7 +447,7 @@ impl Table {
         }
     }
 
-    /// The same, its rows to choose from.
+    /// Makes the table's rows ones that can be chosen.
     pub fn to_choose(self) -> Self {
         Self {
             to_choose: true,
@@ -453,8 +455,8 @@ impl Table {
         }
     }
 
-    /// The heads that people see, and the rows below them; and whether each column holds numbers. So many of the columns that
-    /// can be done without are left out, from the right.
+    /// Returns the headings for people and the rows below them, and for each column whether it holds numbers. Of the
+    /// optional columns, `left_out` are omitted, from the right.
     pub fn for_people(&self, left_out: usize) -> (Vec<&str>, Vec<Vec<String>>, Vec<bool>) {
         let mut extras = self.columns.iter().filter(|column| column.extra).count();
         let mut kept = |column: &Column| {
@@ -495,7 +497,7 @@ impl Table {
         )
     }
 
-    /// The table for a terminal; nothing where no column is for people.
+    /// Formats the table for a terminal; empty where no column is for people.
     pub fn text(&self) -> String {
         let (heads, rows, numbers) = self.for_people(0);
         let heads: Vec<String> = heads.into_iter().map(str::to_owned).collect();
@@ -528,7 +530,7 @@ impl Table {
         text
     }
 
-    /// The columns with keys, with all digits, as CSV (RFC 4180).
+    /// Formats the columns with keys, with all digits, as CSV (RFC 4180).
     pub fn to_csv(&self) -> String {
         let kept = || {
             self.columns
@@ -556,13 +558,13 @@ impl Table {
     }
 }
 
-/// Columns of a terminal that a text takes: Chinese characters and their punctuation take two each.
+/// Returns the number of terminal columns that a text takes: Chinese characters and their punctuation take two each.
 fn columns_of(text: &str) -> usize {
     let wide = |c: char| matches!(c, '\u{2E80}'..='\u{A4CF}' | '\u{AC00}'..='\u{D7A3}' | '\u{F900}'..='\u{FAFF}' | '\u{FE30}'..='\u{FE4F}' | '\u{FF01}'..='\u{FF60}');
     text.chars().map(|c| 1 + usize::from(wide(c))).sum()
 }
 
-/// Values that stand in a cell as they are.
+/// Implements the conversion of values that a cell holds unchanged.
 macro_rules! into_cell {
     ($($type:ty: $value:ident => $cell:expr,)*) => {
         $(impl From<$type> for Cell {

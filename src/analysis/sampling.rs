@@ -1,31 +1,33 @@
-//! What replacing an area light by N points costs: the difference to many points, over a small picture.
+//! The error of replacing an area light by N points: the difference from many points, over a small picture.
 
 use crate::illumination::Equation;
 use crate::render::Renderer;
 use crate::scene::{Light, LightKind, Rgb, Scene};
 use serde::{Deserialize, Serialize};
 
-/// Points of the light that the difference is measured against.
+/// Number of points of the light in the reference.
 pub const REFERENCE_SAMPLES: u32 = 4096;
 
-/// Pixels on the longer side of the picture that the difference is measured over.
+/// Longer side of the picture over which the difference is measured, pixels.
 const SIDE: u32 = 64;
 
-/// How far the light of N points is from that of [`REFERENCE_SAMPLES`], in linear intensity: 1 is the display's white.
+/// Difference between the light of N points and that of [`REFERENCE_SAMPLES`], in linear intensity: 1 is the
+/// display's white.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SamplingError {
-    /// The root mean square over the channels of the pixels that show the object.
+    /// Root mean square over the channels of the pixels that show the object.
     pub rms: f64,
-    /// The greatest difference of a channel.
+    /// Maximum difference of a channel.
     pub greatest: f64,
 }
 
-/// The error of the area light of index `light`, by a picture of 64 pixels on the longer side, with which `renderer`, which holds
-/// the scene's model, is left. Nothing where there is no such light, it is not an area light, it does not shine, or the object is
-/// not seen.
+/// Measures the error of the area light of index `light` by a picture of 64 pixels on the longer side. `renderer`
+/// must hold the scene's model and is left with that picture. Returns none where there is no such light, it is not an
+/// area light, it does not shine, or the object is not visible.
 ///
 /// The equation is evaluated where the shading mode evaluates it, in double precision; of all lights only this one
-/// differs, so only its terms are. Shadows are left aside: every point of the light reaches every point of the object.
+/// differs, so that only its terms are evaluated. Shadows are ignored: every point of the light reaches every point
+/// of the object.
 pub fn sampling_error_with(
     renderer: &mut Renderer,
     scene: &Scene,
@@ -55,7 +57,7 @@ pub fn sampling_error_with(
         Equation::<f64>::new(&alone)
     };
     let (coarse, fine) = (of(chosen.samples), of(REFERENCE_SAMPLES));
-    // On this thread alone: the others are left to whoever draws meanwhile.
+    // On this thread alone: the others are left to any drawing in the meantime.
     let (mut count, mut sum, mut greatest) = (0.0, 0.0, 0.0f64);
     let [width, height] = small.image.size;
     let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));

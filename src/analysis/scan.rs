@@ -1,8 +1,8 @@
-//! The scan line in slow motion: one polygon, enlarged to pixels that can be counted, shaded as the course does it.
+//! The scan line in slow motion: one polygon, enlarged to countable pixels, shaded as in the course.
 //!
-//! A face of a drawn scene comes in; a [`Scan`] comes out: the edge table, for each scan line its active edges with their
-//! crossings P and Q, for each pixel between them its value, and all of that once more as steps to walk through. Values are
-//! carried linearly along the edges and then along the scan line (Gouraud 1971):
+//! Input is a face of a drawn scene, output a [`Scan`]: the edge table, for each scan line its active edges with
+//! their crossings P and Q, for each pixel between them its value, and all of that once more as steps to walk
+//! through. Values are interpolated linearly along the edges and then along the scan line (Gouraud 1971):
 //!
 //! ```text
 //!            P₁                        P divides P₁P₂ in the ratio α : 1−α
@@ -12,8 +12,8 @@
 //!        P₂────────P₃
 //! ```
 //!
-//! Pixel centres lie at +0.5; one on a left or a top edge belongs to the polygon, one on a right or a bottom edge does not.
-//! All of it is in double precision and comes out as the renderer's `scanline` interpolation does.
+//! Pixel centres lie at +0.5; one on a left or a top edge belongs to the polygon, one on a right or a bottom edge
+//! does not. All of it is in double precision and agrees with the renderer's `scanline` interpolation.
 
 mod convert;
 mod drawing;
@@ -34,7 +34,8 @@ use serde::Serialize;
 use std::ops::RangeInclusive;
 use thiserror::Error;
 
-/// The face of `scene` that pixel (`x`, `y`) sees, drawing the scene first if it is not the picture last drawn.
+/// Returns the face of `scene` that pixel (`x`, `y`) sees, drawing the scene first if it is not the picture last
+/// drawn.
 pub fn face_at(renderer: &mut Renderer, scene: &Scene, x: u32, y: u32) -> Option<u32> {
     renderer.render(scene);
     renderer.polygon_at(x, y)
@@ -45,27 +46,27 @@ pub fn face_at(renderer: &mut Renderer, scene: &Scene, x: u32, y: u32) -> Option
 pub struct Scan {
     /// Index of the face in the mesh.
     pub face: u32,
-    /// The shading; `exact`, which has no polygons, is shown as Phong's.
+    /// The shading mode; `exact`, which has no polygons, is shown as Phong's.
     pub mode: ShadingMode,
-    /// What is interpolated.
+    /// The interpolated quantity.
     pub carried: Carried,
-    /// Whether an interpolated normal is made a unit vector before the equation is evaluated.
+    /// True if an interpolated normal is normalised before the equation is evaluated.
     pub renormalise: bool,
-    /// The interpolation that each pixel's value is compared with.
+    /// The interpolation with which each pixel's value is compared.
     pub compared: Rule,
-    /// Where the polygon lies on the grid.
+    /// The grid of enlarged pixels.
     pub grid: Grid,
-    /// In the polygon's order, which is counter-clockwise from outside.
+    /// Corners in the polygon's order, which is counter-clockwise from outside.
     pub corners: Vec<ScanCorner>,
     /// The edge table: edges that cross scan lines, by their upper ends.
     pub edges: Vec<ScanEdge>,
-    /// From the top.
+    /// Scan lines from the top.
     pub lines: Vec<ScanLine>,
-    /// What is done in which order; never empty.
+    /// Steps in their order; never empty.
     pub steps: Vec<ScanStep>,
 }
 
-/// What is interpolated from the corners.
+/// The quantity that is interpolated from the corners.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Carried {
@@ -77,7 +78,7 @@ pub enum Carried {
     Normal,
 }
 
-/// Linear on the triangle in the picture, or linear on it in space.
+/// The rule of interpolation: linear on the triangle in the picture, or in space.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Rule {
@@ -90,7 +91,7 @@ pub enum Rule {
 /// A corner of the polygon.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ScanCorner {
-    /// Where it appears, pixels of the grid.
+    /// Position, pixels of the grid.
     pub place: DVec2,
     /// Distance from the eye along the viewing direction, world units.
     pub depth: f64,
@@ -98,7 +99,7 @@ pub struct ScanCorner {
     pub value: DVec3,
 }
 
-/// How a corner is lettered: P₁, P₂, … in the polygon's order.
+/// Returns the letter of a corner: P₁, P₂, … in the polygon's order.
 pub fn corner_name(index: usize) -> String {
     format!("P{}", lowered(index + 1))
 }
@@ -112,9 +113,9 @@ pub struct ScanEdge {
     pub y_top: f64,
     /// y of the lower end, pixels of the grid.
     pub y_bottom: f64,
-    /// x at the upper end.
+    /// x of the upper end.
     pub x_top: f64,
-    /// What x grows by from one scan line to the next.
+    /// Increment of x from one scan line to the next.
     pub dx_dy: f64,
 }
 
@@ -125,40 +126,40 @@ pub struct ScanLine {
     pub y: u32,
     /// Indices of the edges that it crosses, from left to right.
     pub active: Vec<usize>,
-    /// Crossings in pairs: outside to inside, inside to outside. A concave polygon may have several.
+    /// Pairs of crossings: outside to inside, inside to outside. A concave polygon may have several.
     pub spans: Vec<ScanSpan>,
 }
 
 impl ScanLine {
-    /// Where its pixels' centres lie.
+    /// Returns y of its pixels' centres.
     pub fn at(&self) -> f64 {
         f64::from(self.y) + 0.5
     }
 }
 
-/// What lies between two crossings.
+/// The part of a scan line between two crossings.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ScanSpan {
-    /// Where the scan line enters the polygon.
+    /// Crossing at which the scan line enters the polygon.
     pub p: Crossing,
-    /// Where it leaves it.
+    /// Crossing at which it leaves the polygon.
     pub q: Crossing,
-    /// From left to right; none where P and Q lie between two centres.
+    /// Pixels from left to right; none where P and Q lie between two centres.
     pub pixels: Vec<ScanPixel>,
 }
 
-/// Where the scan line crosses an edge.
+/// A crossing of the scan line and an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Crossing {
     /// Index into the edge table.
     pub edge: usize,
-    /// Where the crossing lies, pixels of the grid.
+    /// x of the crossing, pixels of the grid.
     pub x: f64,
-    /// 0 at the edge's upper end, 1 at its lower one.
+    /// Parameter along the edge, 0 at its upper end, 1 at its lower one.
     pub alpha: f64,
-    /// What is interpolated, there: an intensity or a normal.
+    /// The interpolated value there: an intensity or a normal.
     pub value: DVec3,
-    /// The intensity as stored in a picture, where it is an intensity that is carried.
+    /// The intensity as stored in a picture, if intensities are interpolated.
     pub stored: Option<[u8; 3]>,
 }
 
@@ -167,15 +168,15 @@ pub struct Crossing {
 pub struct ScanPixel {
     /// Column of the grid.
     pub x: u32,
-    /// 0 at P, 1 at Q.
+    /// Parameter along the span, 0 at P, 1 at Q.
     pub alpha: f64,
-    /// The interpolated intensity or normal; the normal before it is made a unit vector.
+    /// The interpolated intensity or normal; the normal before normalisation.
     pub value: DVec3,
-    /// The linear intensity that the pixel gets.
+    /// The pixel's linear intensity.
     pub intensity: Rgb,
-    /// As stored in a picture.
+    /// The intensity as stored in a picture.
     pub stored: [u8; 3],
-    /// The intensity that barycentric interpolation gives it.
+    /// The pixel's intensity by barycentric interpolation.
     pub barycentric: Rgb,
 }
 
@@ -213,20 +214,20 @@ pub enum ScanStep {
     },
 }
 
-/// How large a step is. A larger one is also the beginning of smaller ones.
+/// The size of a step. A larger one also begins smaller ones.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ScanLevel {
-    /// To the next pixel.
+    /// A step to the next pixel.
     Pixel,
-    /// To the next crossing.
+    /// A step to the next crossing.
     Edge,
-    /// To the next scan line.
+    /// A step to the next scan line.
     Line,
 }
 
 impl ScanStep {
-    /// How large it is.
+    /// Returns the size of the step.
     pub const fn level(self) -> ScanLevel {
         match self {
             Self::Line { .. } => ScanLevel::Line,
@@ -236,10 +237,10 @@ impl ScanStep {
     }
 }
 
-/// What stands at a step: the line, and of its span what has been found so far.
+/// The state at a step: the line, and the part of its span found so far.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ScanPoint<'a> {
-    /// How large the step is.
+    /// Size of the step.
     pub level: ScanLevel,
     /// The scan line.
     pub line: &'a ScanLine,
@@ -253,37 +254,37 @@ pub struct ScanPoint<'a> {
     pub pixel: Option<&'a ScanPixel>,
 }
 
-/// Why a polygon cannot be scanned.
+/// The reason why a polygon cannot be scanned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
 pub enum ScanError {
     /// The mesh has no such face.
     #[error("{}", no_face(*.face, *.count))]
     NoFace {
-        /// The face asked for.
+        /// The requested face.
         face: u32,
-        /// How many there are.
+        /// The number of faces.
         count: usize,
     },
     /// The object has no polygons.
     #[error("{}", text!("line-scan-error-empty"))]
     Empty,
-    /// A grid has [`Scan::ROWS`] rows.
+    /// The number of rows is not one of [`Scan::ROWS`].
     #[error("{}", wrong_rows(*.rows))]
     Rows {
-        /// The rows asked for.
+        /// The requested rows.
         rows: u32,
     },
     /// A corner lies behind the eye.
     #[error("{}", of_face("line-scan-error-behind", *.face))]
     BehindTheEye {
-        /// The face asked for.
+        /// The requested face.
         face: u32,
     },
-    /// The polygon is seen from its edge, or covers no pixel's centre.
+    /// The polygon is seen edge-on, or covers no pixel's centre.
     #[error("{}", of_face("line-scan-error-edge-on", *.face))]
     EdgeOn {
-        /// The face asked for.
+        /// The requested face.
         face: u32,
     },
 }
@@ -303,17 +304,17 @@ fn of_face(key: &str, face: u32) -> String {
 }
 
 impl Scan {
-    /// How many rows of pixels a polygon may be enlarged to.
+    /// The number of pixel rows to which a polygon may be enlarged.
     pub const ROWS: RangeInclusive<u32> = 8..=64;
-    /// Rows that leave each pixel large enough to be seen from the back of a room.
+    /// Number of rows that leaves each pixel large enough to be seen from the back of a room.
     pub const USUAL_ROWS: u32 = 16;
 
-    /// The last step.
+    /// Returns the last step.
     pub fn last(&self) -> usize {
         self.steps.len().saturating_sub(1)
     }
 
-    /// The next step that is as large as `level` or larger; the last one after all of these.
+    /// Returns the next step that is as large as `level` or larger; the last one after all of these.
     pub fn forward(&self, from: usize, level: ScanLevel) -> usize {
         let mut after = from.saturating_add(1)..self.steps.len();
         after
@@ -321,7 +322,7 @@ impl Scan {
             .unwrap_or(self.last())
     }
 
-    /// The step of that size before `from`; the first one before all of these.
+    /// Returns the step of that size before `from`; the first one before all of these.
     pub fn back(&self, from: usize, level: ScanLevel) -> usize {
         let before = &self.steps[..from.min(self.last())];
         before
@@ -330,7 +331,7 @@ impl Scan {
             .unwrap_or(0)
     }
 
-    /// What stands at step `step`, or at the last one.
+    /// Returns the state at step `step`, or at the last one.
     ///
     /// # Panics
     /// If there are no steps, which [`scan`] never returns.
@@ -354,7 +355,7 @@ impl Scan {
         }
     }
 
-    /// The pixels shaded up to step `step` and with it, each with its row.
+    /// Returns the pixels shaded up to and including step `step`, each with its row.
     pub fn filled(&self, step: usize) -> impl Iterator<Item = (u32, &ScanPixel)> {
         (0..self.steps.len().min(step.saturating_add(1))).filter_map(|step| {
             let point = self.at(step);
@@ -362,12 +363,12 @@ impl Scan {
         })
     }
 
-    /// The step that shades the pixel nearest to a place of the grid.
+    /// Returns the step that shades the pixel nearest to a place of the grid.
     pub fn step_near(&self, place: DVec2) -> usize {
         self.nearest(ScanLevel::Pixel, place)
     }
 
-    /// The step of this scan that is most like step `step` of `other`, of the same polygon in another view.
+    /// Returns the step of this scan that is most like step `step` of `other`, of the same polygon in another view.
     pub fn step_like(&self, other: &Self, step: usize) -> usize {
         self.nearest(
             other.at(step).level,
@@ -375,7 +376,7 @@ impl Scan {
         )
     }
 
-    /// The step that begins line `y` of the grid, and the one that ends it.
+    /// Returns the step that begins line `y` of the grid, and the one that ends it.
     pub fn steps_of_line(&self, y: u32) -> Option<[usize; 2]> {
         let within = |step: &usize| self.at(*step).line.y == y;
         let mut steps = (0..self.steps.len()).filter(within);
@@ -394,7 +395,7 @@ impl Scan {
         steps.min_by(|a, b| far(a).total_cmp(&far(b))).unwrap_or(0)
     }
 
-    /// Where a step happens, in the grid.
+    /// Returns the place of a step in the grid.
     fn place_of(&self, step: usize) -> DVec2 {
         let point = self.at(step);
         let crossing = point.q.or(point.p).map_or(0.0, |crossing| crossing.x);

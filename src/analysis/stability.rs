@@ -1,7 +1,7 @@
-//! Stiff and extreme cases: the naive way, the engine and a reference on the same scene, and what each makes of it.
+//! Stiff and extreme cases: the naive renderer, the engine and a reference on the same scene, and their results.
 //!
-//! Values are compared as code values, 255·min(I, 1) before rounding, where the reference's pixel is that of no outline. What
-//! is no number counts as an error of the whole range.
+//! Values are compared as code values, 255·min(I, 1) before rounding, at pixels of the reference that belong to no
+//! outline. NaN counts as an error of the whole range.
 
 mod cases;
 mod codec;
@@ -21,11 +21,11 @@ use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
 use std::fmt;
 
-/// Code values that the engine may be off by: what rounding to a stored pixel takes anyway.
+/// Tolerance for the engine, code values: rounding to a stored pixel takes as much anyway.
 pub const HALF_A_CODE_VALUE: f64 = 0.5;
 
 choices! {
-    /// What cases are about.
+    /// Topic of a case.
     pub enum Topic = "stability-topic" {
         /// The power and the microfacets.
         Highlight = "highlight";
@@ -33,7 +33,7 @@ choices! {
         Cosines = "cosines";
         /// Vectors without a direction, or whose square overflows.
         Vectors = "vectors";
-        /// Extreme places and intensities.
+        /// Extreme positions and intensities.
         Lights = "lights";
         /// Extreme eyes, vertices and polygons.
         Geometry = "geometry";
@@ -41,7 +41,7 @@ choices! {
 }
 
 choices! {
-    /// How the two ways came out.
+    /// Verdict on the two renderers.
     pub enum Verdict = "verdict" {
         /// The engine is within half a code value, the naive renderer is not.
         RobustHolds = "robust-holds";
@@ -52,17 +52,17 @@ choices! {
     }
 }
 
-/// How much greater a relative error becomes.
+/// Amplification of a relative error.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Condition {
     /// The factor.
     pub value: f64,
-    /// Of what in what.
+    /// The input and the output to which it applies.
     pub of: Message,
 }
 
 impl fmt::Display for Condition {
-    /// The number, as in “6.6×10⁵”.
+    /// Formats the number, as in “6.6×10⁵”.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&magnitude(self.value))
     }
@@ -71,20 +71,20 @@ impl fmt::Display for Condition {
 /// A case of the catalogue.
 #[derive(Debug)]
 pub struct Case {
-    /// Lower case, joined by hyphens.
+    /// Name in lower case, joined by hyphens.
     pub name: &'static str,
-    /// What it is about.
+    /// Topic of the case.
     pub topic: Topic,
-    /// How badly conditioned the exact problem is, where that is known.
+    /// Condition of the exact problem, if known.
     pub condition: Option<Condition>,
-    /// The scene that all three draw, and a change of it.
+    /// Constructor of the scene that all three draw, and a change applied to it.
     make: fn() -> Scene,
     change: fn(&mut Scene),
-    /// Makes the pictures where that is done in some other way.
+    /// Function that draws the pictures, if that is done in some other way.
     pictures: Option<fn(&mut Renderer) -> Pictures>,
 }
 
-/// A case of which nothing but its name is known yet.
+/// Returns a case of which only the name and topic are known yet.
 const fn case(name: &'static str, topic: Topic) -> Case {
     let change: fn(&mut Scene) = |_| ();
     Case {
@@ -98,17 +98,17 @@ const fn case(name: &'static str, topic: Topic) -> Case {
 }
 
 impl Case {
-    /// What it is about, in a few words.
+    /// Returns its title, a few words.
     pub fn title(&self) -> &'static str {
         text!(&format!("engine-case-{}", self.name))
     }
 
-    /// What the naive renderer does wrong.
+    /// Describes the failure of the naive renderer.
     pub fn naive(&self) -> &'static str {
         text!(&format!("engine-case-{}.naive", self.name))
     }
 
-    /// What this engine does.
+    /// Describes the method of this engine.
     pub fn engine(&self) -> &'static str {
         text!(&format!("engine-case-{}.engine", self.name))
     }
@@ -136,7 +136,7 @@ impl Case {
         self
     }
 
-    /// The case as a scene, where it is one.
+    /// Returns the case as a scene, if it is one.
     pub fn scene(&self) -> Option<Scene> {
         let mut scene = (self.make)();
         (self.change)(&mut scene);
@@ -157,7 +157,7 @@ impl Serialize for Case {
     }
 }
 
-/// Linear intensities of the three, row by row from the top.
+/// Linear intensities of the three pictures, row by row from the top.
 struct Pictures {
     naive: Vec<[f64; 3]>,
     engine: Vec<[f64; 3]>,
@@ -165,35 +165,35 @@ struct Pictures {
     scene: Option<Scene>,
 }
 
-/// What became of a case.
+/// The result of a case.
 #[derive(Clone, Debug, Serialize)]
 pub struct CaseResult {
     /// The case.
     #[serde(flatten)]
     pub case: &'static Case,
-    /// Greatest error in code values, 0 to 255.
+    /// Maximum error of the naive renderer, code values, 0 to 255.
     pub naive_error: f64,
-    /// Greatest error of the engine, code values.
+    /// Maximum error of the engine, code values.
     pub robust_error: f64,
-    /// What that says of the two renderers.
+    /// Verdict on the two renderers.
     pub verdict: Verdict,
-    /// Pixels compared.
+    /// Number of pixels compared.
     pub pixels: u64,
-    /// Those where the naive way is off by more than half a code value.
+    /// Number of pixels at which the naive renderer is off by more than half a code value.
     pub naive_off: u64,
-    /// Pixels of the naive way that are infinite or no number, compared or not.
+    /// Number of pixels of the naive renderer that are infinite or NaN, compared or not.
     pub naive_not_finite: u64,
-    /// The same of the engine: none.
+    /// Number of pixels of the engine that are infinite or NaN: zero.
     pub robust_not_finite: u64,
-    /// What each stores: the naive way with what is not finite in magenta, the engine, the reference.
+    /// Stored pictures: the naive renderer's with non-finite pixels in magenta, the engine's, the reference's.
     #[serde(skip)]
     pub pictures: [Frame; 3],
-    /// The case as a scene, where it is one.
+    /// The case as a scene, if it is one.
     #[serde(skip)]
     pub scene: Option<Scene>,
 }
 
-/// The names of the pictures of a [`CaseResult`].
+/// Returns the names of the pictures of a [`CaseResult`].
 pub fn case_pictures() -> [&'static str; 3] {
     [
         text!("engine-naive"),
@@ -202,12 +202,12 @@ pub fn case_pictures() -> [&'static str; 3] {
     ]
 }
 
-/// The catalogue, by topic.
+/// Returns the catalogue, by topic.
 pub fn stability_cases() -> impl Iterator<Item = &'static Case> {
     cases::CASES.iter()
 }
 
-/// Draws a case in all three ways.
+/// Draws a case with all three renderers.
 pub fn stability(renderer: &mut Renderer, case: &'static Case) -> CaseResult {
     let pictures = match case.pictures {
         Some(make) => make(renderer),
@@ -269,7 +269,7 @@ pub fn stability(renderer: &mut Renderer, case: &'static Case) -> CaseResult {
     result
 }
 
-/// The engine's picture before the display.
+/// Returns the engine's picture before the display.
 fn engine_picture(renderer: &mut Renderer, scene: &Scene) -> Vec<[f64; 3]> {
     renderer.keep_linear(true);
     renderer.render(scene);
@@ -289,13 +289,13 @@ fn not_finite(pixels: &[[f64; 3]]) -> u64 {
         .count() as u64
 }
 
-/// Greatest difference of code values in any channel; what is no number is off by the whole range.
+/// Returns the maximum difference of code values in any channel; NaN is off by the whole range.
 fn greatest(truth: [f64; 3], value: [f64; 3]) -> f64 {
     let of = |(a, b): (f64, f64)| if b.is_finite() { (a - b).abs() } else { 255.0 };
     truth.into_iter().zip(value).map(of).fold(0.0, f64::max)
 }
 
-/// The code value of an intensity before rounding.
+/// Returns the code value of an intensity before rounding.
 fn clamped(intensity: f64) -> f64 {
     if intensity.is_nan() {
         f64::NAN
@@ -304,7 +304,7 @@ fn clamped(intensity: f64) -> f64 {
     }
 }
 
-/// What a cast to a byte leaves of an intensity times 255: its lowest 8 bits.
+/// Returns an intensity times 255 after a cast to a byte: its lowest 8 bits.
 fn wrapped(intensity: f64) -> f64 {
     let value = 255.0 * intensity;
     if value < 256.0 {
@@ -314,7 +314,7 @@ fn wrapped(intensity: f64) -> f64 {
     }
 }
 
-/// How a pixel that is not finite is shown.
+/// Colour of a pixel that is not finite.
 const MARK: [u8; 4] = [255, 0, 255, 255];
 
 fn frame(pixels: &[[f64; 3]], code: fn(f64) -> f64) -> Frame {

@@ -1,9 +1,10 @@
-//! Error against run time: every way of shading at every tessellation against the exact picture.
+//! Error against run time: every shading method at every tessellation against the exact picture.
 //!
-//! Errors are of the linear intensity before the display, and nothing is clamped; a code value of the raw encoding is 1/255.
-//! They are taken inside, where the picture and the exact one show the object with N·V ≥ 0.2, and for the outline apart.
-//! Times are medians of whole frames but for the tessellation, which is kept as a graphics card keeps it. The settings are
-//! timed in turn, each once before any is timed again, so that what slows the machine down for a while slows all of them.
+//! Errors are of the linear intensity before the display, and nothing is clamped; a code value of the raw encoding is
+//! 1/255. They are measured inside, where the picture and the exact one show the object with N·V ≥ 0.2, and
+//! separately for the outline. Times are medians of whole frames without the tessellation, which is kept as a
+//! graphics card keeps it. The settings are timed in turn, each once before any is timed again, so that a temporary
+//! slowdown of the machine affects all of them.
 
 mod historic;
 mod jet;
@@ -20,43 +21,44 @@ use crate::text::{Message, text};
 use serde::{Deserialize, Serialize};
 
 choices! {
-    /// A way of shading: one of the engine's modes, or one of the historic ones, in scalar code.
+    /// A shading method: one of the engine's modes, or one of the historic methods, in scalar code.
     pub enum Method = "method" {
-        /// Flat, at the centre of each polygon.
+        /// Flat shading, evaluated at the centre of each polygon.
         Flat = "flat";
-        /// Flat, by the mean of the vertices.
+        /// Flat shading by the mean of the vertices.
         FlatVertexMean = "flat-vertex-mean";
-        /// With the polygon's own normal at the vertices.
+        /// Interpolated shading with the polygon's own normal at the vertices.
         Interpolated = "interpolated";
-        /// Gouraud 1971.
+        /// Gouraud shading (Gouraud 1971).
         Gouraud = "gouraud";
-        /// Phong 1975, normals scaled to unit length at each pixel.
+        /// Phong shading (Phong 1975), normals scaled to unit length at each pixel.
         Phong = "phong";
-        /// Normals interpolated and left as they are.
+        /// Phong shading with interpolated normals that are not normalised.
         PhongUnnormalised = "phong-unnormalised";
-        /// Phong shading in the same scalar code as the two below.
+        /// Phong shading in the same scalar code as Taylor's and the angular method.
         PhongScalar = "phong-scalar";
-        /// Bishop and Weimer 1986: the cosines by Taylor expansion over each triangle.
+        /// Taylor expansion of the cosines over each triangle (Bishop and Weimer 1986).
         Taylor = "taylor";
-        /// Kuijk and Blake 1989: normals turn by equal angles along edges and spans.
+        /// Angular interpolation (Kuijk and Blake 1989): normals turn by equal angles along edges and spans.
         Angular = "angular";
     }
 }
 
 impl Method {
-    /// Whether it is drawn by scalar code in one thread, and not by the engine.
+    /// Returns whether scalar code in one thread draws it instead of the engine.
     pub fn is_scalar(self) -> bool {
         matches!(self, Self::PhongScalar | Self::Taylor | Self::Angular)
     }
 
-    /// What a pixel costs inside a span, under one white light at infinity and a viewer there: additions, multiplications,
-    /// divisions and roots, and powers (which the papers look up in a table) of the method's text here, without coverage and
-    /// depth.
+    /// Returns the cost of a pixel inside a span, under one white light at infinity and a viewer there: additions,
+    /// multiplications, divisions and roots, and powers (which the papers look up in a table) of the method's code
+    /// here, without coverage and depth.
     ///
-    /// Phong's normal takes 3 additions to carry, 6 multiplications, 2 additions, a root and a division to make unit; N·L and
-    /// N·V 3 multiplications and 2 additions each; R·V = 2(N·L)(N·V) − L·V 2 and 1; the sum with kd and ks 2 and 2. Taylor's two
-    /// cosines take 2 additions each by forward differences, kd and ks being part of them and of the table; their sum is
-    /// the fifth. The normal of angular interpolation takes 3 multiplications and 3 additions and is unit by construction.
+    /// Phong's normal takes 3 additions to interpolate, and 6 multiplications, 2 additions, a root and a division to
+    /// normalise; N·L and N·V 3 multiplications and 2 additions each; R·V = 2(N·L)(N·V) − L·V 2 and 1; the sum with
+    /// kd and ks 2 and 2. Taylor's two cosines take 2 additions each by forward differences, kd and ks being part of
+    /// them and of the table; their sum is the fifth. The normal of angular interpolation takes 3 multiplications and
+    /// 3 additions and has unit length by construction.
     pub fn pixel_cost(self) -> [u32; 4] {
         match self {
             Self::Flat | Self::FlatVertexMean => [0, 0, 0, 0],
@@ -68,7 +70,7 @@ impl Method {
         }
     }
 
-    /// Puts the method into a scene; scalar ones leave it as it is.
+    /// Applies the method to a scene; scalar ones leave it unchanged.
     fn apply(self, scene: &mut Scene) {
         let shading = &mut scene.shading;
         shading.mode = match self {
@@ -87,19 +89,19 @@ impl Method {
     }
 }
 
-/// What a study compares.
+/// The settings that a study compares.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StudyQuestion {
     /// The methods.
     pub methods: Vec<Method>,
-    /// Polygons round the axis; those along it go with them as the scene has it. Of a shape that is not divided by number
-    /// only its own polygons are measured.
+    /// Polygons round the axis; those along it scale with them as in the scene. Of a shape without such a number only
+    /// its own polygons are measured.
     pub segments: Vec<u32>,
-    /// How values are interpolated, where it makes a difference.
+    /// Interpolations, where they make a difference.
     pub interpolations: Vec<Interpolation>,
-    /// Exponents; none is the scene's own.
+    /// Exponents; none stands for the scene's own.
     pub n: Vec<f64>,
-    /// Frames timed for each setting, at least 1.
+    /// Number of frames timed for each setting, at least 1.
     pub repeats: u32,
 }
 
@@ -116,7 +118,8 @@ impl Default for StudyQuestion {
 }
 
 impl StudyQuestion {
-    /// Whether two scenes differ in nothing but what a study sets itself, so that what it finds in one holds in the other.
+    /// Returns whether two scenes differ only in parameters that a study sets itself, so that the results of one hold
+    /// for the other.
     pub fn same(&self, a: &Scene, b: &Scene) -> bool {
         let plain = |scene: &Scene| {
             let mut plain = scene.clone();
@@ -139,16 +142,16 @@ impl StudyQuestion {
     }
 }
 
-/// One way to draw the scene.
+/// A setting with which the scene is drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Setting {
     /// The method.
     pub method: Method,
-    /// Polygons round the axis.
+    /// Number of polygons round the axis.
     pub segments: u32,
-    /// Polygons along the axis.
+    /// Number of polygons along the axis.
     pub rings: u32,
-    /// None where it makes no difference.
+    /// The interpolation; none where it makes no difference.
     pub interpolation: Option<Interpolation>,
     /// The specular exponent.
     pub n: f64,
@@ -162,7 +165,7 @@ impl Setting {
         self.method.apply(scene);
     }
 
-    /// Puts the setting into a scene and returns true, unless it is one of the scalar methods, which no scene has.
+    /// Applies the setting to a scene and returns true, unless it is one of the scalar methods, which no scene has.
     pub fn load(&self, scene: &mut Scene) -> bool {
         if !self.method.is_scalar() {
             self.apply(scene);
@@ -170,13 +173,13 @@ impl Setting {
         !self.method.is_scalar()
     }
 
-    /// Whether it belongs to the same row of tessellations.
+    /// Returns whether it belongs to the same series of tessellations.
     fn is_like(&self, other: &Self) -> bool {
         (self.method, self.interpolation, self.n.to_bits())
             == (other.method, other.interpolation, other.n.to_bits())
     }
 
-    /// The setting in words.
+    /// Returns the setting's title.
     pub fn title(&self) -> String {
         format!(
             "{} {}×{}",
@@ -187,7 +190,7 @@ impl Setting {
     }
 }
 
-/// A method with the interpolation that it goes by, in words.
+/// Returns the title of a method with its interpolation.
 fn title(method: Method, interpolation: Option<Interpolation>) -> String {
     let method = method.label();
     match interpolation {
@@ -197,57 +200,57 @@ fn title(method: Method, interpolation: Option<Interpolation>) -> String {
     }
 }
 
-/// What is not measured, and why.
+/// An omitted setting, with the reason.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Omission {
     /// The method.
     pub method: Method,
     /// The interpolation; none where it makes no difference.
     pub interpolation: Option<Interpolation>,
-    /// Why it is not measured.
+    /// The reason why it is not measured.
     pub reason: Message,
 }
 
-/// What was measured of one setting.
+/// Measurements of one setting.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StudyRow {
-    /// How the scene was drawn.
+    /// The setting with which the scene was drawn.
     pub setting: Setting,
-    /// The longest edge of a polygon, world units: the spacing of the vertices.
+    /// Longest edge of a polygon, world units: the spacing of the vertices.
     pub spacing: f64,
-    /// Inside: root mean square, greatest and 99th percentile, linear intensity before the display: values above 1 count in
-    /// full.
+    /// Root mean square error inside, linear intensity before the display: values above 1 count in full.
     pub error_rms: f64,
-    /// Inside: the greatest error.
+    /// Maximum error inside, likewise.
     pub error_max: f64,
-    /// Inside: the error that 99 % of the pixels do not exceed.
+    /// 99th percentile of the error inside, likewise.
     pub error_p99: f64,
-    /// Inside: root mean square and greatest of the values as shown: where the display clamps, what is above 1 counts as 1, as
+    /// Root mean square error inside of the values as shown: where the display clamps, values above 1 count as 1, as
     /// in the figures of a comparison.
     pub error_rms_shown: f64,
-    /// The greatest of them.
+    /// Maximum error inside of the values as shown.
     pub error_max_shown: f64,
-    /// The pixels inside.
+    /// Number of pixels inside.
     pub interior_pixels: u64,
-    /// Pixels that show the object here or in the exact picture, but not in both; the root mean square over them.
+    /// Number of pixels that show the object here or in the exact picture, but not in both.
     pub outline_pixels: u64,
-    /// The root mean square over them.
+    /// Root mean square error over those pixels.
     pub outline_rms: f64,
-    /// Median of a frame in milliseconds, and the width of the middle half of the samples.
+    /// Median time of a frame, milliseconds.
     pub time_ms: f64,
     /// Width of the middle half of the samples, milliseconds.
     pub spread_ms: f64,
-    /// Frames timed.
+    /// Number of frames timed.
     pub samples: u32,
-    /// Evaluations of the equation in a frame, which no machine changes; of Taylor's method the triangles expanded.
+    /// Number of evaluations of the equation in a frame, which does not depend on the machine; of Taylor's method the
+    /// triangles expanded.
     pub evaluations: u64,
-    /// Whether nothing else is both faster and nearer to the exact picture, among those that the engine draws.
+    /// True if no other setting that the engine draws is both faster and nearer to the exact picture.
     pub pareto: bool,
-    /// Whether the time is that of a scalar code in one thread, and not of the engine.
+    /// True if the time is that of scalar code in one thread instead of the engine.
     pub scalar: bool,
 }
 
-/// How the errors of one method go with the tessellation.
+/// Dependence of one method's errors on the tessellation.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Series {
     /// The method.
@@ -256,31 +259,32 @@ pub struct Series {
     pub interpolation: Option<Interpolation>,
     /// The specular exponent.
     pub n: f64,
-    /// The order p of the greatest error, which goes as hᵖ with the spacing h; none of fewer than three tessellations.
+    /// Order p of the maximum error, which is proportional to hᵖ with the spacing h; none for fewer than three
+    /// tessellations.
     pub order: Option<Fit>,
-    /// Likewise of the root mean square.
+    /// Order of the root mean square error, likewise.
     pub order_rms: Option<Fit>,
 }
 
-/// What a study has found.
+/// The results of a study.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Study {
-    /// Those of one method, interpolation and n together, from coarse to fine.
+    /// Rows, those of one method, interpolation and n together, from coarse to fine.
     pub rows: Vec<StudyRow>,
     /// The orders of convergence.
     pub series: Vec<Series>,
-    /// What was left out.
+    /// The settings that were omitted.
     pub omitted: Vec<Omission>,
-    /// Whether nothing was cut short.
+    /// True if the study was not cut short.
     pub complete: bool,
-    /// Threads of the engine.
+    /// Number of threads of the engine.
     pub threads: usize,
 }
 
 impl Study {
-    /// Fits the orders and finds the front anew.
+    /// Recomputes the orders and the Pareto front.
     fn conclude(&mut self) {
-        // Times of the two texts are not of one kind: the scalar one's count only where there is no other.
+        // Times of engine and scalar code are not comparable: the scalar ones count only where there are no others.
         let engine = self.rows.iter().any(|row| !row.scalar);
         let time = |row: &StudyRow| {
             if row.scalar && engine {
@@ -320,7 +324,7 @@ impl Study {
             .collect();
     }
 
-    /// The first series of a method: of the first interpolation and n that were asked for.
+    /// Returns the first series of a method: of the first interpolation and n requested.
     pub fn series_of(&self, method: Method) -> Option<&Series> {
         self.series.iter().find(|series| series.method == method)
     }

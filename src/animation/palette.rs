@@ -1,27 +1,28 @@
-//! The colours of a GIF's frame: at most 256, each frame its own.
+//! Palettes for the frames of a GIF: at most 256 colours, different for each frame.
 //!
-//! The colours of a shaded picture lie on a few curves and sheets in the cube of all colours. The box about them is halved, and
-//! halved again wherever a box is widest, until there are as many boxes as a palette has colours; a pixel gets the mean of its
-//! box. So no pixel is off by more than the widest box that is left, and a colour that few pixels have is not forgotten.
+//! The colours of a shaded picture lie on a few curves and surfaces in the cube of all colours. The box around them
+//! is halved, and the widest box is halved again and again, until there are as many boxes as a palette has colours; a
+//! pixel gets the mean of its box. So no pixel's error exceeds the widest remaining box, and a rare colour is not
+//! lost.
 
 use std::collections::HashMap;
 use std::ops::Range;
 
-/// Most colours of a palette.
+/// Maximum number of colours in a palette.
 const MOST: usize = 256;
 
-/// A colour, and how many pixels have it.
+/// A colour with the number of its pixels.
 type Counted = ([u8; 3], u64);
 
-/// Returns a palette, red, green and blue of each colour, and each pixel's number in it. Where a picture has at most 256 colours
-/// these are they.
+/// Returns a palette, red, green and blue of each colour, and each pixel's index in it. The palette of a picture with
+/// at most 256 colours has exactly those.
 pub fn indexed(pixels: &[[u8; 4]]) -> (Vec<u8>, Vec<u8>) {
     let mut counts = HashMap::new();
     for [r, g, b, _] in pixels {
         *counts.entry([*r, *g, *b]).or_insert(0) += 1;
     }
     let mut colours: Vec<Counted> = counts.into_iter().collect();
-    // In an order that does not depend on the table's.
+    // An order that does not depend on the hash table's.
     colours.sort_unstable();
     let (mut palette, mut numbers) = (Vec::new(), HashMap::new());
     for (range, number) in boxes(&mut colours).into_iter().zip(0_u8..=255) {
@@ -66,9 +67,9 @@ fn boxes(colours: &mut [Counted]) -> Vec<Range<usize>> {
 struct Side {
     /// The channel.
     axis: usize,
-    /// From the least value to the greatest.
+    /// Difference between the maximum and the minimum.
     width: u8,
-    /// Half-way between them, rounded down.
+    /// Mean of the minimum and the maximum, rounded down.
     middle: u8,
 }
 
@@ -92,7 +93,7 @@ fn widest(colours: &[Counted]) -> Side {
     sides.max_by_key(|side| side.width).unwrap_or_default()
 }
 
-/// The mean of the pixels' colours.
+/// Returns the mean of the pixels' colours.
 fn mean(colours: &[Counted]) -> [u8; 3] {
     let count: u64 = colours.iter().map(|(_, count)| count).sum();
     std::array::from_fn(|channel| {

@@ -1,4 +1,4 @@
-//! The analyses on the command line: a scene, arguments that become a question, and where the answer goes.
+//! The analyses on the command line: a scene, arguments that become a question, and the destination of the answer.
 
 use super::input::{
     PaneArguments, SceneArguments, choice, inside_picture, one_of, output_file, output_name,
@@ -25,24 +25,24 @@ use std::path::{Path, PathBuf};
 pub trait Asks: Args {
     type Question: Question;
 
-    /// Its name in the list of analyses.
+    /// Name in the list of analyses.
     const NAME: &'static str;
 
-    /// Whether `--size` is the figure's and not the picture's.
+    /// True if `--size` is the figure's size instead of the picture's.
     const SIZES_FIGURE: bool = false;
 
-    /// How many times the scene's mesh is in memory at the same time.
+    /// Number of copies of the scene's mesh in memory at the same time.
     const MESHES: u64 = 2;
 
-    /// The question, and what else the arguments change in the scene.
+    /// Returns the question; applies other changes that the arguments make to the scene.
     fn question(&self, scene: &mut Scene) -> Result<Self::Question, Failure>;
 
-    /// Threads of the engine; one for each core unless given.
+    /// Returns the number of engine threads; one per core unless given.
     fn threads(&self) -> Option<u16> {
         None
     }
 
-    /// Writes what else is asked for; returns whether there was anything.
+    /// Writes additional requested output; returns whether there was any.
     fn also(&self, _subject: &Subject) -> Result<bool, Failure> {
         Ok(false)
     }
@@ -57,7 +57,7 @@ pub struct Analyse<A: Args> {
     about: Catalogued<A>,
 }
 
-/// A command that analyses what it brings along itself.
+/// A command that analyses scenes of its own.
 #[derive(Args)]
 pub struct Catalogued<A: Args> {
     #[command(flatten)]
@@ -66,7 +66,7 @@ pub struct Catalogued<A: Args> {
     output: OutputArguments,
 }
 
-/// Where the answer of an analysis goes.
+/// The destination of an analysis's answer.
 #[derive(Args)]
 struct OutputArguments {
     #[arg(long)]
@@ -138,8 +138,8 @@ impl<A: Asks> Catalogued<A> {
         }
     }
 
-    /// Answers the question with a bar on stderr; writes and prints the answer as the arguments say, in words where nothing
-    /// else is asked for.
+    /// Answers the question with a bar on stderr; writes and prints the answer according to the arguments, as text if
+    /// nothing else is requested.
     fn run(self, name: &str, mut subject: Subject) -> Result<(), Failure> {
         let Self { asked, mut output } = self;
         if !A::SIZES_FIGURE {
@@ -200,19 +200,19 @@ impl<A: Asks> Catalogued<A> {
     }
 }
 
-/// What an analysis can write.
+/// Returns the formats that an analysis can write.
 fn formats_of(name: &str) -> &'static [Format] {
     Analysis::find(name).map_or(&[], |analysis| analysis.formats)
 }
 
-/// What a name's ending says; a device or a pipe takes PNG, or a table where there is no figure.
+/// Returns the format of a name's ending; for a device or a pipe PNG, or a table where there is no figure.
 fn format_of(path: &Path, formats: &[Format]) -> Format {
     let usual = [Format::Png, Format::Csv];
     let usual = usual.into_iter().find(|format| formats.contains(format));
     Format::from_path(path).or(usual).unwrap_or(Format::Png)
 }
 
-/// A pixel that may be given, inside the picture.
+/// Checks that an optional pixel is inside the picture.
 fn checked(pixel: Option<[u32; 2]>, scene: &Scene) -> Result<Option<[u32; 2]>, Failure> {
     pixel.map_or(Ok(()), |pixel| {
         inside_picture("--pixel", pixel, scene.image.size)
@@ -317,6 +317,8 @@ pub struct Normals {
 impl Asks for Normals {
     type Question = NormalsQuestion;
     const NAME: &'static str = "normals";
+    // The polygons and their normals of each kind stand beside the mesh.
+    const MESHES: u64 = 3;
 
     fn question(&self, scene: &mut Scene) -> Result<NormalsQuestion, Failure> {
         Ok(NormalsQuestion {
@@ -378,7 +380,7 @@ pub struct Explain {
 impl Asks for Explain {
     type Question = PlanQuestion;
     const NAME: &'static str = "explain";
-    // What is left out is measured by renderers of their own.
+    // Separate renderers measure the omissions.
     const MESHES: u64 = 3;
 
     fn question(&self, _: &mut Scene) -> Result<PlanQuestion, Failure> {
@@ -520,7 +522,7 @@ pub struct Profile {
 }
 
 impl Profile {
-    /// Who looks at the screen, and from where.
+    /// Returns the viewing conditions and the model of the eye.
     fn eye(&self) -> Result<(Viewing, Perception), Failure> {
         let Self {
             viewing_distance: distance,

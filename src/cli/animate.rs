@@ -1,4 +1,4 @@
-//! `animate`: a scene's numbers from one value to another, as an animated PNG, a GIF or numbered pictures.
+//! `animate`: changes a scene's numbers from one value to another, as an animated PNG, a GIF or numbered pictures.
 
 use super::input::{SceneArguments, output_ending_in, parse_size, whole};
 use super::output::{Failure, check_picture_target, progress_bar};
@@ -98,7 +98,7 @@ impl Animate {
     }
 }
 
-/// With the names of the options.
+/// Converts an error into one that names the options.
 fn refused(error: SweepError) -> Failure {
     let named = |error: &dyn ToString, option: &str| error.to_string().replace("--set ", option);
     Failure::input(match &error {
@@ -108,7 +108,7 @@ fn refused(error: SweepError) -> Failure {
     })
 }
 
-/// The picture of a scene, or the sheet of what it compares.
+/// Draws a scene, or the sheet of its comparison.
 fn drawn(renderer: &mut Renderer, scene: &Scene, samples: u32) -> Frame {
     let which = panes_on_sheet(scene);
     let nothing = |_: &mut Frame, _: &mut Renderer, _: &Scene| Ok::<(), Infallible>(());
@@ -116,7 +116,7 @@ fn drawn(renderer: &mut Renderer, scene: &Scene, samples: u32) -> Frame {
     comparison_sheet(scene, &panes, true)
 }
 
-/// Names with a number in them, as in `frame-%03d.png`.
+/// A file name with a number in it, as in `frame-%03d.png`.
 struct Numbered {
     before: String,
     digits: usize,

@@ -1,4 +1,4 @@
-//! `check`: whether a scene, a model, a picture or a lesson is sound, in a line or as JSON.
+//! `check`: validates a scene, a model, a picture or a lesson, with a line or JSON as the result.
 
 use super::input::{STDIN, SceneArguments, is_stdin, stdin};
 use super::lesson;
@@ -21,7 +21,7 @@ pub struct Check {
     json: bool,
 }
 
-/// What a sound file holds.
+/// Content of a valid file.
 enum Sound {
     Scene(Box<Loaded>),
     Lesson(Box<Lesson>),
@@ -34,7 +34,7 @@ impl Check {
         if self.json {
             let object = in_language(Language::English, || match &found {
                 Ok(sound) => sound.object(&name),
-                // Again, since a file's errors are in words already.
+                // Again in this language, since a file's errors are already text.
                 Err(_) => match self.open(earlier) {
                     Ok(sound) => sound.object(&name),
                     Err(error) => {
@@ -49,7 +49,7 @@ impl Check {
         print(&(sound.line(&name) + "\n"))
     }
 
-    /// Returns what messages call the file.
+    /// Returns the name of the file in messages.
     fn called(&self) -> &Path {
         if is_stdin(&self.file) {
             Path::new(STDIN)
@@ -77,7 +77,7 @@ impl Check {
         Ok(Sound::Scene(Box::new(arguments.load(earlier)?)))
     }
 
-    /// By the file's name, or by the first line that every lesson has.
+    /// Returns whether the file is a lesson, judging by its name, or by the first line that every lesson has.
     fn is_lesson(&self) -> Result<bool, LoadError> {
         if is_stdin(&self.file) {
             return Ok(stdin()?.starts_with(b"+++"));
@@ -136,7 +136,7 @@ impl Sound {
     }
 }
 
-/// Polygons of a model's file.
+/// Returns the number of polygons in a model's file.
 fn polygons(loaded: &Loaded) -> Option<usize> {
     let model = loaded.model.as_ref()?;
     Some(model.starts.len().saturating_sub(1))
@@ -147,7 +147,7 @@ fn questions(lesson: &Lesson) -> usize {
     questions.count()
 }
 
-/// Each problem with its file, its line and its key, as far as it has them.
+/// Returns each problem with its file, line and key, as far as it has them.
 fn problems(error: &OpenError) -> Vec<Value> {
     let problem = |file: Option<String>, line: Option<u64>, key: Option<&str>, message: String| json!({ "file": file, "line": line, "key": key, "message": message });
     match error {

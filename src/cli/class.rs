@@ -73,7 +73,7 @@ impl Collect {
     }
 }
 
-/// A file, or the standard input.
+/// Reads a hand-in from a file or the standard input.
 fn handed(path: &Path) -> Result<Handed, Failure> {
     let (path, bytes) = if is_stdin(path) {
         (PathBuf::from(STDIN), Some(stdin()?))
@@ -87,7 +87,8 @@ fn write_text(target: &Path, text: &str) -> Result<(), Failure> {
     Ok(write_whole(target, |out| out.write_all(text.as_bytes()))?)
 }
 
-/// Returns the questions that have no right answer, each with its line in the lesson's file, or in the first picture with that lesson inside.
+/// Returns the questions without a correct answer, each with its line in the lesson's file, or in the first picture
+/// with that lesson inside.
 fn failures(group: &Group, lesson: Option<&Path>) -> impl Iterator<Item = String> {
     let line = |asked: &ClassQuestion| {
         let step = group.lesson.steps.get(asked.step);
@@ -113,7 +114,7 @@ fn failures(group: &Group, lesson: Option<&Path>) -> impl Iterator<Item = String
     })
 }
 
-/// Every hand-in with its group, in the order of the files.
+/// Returns every hand-in with its group, in the order of the files.
 fn in_order(class: &Class) -> Vec<(&Group, &Student)> {
     let of = |group| move |student| (group, student);
     let mut all: Vec<(&Group, &Student)> = class
@@ -217,7 +218,7 @@ fn csv(class: &Class) -> String {
     table.to_csv()
 }
 
-/// An answer in a cell: numbers as programs read them.
+/// Formats an answer for a cell: numbers as programs read them.
 fn cell(answer: &shading_lab::lesson::Answer) -> String {
     let list = |value: &Value| {
         let entries = value.as_array()?.iter();
@@ -230,7 +231,7 @@ fn cell(answer: &shading_lab::lesson::Answer) -> String {
     }
 }
 
-/// The table of a lesson for a terminal.
+/// Returns the table of a lesson for a terminal.
 fn table(group: &Group) -> String {
     let mut rows = vec![[text!("class-name").to_owned()].to_vec()];
     rows[0].extend((1..=group.questions.len()).map(|number| number.to_string()));
@@ -289,7 +290,7 @@ fn table(group: &Group) -> String {
     out
 }
 
-/// What the class predicted, and what is right.
+/// Formats the predictions of the class and the correct answer.
 fn question_line(group: &Group, index: usize) -> String {
     let asked = &group.questions[index];
     let Some(question) = asked.question(&group.lesson) else {
@@ -328,7 +329,7 @@ fn question_line(group: &Group, index: usize) -> String {
     line + "\n"
 }
 
-/// Returns text from anybody as one line, as wide as the terminal shows it.
+/// Returns arbitrary text as one line, as wide as the terminal shows it.
 fn one_line(text: &str) -> String {
     let words = text.split_whitespace().collect::<Vec<_>>().join(" ");
     escaped(&excerpt(&words))

@@ -1,4 +1,4 @@
-//! What is wrong with the arguments themselves, in the language chosen.
+//! Errors of the arguments themselves, in the chosen language.
 
 use super::input::one_of;
 use clap::Error;
@@ -7,8 +7,8 @@ use shading_lab::text::{excerpt, text};
 use std::error::Error as _;
 use std::num::{ParseFloatError, ParseIntError};
 
-/// A sentence for an error of the arguments; none for help and the like, and for errors that no argument of this program can
-/// cause, whose words are clap's.
+/// Returns a sentence for an error of the arguments; none for help and the like, and for errors that no argument of
+/// this program can cause, which keep clap's text.
 pub fn worded(error: &Error) -> Option<String> {
     let all = |kind| match error.get(kind) {
         Some(ContextValue::String(text)) => vec![excerpt(text)],

@@ -1,7 +1,7 @@
-//! The examples that begin the help of the program and of each command, and stand in the manual pages. They are as they are typed,
-//! in any language; a test reads them.
+//! The examples at the start of the program's and each command's help, also in the manual pages. They are as typed,
+//! in any language; a test parses them.
 
-/// How a command is called.
+/// Returns example invocations of a command.
 pub fn examples(command: &str) -> &'static [&'static str] {
     match command {
         "render" => &[

@@ -1,5 +1,5 @@
-//! The words of the command line's help, from the catalogue by the names of commands and arguments: `cli-help-render` and
-//! `cli-help-render-samples`, or `cli-help-shared-size` for an argument that several commands have.
+//! The texts of the command line's help, from the catalogue by the names of commands and arguments: `cli-help-render`
+//! and `cli-help-render-samples`, or `cli-help-shared-size` for an argument that several commands have.
 
 use super::examples::examples;
 use super::output::{columns, is_wide};
@@ -8,14 +8,14 @@ use clap::{Arg, ArgAction, Command};
 use shading_lab::text::{has, text};
 use std::fmt::Write as _;
 
-/// Columns of the help where the terminal is wider, or none.
+/// Maximum number of columns of the help, also used where there is no terminal.
 const WIDEST: usize = 98;
-/// The least that help can be wrapped to.
+/// Minimum number of columns of the help.
 const NARROWEST: usize = 40;
-/// Longer arguments have their help on the next line.
+/// Number of columns beyond which an argument has its help on the next line.
 const WIDEST_ARGUMENT: usize = 28;
 
-/// The commands by what they are for, each group under its heading.
+/// The commands grouped by purpose, each group under its heading.
 const GROUPS: [(&str, &[&str]); 6] = [
     ("cli-group-draw", &["render", "animate", "compare"]),
     (
@@ -40,15 +40,15 @@ const GROUPS: [(&str, &[&str]); 6] = [
     ("cli-group-program", &["completions", "manual", "help"]),
 ];
 
-/// How wide lines of the help may be.
+/// Returns the line width of the help, columns.
 pub fn line_width() -> usize {
     terminal_size::terminal_size().map_or(WIDEST, |(width, _)| {
         usize::from(width.0).clamp(NARROWEST, WIDEST)
     })
 }
 
-/// `program` with its help in the language chosen, and the help of its commands, in lines of at most `width` columns: or without
-/// a layout, for programs that have their own.
+/// Returns `program` with its help and that of its commands in the chosen language, in lines of at most `width`
+/// columns: or without a layout, for programs that have their own.
 pub fn worded(program: Command, width: Option<usize>) -> Command {
     let version = Arg::new("version").short('V').long("version");
     let program = program
@@ -58,7 +58,7 @@ pub fn worded(program: Command, width: Option<usize>) -> Command {
     worded_command(program, "program", &[], width)
 }
 
-/// `inherited` are arguments of the commands above.
+/// Returns a command with its help; `inherited` are arguments of the commands above.
 fn worded_command(
     command: Command,
     name: &str,
@@ -91,7 +91,7 @@ fn worded_command(
     };
     let template = template(&command, name, inherited, width);
     let more = more.map(|more| wrapped(more, width).join("\n"));
-    // What the program alone does is worth saying at once.
+    // The purpose of the program without a command is shown in the short help too.
     let short = more.clone().filter(|_| name == "program");
     command
         .about(wrapped(about, width).join("\n"))
@@ -101,7 +101,7 @@ fn worded_command(
         .help_template(template)
 }
 
-/// An argument with its own message for the command, or with the one that commands share.
+/// Returns an argument with its own message for the command, or with the one that commands share.
 fn worded_argument(argument: Arg, command: &str) -> Arg {
     let mut help = text!(&key(&argument, command)).to_owned();
     if let Some(value) = argument.get_default_values().first() {
@@ -128,7 +128,7 @@ fn key(argument: &Arg, command: &str) -> String {
     }
 }
 
-/// Under what an argument stands.
+/// Returns the heading of an argument.
 fn heading(argument: &Arg, command: &str) -> &'static str {
     match argument.get_id().as_str() {
         "source" | "set" | "material" | "pane" => "cli-heading-scene",
@@ -141,7 +141,7 @@ fn heading(argument: &Arg, command: &str) -> &'static str {
     }
 }
 
-/// In this order.
+/// The headings in their order.
 const HEADINGS: [&str; 6] = [
     "cli-arguments",
     "cli-heading-scene",
@@ -151,11 +151,11 @@ const HEADINGS: [&str; 6] = [
     "cli-heading-general",
 ];
 
-/// What a command is for, how it is called, and its commands and arguments under their headings.
+/// Returns the help template: a command's purpose, its usage, and its commands and arguments under their headings.
 fn template(command: &Command, name: &str, inherited: &[Arg], width: usize) -> StyledStr {
     let styles = command.get_styles();
     let (heading, literal) = (*styles.get_header(), *styles.get_literal());
-    // Memory takes every text.
+    // Writing to memory cannot fail.
     let mut out = "{about-with-newline}".to_owned();
     let examples = examples(name);
     let title = match examples.len() {
@@ -210,13 +210,13 @@ fn template(command: &Command, name: &str, inherited: &[Arg], width: usize) -> S
             section(text!(key), rows);
         }
     }
-    // What follows begins with an empty line of its own.
+    // The following text begins with an empty line of its own.
     out.truncate(out.trim_end().len());
     out += "{after-help}";
     out.into()
 }
 
-/// An argument as it is typed, and its help.
+/// Returns an argument as it is typed, and its help.
 fn row(argument: &Arg) -> (String, String) {
     let names = argument.get_value_names().unwrap_or_default();
     let value = names
@@ -239,7 +239,8 @@ fn row(argument: &Arg) -> (String, String) {
     (typed, help.unwrap_or_default())
 }
 
-/// A text in lines of at most `width` columns. Between Chinese characters a line may end, but no punctuation begins one.
+/// Wraps a text to lines of at most `width` columns. A line may end between Chinese characters, but no punctuation
+/// begins one.
 fn wrapped(text: &str, width: usize) -> Vec<String> {
     text.lines()
         .flat_map(|line| wrapped_line(line, width))
@@ -260,7 +261,7 @@ fn wrapped_line(text: &str, width: usize) -> Vec<String> {
     lines
 }
 
-/// The pieces of a line that stay whole, with the spaces after them.
+/// Splits a line into pieces that stay whole, with the spaces after them.
 fn pieces(text: &str) -> Vec<&str> {
     let mut pieces = Vec::new();
     let (mut start, mut before) = (0, '\0');
@@ -289,7 +290,7 @@ mod tests {
     use std::collections::BTreeSet;
     use std::path::PathBuf;
 
-    /// The messages that a command and those under it read.
+    /// Returns the messages that a command and its subcommands read.
     fn read_by(command: &Command, name: &str) -> BTreeSet<String> {
         let mut keys = BTreeSet::from([format!("cli-help-{name}")]);
         keys.extend(command.get_arguments().map(|argument| key(argument, name)));
@@ -312,7 +313,7 @@ mod tests {
         assert_eq!(read_by(&program, "program"), there);
     }
 
-    /// The short and the long help of every command, in a language.
+    /// Returns the short and the long help of every command, in a language.
     fn every_help(language: Language, width: usize) -> Vec<(String, String)> {
         fn collect(command: &mut Command, all: &mut Vec<(String, String)>) {
             let name = command.get_name().to_owned();
@@ -331,7 +332,7 @@ mod tests {
         })
     }
 
-    /// Nothing of what the help says is left over from the code, where it would be English.
+    /// Checks that no part of the help comes from the code, where it would be English.
     #[test]
     fn help_is_in_the_language_chosen() {
         for (_, help) in every_help(Language::TraditionalChinese, WIDEST) {
@@ -355,7 +356,7 @@ mod tests {
                     .position(|line| line.starts_with("  shading-lab "));
                 assert!(example.is_some_and(|line| line <= 5), "{name}: {help}");
             }
-            // Narrow terminals: whatever can be wrapped is.
+            // Narrow terminals: everything that can be wrapped is.
             for (name, help) in every_help(language, 60) {
                 let wide = |line: &&str| columns(line) > 60;
                 let prose = help.lines().filter(wide).filter(|line| line.contains(". "));
@@ -364,7 +365,8 @@ mod tests {
         }
     }
 
-    /// Every command stands under one heading, and each of its arguments, with those of the program that it takes as well.
+    /// Checks that every command has one heading, and each of its arguments too, including those of the program that
+    /// it takes.
     #[test]
     fn everything_stands_under_a_heading() {
         let program = worded(Arguments::command(), Some(WIDEST));
@@ -403,7 +405,7 @@ mod tests {
                 let found = found.unwrap_or_else(|error| panic!("{example}: {error}"));
                 let own = matches!(name, "program" | "materials");
                 assert!(own || found.subcommand_name() == Some(name), "{example}");
-                // What it names is there, or is a file of the reader's own.
+                // Files that it names exist, or are the reader's own.
                 let (_, found) = found.subcommand().unwrap_or((name, &found));
                 let named = |id| found.try_get_one::<PathBuf>(id).ok().flatten();
                 let scene = named("source").and_then(|scene| scene.to_str());

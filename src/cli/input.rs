@@ -19,27 +19,28 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use std::sync::OnceLock;
 
-/// Files from this many bytes on get a progress bar while they are read.
+/// File size in bytes from which on a progress bar is shown while reading.
 const LARGE_FILE: u64 = 4 << 20;
 
-/// What stands on a command line for the standard input, and for the standard output.
+/// Name of the standard input and of the standard output on a command line.
 const STANDARD: &str = "-";
 
-/// What messages call the standard input.
+/// Name of the standard input in messages.
 pub const STDIN: &str = "<stdin>";
 
-/// Most bytes of a picture that are taken from the standard input: more than any picture of this program has.
+/// Maximum size in bytes of a picture from the standard input: more than any picture of this program has.
 const MOST_PICTURE: u64 = 1 << 30;
 
-/// Most bytes of a text: one more than a scene may have, so that its reader can object.
+/// Maximum size in bytes of a text: one more than a scene may have, so that its reader can report the error.
 const MOST_TEXT: u64 = Scene::MAX_TEXT as u64 + 1;
 
-/// Whether a file's name means the standard input.
+/// Returns whether a file's name stands for the standard input.
 pub fn is_stdin(path: &Path) -> bool {
     path == Path::new(STANDARD)
 }
 
-/// Returns the standard input, as much of it as a picture or a text may have; it is read once however often it is asked for.
+/// Returns the standard input, limited to the size of a picture or of a text; it is read once however often it is
+/// requested.
 pub fn stdin() -> Result<Vec<u8>, LoadError> {
     static READ: OnceLock<Result<Vec<u8>, String>> = OnceLock::new();
     let read = || {
@@ -61,7 +62,7 @@ pub fn stdin() -> Result<Vec<u8>, LoadError> {
     })
 }
 
-/// What is wrong with a file as a whole.
+/// Returns an error that concerns a file as a whole.
 fn refused(path: &Path, problem: String) -> LoadError {
     LoadError::File {
         path: path.to_owned(),
@@ -70,7 +71,7 @@ fn refused(path: &Path, problem: String) -> LoadError {
     }
 }
 
-/// Which scene, and what is different in it.
+/// The scene, with the changes to it.
 #[derive(Args)]
 pub struct SceneArguments {
     #[arg(value_name = "SCENE")]
@@ -82,7 +83,7 @@ pub struct SceneArguments {
 }
 
 impl SceneArguments {
-    /// What is different in the scene: first its material, then single keys.
+    /// Returns the changes to the scene: first its material, then single keys.
     pub fn overrides(&self) -> Vec<String> {
         let material = self.material.map(assignments).unwrap_or_default();
         material
@@ -91,8 +92,8 @@ impl SceneArguments {
             .collect()
     }
 
-    /// Opens the scene, or the default one, with the overrides of both sides of the command's name. What is not drawn of it is
-    /// noted on stderr.
+    /// Opens the scene, or the default one, with the overrides on both sides of the command's name. Parts of it that
+    /// are not drawn are noted on stderr.
     pub fn load(&self, earlier: &[String]) -> Result<Loaded, LoadError> {
         let loaded = self.load_quietly(earlier)?;
         if let Some(warning) = loaded.warning() {
@@ -126,7 +127,7 @@ impl SceneArguments {
     }
 }
 
-/// A named material as keys of a scene.
+/// Returns a named material as keys of a scene.
 fn assignments(named: &NamedMaterial) -> Vec<String> {
     let scene = Scene {
         material: named.material(),
@@ -137,7 +138,7 @@ fn assignments(named: &NamedMaterial) -> Vec<String> {
         .collect()
 }
 
-/// Takes a whole number of a range.
+/// Parses a whole number in a range.
 pub fn whole<T: TryFrom<u32> + Clone + Send + Sync + 'static>(
     range: RangeInclusive<u32>,
 ) -> impl Fn(&str) -> Result<T, String> + Clone + Send + Sync + 'static {
@@ -157,7 +158,7 @@ fn parse_material(text: &str) -> Result<&'static NamedMaterial, String> {
     })
 }
 
-/// `a, b or c`.
+/// Joins words as `a, b or c`.
 pub fn one_of(words: &[impl AsRef<str>]) -> String {
     let words: Vec<&str> = words.iter().map(AsRef::as_ref).collect();
     match words.split_last() {
@@ -169,7 +170,7 @@ pub fn one_of(words: &[impl AsRef<str>]) -> String {
     }
 }
 
-/// Which panes there are beside the scene itself.
+/// The panes beside the scene itself.
 #[derive(Args)]
 pub struct PaneArguments {
     #[arg(long, value_name = "KEY=VALUE[;KEY=VALUE]")]
@@ -177,7 +178,7 @@ pub struct PaneArguments {
 }
 
 impl PaneArguments {
-    /// Puts the panes into the scene; `view` is how they are shown, unless the scene says.
+    /// Adds the panes to the scene; `view` is the way they are shown, unless the scene sets one.
     pub fn apply(&self, scene: &mut Scene, view: Option<CompareView>) -> Result<(), Failure> {
         if !self.pane.is_empty() {
             let settings = |text: &String| {
@@ -202,7 +203,7 @@ impl PaneArguments {
     }
 }
 
-/// `WxH`, in the bounds of a picture.
+/// Parses `WxH`, within the bounds of a picture.
 pub fn parse_size(text: &str) -> Result<[u32; 2], String> {
     let expected = || text!("cli-expected-size", most = Image::MAX_SIDE);
     let size = pair(text, &['x', 'X', '×'], |side| {
@@ -215,12 +216,12 @@ pub fn parse_size(text: &str) -> Result<[u32; 2], String> {
     Ok(size)
 }
 
-/// `X,Y`, whole numbers from the top left.
+/// Parses `X,Y`, whole numbers from the top left.
 pub fn parse_pixel(text: &str) -> Result<[u32; 2], String> {
     pair(text, &[','], |_| true).ok_or_else(|| text!("cli-expected-pixel").to_owned())
 }
 
-/// `X,Y`, any numbers.
+/// Parses `X,Y`, any numbers.
 pub fn parse_place(text: &str) -> Result<DVec2, String> {
     let expected = || text!("cli-expected-place").to_owned();
     pair(text, &[','], |value: &f64| value.is_finite())
@@ -228,21 +229,21 @@ pub fn parse_place(text: &str) -> Result<DVec2, String> {
         .ok_or_else(expected)
 }
 
-/// Two numbers on either side of a separator.
+/// Parses two numbers on either side of a separator.
 fn pair<T: FromStr>(text: &str, separators: &[char], sound: fn(&T) -> bool) -> Option<[T; 2]> {
     let (first, second) = text.split_once(separators)?;
     let number = |text: &str| text.trim().parse().ok().filter(sound);
     Some([number(first)?, number(second)?])
 }
 
-/// The number of a vertex.
+/// Parses the number of a vertex.
 pub fn parse_vertex(text: &str) -> Result<u32, String> {
     text.trim()
         .parse()
         .map_err(|_| text!("cli-expected-vertex").to_owned())
 }
 
-/// One of `choices`, by its word in files.
+/// Parses one of `choices`, by its word in files.
 pub fn parse_choice<T: Serialize + Copy>(text: &str, choices: &[T]) -> Result<T, String> {
     let words: Vec<String> = choices.iter().map(word).collect();
     match words.iter().position(|word| word == text.trim()) {
@@ -257,7 +258,7 @@ pub fn parse_choice<T: Serialize + Copy>(text: &str, choices: &[T]) -> Result<T,
     }
 }
 
-/// [`parse_choice`] with its choices known to completions.
+/// Returns the parser of [`parse_choice`], with its choices known to completions.
 pub fn choice<T: Serialize + Copy + Send + Sync + 'static>(
     choices: &'static [T],
 ) -> impl TypedValueParser<Value = T> {
@@ -287,7 +288,7 @@ impl<T: Serialize + Copy + Send + Sync + 'static> TypedValueParser for Choices<T
     }
 }
 
-/// Refuses a pixel outside a picture of `size`; `argument` is what names it.
+/// Refuses a pixel outside a picture of `size`; `argument` is the option that names it.
 pub fn inside_picture(
     argument: &str,
     [x, y]: [u32; 2],
@@ -304,7 +305,7 @@ pub fn inside_picture(
     )))
 }
 
-/// The standard output, a device or a pipe, whose name says nothing of a format.
+/// Returns whether a path is the standard output, a device or a pipe, whose name implies no format.
 pub fn is_device(path: &Path) -> bool {
     if path == Path::new(STDOUT) {
         return true;
@@ -313,7 +314,7 @@ pub fn is_device(path: &Path) -> bool {
         .is_ok_and(|metadata| !metadata.is_file() && !metadata.is_dir())
 }
 
-/// The name of a file to write; `-` is the standard output.
+/// Parses the name of a file to write; `-` is the standard output.
 pub fn output_file() -> impl TypedValueParser<Value = PathBuf> {
     PathBufValueParser::new().map(|path| {
         if path == Path::new(STANDARD) {
@@ -324,7 +325,8 @@ pub fn output_file() -> impl TypedValueParser<Value = PathBuf> {
     })
 }
 
-/// The same with one of these endings, unless it is a device or a pipe; `expected` is the message that names them.
+/// Parses the name of a file to write that has one of these endings, unless it is a device or a pipe; `expected` is
+/// the message that names them.
 pub fn output_ending_in(
     endings: &'static [&'static str],
     expected: &'static str,
@@ -340,12 +342,12 @@ pub fn output_ending_in(
     })
 }
 
-/// The name of a figure or a table.
+/// Parses the name of a figure or a table.
 pub fn output_name() -> impl TypedValueParser<Value = PathBuf> {
     output_ending_in(&["json", "png", "svg", "csv"], "cli-expected-output")
 }
 
-/// The name of a picture.
+/// Parses the name of a picture.
 pub fn picture_name() -> impl TypedValueParser<Value = PathBuf> {
     output_ending_in(&["png"], "cli-expected-png")
 }

@@ -1,4 +1,4 @@
-//! `lesson`: the lessons that there are, one in words, or its worksheet.
+//! `lesson`: the list of lessons, one lesson as text, or its worksheet.
 
 use super::input::{STDIN, is_stdin, output_ending_in, stdin};
 use super::output::{Failure, print, print_json, progress_bar, spinner};
@@ -13,7 +13,7 @@ use shading_lab::scene::nearest;
 use shading_lab::text::{excerpt, text};
 use std::path::{Path, PathBuf};
 
-/// Samples a pixel of a worksheet's pictures.
+/// Samples per pixel of a worksheet's pictures.
 const SAMPLES: u32 = 4;
 
 #[derive(Args)]
@@ -30,7 +30,7 @@ pub struct LessonCommand {
     json: bool,
 }
 
-/// The name of a page.
+/// Parses the name of a page.
 pub fn page_name() -> impl TypedValueParser<Value = PathBuf> {
     output_ending_in(&["html", "htm"], "cli-expected-html")
 }
@@ -76,7 +76,7 @@ impl LessonCommand {
     }
 }
 
-/// A built-in lesson, a file, or the standard input.
+/// Opens a built-in lesson, a file, or the standard input.
 fn open(name: &Path) -> Result<Lesson, Failure> {
     if let Some(lesson) = name.to_str().and_then(find) {
         return Ok(lesson.lesson());
@@ -94,7 +94,7 @@ fn open(name: &Path) -> Result<Lesson, Failure> {
     )))
 }
 
-/// A lesson's file, or the standard input.
+/// Opens a lesson's file, or the standard input.
 pub fn open_file(path: &Path) -> Result<Lesson, Failure> {
     read(path).map_err(Failure::input)
 }

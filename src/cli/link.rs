@@ -10,7 +10,7 @@ use shading_lab::link::{self, PAGE, Written};
 use shading_lab::text::text;
 use std::path::PathBuf;
 
-/// Pixels of a module in a picture.
+/// Pixels per module in a picture.
 const MODULE: f64 = 10.0;
 
 #[derive(Args)]
@@ -25,13 +25,13 @@ pub struct Link {
     json: bool,
 }
 
-/// The address of a page.
+/// Parses the address of a page.
 pub fn parse_page(address: &str) -> Result<String, String> {
     link::page(address)
 }
 
 impl Link {
-    /// `earlier` and `page` are what stood before the command.
+    /// Prints the link or writes its QR code; `earlier` and `page` are the arguments before the command.
     pub fn run(self, earlier: &[String], page: Option<String>) -> Result<(), Failure> {
         if let Some(target) = &self.output {
             check_target(target)?;

@@ -1,4 +1,4 @@
-//! What the program says about itself: the help of a command, completions for shells, and manual pages.
+//! The program's own documentation: the help of a command, completions for shells, and manual pages.
 
 use super::examples::examples;
 use super::help::{line_width, worded};
@@ -45,7 +45,8 @@ impl Completions {
         let mut script = Vec::new();
         clap_complete::generate(self.shell, &mut program, &name, &mut script);
         let script = String::from_utf8_lossy(&script);
-        // clap_complete 4.6 calls a program with a hyphen by one name where it looks for the command and by another where it answers.
+        // clap_complete 4.6 writes a name with a hyphen in one way where it looks for the command and in another
+        // where it answers.
         let (asked, answered) = (name.replace('-', "__"), name.replace('-', "__subcmd__"));
         print(&script.replace(&answered, &asked))
     }
@@ -67,7 +68,7 @@ impl Manual {
     }
 }
 
-/// The command of a name, or the program itself.
+/// Returns the command of a name, or the program itself.
 fn named(program: Command, name: Option<&str>) -> Result<Command, Failure> {
     let Some(name) = name else {
         return Ok(program);
@@ -76,7 +77,7 @@ fn named(program: Command, name: Option<&str>) -> Result<Command, Failure> {
     found.ok_or_else(|| no_command(&program, name))
 }
 
-/// That there is no command of a name, with the one that was probably meant.
+/// Returns the error for an unknown command, with the one that was probably meant.
 pub fn no_command(program: &Command, name: &str) -> Failure {
     let known = program.get_subcommands().map(Command::get_name);
     let meant = did_you_mean(name, known);
@@ -84,7 +85,7 @@ pub fn no_command(program: &Command, name: &str) -> Failure {
     Failure::input(text!("cli-no-command", name = name, meant = meant))
 }
 
-/// A manual page, its headings in the language chosen.
+/// Returns a manual page, its headings in the chosen language.
 fn page(command: &Command) -> Result<String, Failure> {
     let mut page = Vec::new();
     let man = Man::new(command.clone())
@@ -104,7 +105,7 @@ fn page(command: &Command) -> Result<String, Failure> {
             }
             "SUBCOMMANDS" => text!("cli-manual-commands"),
             "VERSION" => text!("cli-manual-version"),
-            // Those of the help end in a colon.
+            // Headings of the help end in a colon.
             other => other.trim_matches('"').trim_end_matches([':', '：']),
         };
         if heading.is_empty() {
@@ -117,7 +118,7 @@ fn page(command: &Command) -> Result<String, Failure> {
     Ok(out)
 }
 
-/// The examples of a command's help, as they are typed.
+/// Formats the examples of a command's help, as they are typed.
 fn example_section(name: &str) -> String {
     let heading = text!("cli-manual-examples");
     let line = |example: &&str| example.replace('\\', "\\e").replace('-', "\\-") + "\n";

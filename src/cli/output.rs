@@ -1,4 +1,4 @@
-//! Results to stdout, progress to a terminal, and what ends a command early.
+//! Results on stdout, progress on a terminal, and the errors that end a command early.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
 use shading_lab::document::{LoadError, STDOUT, SaveError};
@@ -10,17 +10,17 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::time::Duration;
 
-/// How often a bar shows that the work goes on.
+/// Interval at which a bar shows that the work continues.
 const TICK: Duration = Duration::from_millis(120);
 
-/// Why a command did not do what it was asked for.
+/// The reason why a command failed.
 #[derive(Debug)]
 pub enum Failure {
-    /// The input is at fault; a line for each problem.
+    /// The input is at fault; one line for each problem.
     Input(String),
-    /// The input is sound, but it could not be done.
+    /// The input is valid, but the work failed.
     Work(String),
-    /// Nobody reads the output any more, which ends the work without fuss.
+    /// The reader has closed the output, which ends the work silently.
     Closed,
 }
 
@@ -33,7 +33,7 @@ impl Failure {
         Self::Work(message.to_string())
     }
 
-    /// Writes the problems to stderr and chooses the exit status.
+    /// Writes the problems to stderr and returns the exit status.
     pub fn report(&self) -> ExitCode {
         let (message, status) = match self {
             Self::Input(message) => (message, 2),
@@ -68,7 +68,7 @@ impl From<SaveError> for Failure {
 }
 
 impl From<io::Error> for Failure {
-    /// Of the standard output.
+    /// Converts an error of the standard output.
     fn from(error: io::Error) -> Self {
         match error.kind() {
             io::ErrorKind::BrokenPipe => Self::Closed,
@@ -77,12 +77,12 @@ impl From<io::Error> for Failure {
     }
 }
 
-/// Writes text to stdout, without what a terminal would act on.
+/// Writes text to stdout, with control characters escaped.
 pub fn print(text: &str) -> Result<(), Failure> {
     written(&escaped(text))
 }
 
-/// Writes a JSON object to stdout, for programs; what a terminal would act on is in JSON's own escapes.
+/// Writes a JSON object to stdout, for programs, with control characters as JSON escapes.
 pub fn print_json(json: &str) -> Result<(), Failure> {
     written(&escaped_json(json))
 }
@@ -93,19 +93,19 @@ fn written(text: &str) -> Result<(), Failure> {
     Ok(out.flush()?)
 }
 
-/// Writes help to stdout, with the colours that a terminal has for it.
+/// Writes help to stdout, with colours if the terminal has them.
 pub fn print_help(help: &clap::Error) -> Result<(), Failure> {
     help.print()?;
     Ok(io::stdout().flush()?)
 }
 
-/// Writes to stderr what people read there, without what a terminal would act on.
+/// Writes a message for people to stderr, with control characters escaped.
 fn tell(text: &str) {
-    // Without stderr there is nowhere to say so.
+    // If stderr fails, there is nowhere to report it.
     let _ = io::stderr().write_all(escaped(text).as_bytes());
 }
 
-/// Refuses to write a picture on a terminal, which takes its bytes for commands.
+/// Refuses to write a picture to a terminal, which would interpret its bytes as commands.
 pub fn check_picture_target(path: &Path) -> Result<(), Failure> {
     if path == Path::new(STDOUT) && io::stdout().is_terminal() {
         return Err(Failure::input(text!("cli-picture-on-terminal")));
@@ -113,17 +113,17 @@ pub fn check_picture_target(path: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// A note on stderr, beside results that are as they were asked for.
+/// Writes a note to stderr, beside complete results.
 pub fn note(message: &str) {
     tell(&(text!("cli-note", message = message) + "\n"));
 }
 
-/// A bar on stderr until it is dropped, or nothing where that is no terminal.
+/// Returns a progress bar on stderr until it is dropped, hidden if that is no terminal.
 pub fn progress_bar(total: u64, doing: &'static str) -> ProgressBar {
     shown(Some(total), doing, "{msg} {wide_bar} {percent} % {eta}")
 }
 
-/// The same for work whose length is not known.
+/// Returns a progress bar for work of unknown length.
 pub fn spinner(doing: &'static str) -> ProgressBar {
     shown(None, doing, "{spinner} {msg} {elapsed}")
 }
@@ -141,14 +141,14 @@ fn shown(total: Option<u64>, doing: &'static str, template: &str) -> ProgressBar
     bar
 }
 
-/// A question after an unknown word: whether the nearest of those that are known was meant.
+/// Returns a question to append to an unknown word, whether the nearest known word was meant.
 pub fn did_you_mean<'a>(text: &str, known: impl Iterator<Item = &'a str>) -> String {
     nearest(text, known)
         .map(|meant| text!("document-did-you-mean", name = meant))
         .unwrap_or_default()
 }
 
-/// Columns of a terminal that a text takes; Chinese characters take two.
+/// Returns the number of terminal columns that a text takes; Chinese characters take two.
 pub fn columns(text: &str) -> usize {
     text.chars().map(|c| 1 + usize::from(is_wide(c))).sum()
 }

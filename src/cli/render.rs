@@ -1,4 +1,4 @@
-//! `render`: a scene into a PNG file, and the overlays that the picture gets.
+//! `render`: writes a scene as a PNG file, with overlays.
 
 use super::input::{
     PaneArguments, SceneArguments, choice, inside_picture, parse_choice, parse_pixel, parse_place,
@@ -19,7 +19,7 @@ use shading_lab::text::text;
 use std::path::PathBuf;
 use tiny_skia::PixmapMut;
 
-/// Most samples a pixel: beyond, 8 bits show no difference.
+/// Maximum number of samples per pixel: beyond, 8 bits show no difference.
 pub const MAX_SAMPLES: u32 = 4096;
 
 #[derive(Args)]
@@ -96,7 +96,7 @@ impl Render {
         Ok(save_picture(&self.output, &frame, scene)?)
     }
 
-    /// Refuses a line or a vertex that nothing shows, and a pixel or a line outside a picture of `sides` pixels.
+    /// Refuses a line or a vertex that no overlay shows, and a pixel or a line outside a picture of `sides` pixels.
     fn check(&self, overlays: &Overlays, sides: [u32; 2]) -> Result<(), Failure> {
         if self.from.is_some() && !overlays.layers.contains(&OverlayLayer::Profile) {
             return Err(Failure::input(text!("cli-line-without-profile")));
@@ -201,7 +201,7 @@ struct Overlays {
 }
 
 impl Overlays {
-    /// Names between commas; `probe=X,Y` or any of the names followed by `=X,Y` gives the pixel.
+    /// Parses names between commas; `probe=X,Y` or any of the names followed by `=X,Y` sets the pixel.
     fn parse(text: &str) -> Result<Self, String> {
         let mut list = Self {
             layers: Vec::new(),

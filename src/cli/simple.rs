@@ -1,5 +1,5 @@
-//! Commands that analyse nothing: `scenes`, `materials` and `parameters` list what there is, `code` writes a scene as OpenGL calls
-//! or as shaders.
+//! Commands that analyse nothing: `scenes`, `materials` and `parameters` list the built-in ones, `code` writes a
+//! scene as OpenGL calls or as shaders.
 
 use super::input::{SceneArguments, output_file};
 use super::output::{Failure, note, print, print_json, spinner};
@@ -43,7 +43,7 @@ impl List {
     pub fn materials(self) -> Result<(), Failure> {
         let name = NAMED.iter().map(|named| named.name.len()).max();
         let name = name.unwrap_or(0);
-        // Three numbers as a scene file writes them, in columns.
+        // Three numbers as in a scene file, in columns.
         let triple = |value: Rgb| {
             let [r, g, b] = value.to_array();
             format!("{:30}", format!("[{r}, {g}, {b}]"))
@@ -117,7 +117,7 @@ impl List {
         self.print("parameters", &all, line, object)
     }
 
-    /// A line or an object for each of `all`.
+    /// Prints a line or an object for each of `all`.
     fn print<T>(
         &self,
         name: &str,
@@ -190,7 +190,7 @@ impl Code {
     }
 }
 
-/// The code for programs: its parts, and what the target cannot express.
+/// Returns the code as an object for programs: its parts, and the features that the target cannot express.
 fn object(target: Target, export: &Export) -> Value {
     in_language(Language::English, || {
         let part = |part: &Part| json!({ "title": part.title.text(), "ending": part.ending, "text": part.text });
@@ -202,7 +202,7 @@ fn object(target: Target, export: &Export) -> Value {
     })
 }
 
-/// All parts one after the other, each of several under its title.
+/// Returns all parts one after the other, each of several under its title.
 fn joined(export: &Export) -> String {
     let [part] = &export.parts[..] else {
         let titled = |part: &Part| {

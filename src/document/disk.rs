@@ -1,4 +1,4 @@
-//! The files of the system: read as they are, written whole or not at all.
+//! The files of the system: read as they are, written completely or not at all.
 
 mod hidden;
 
@@ -10,10 +10,10 @@ use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-/// Links that are followed one after the other, as many as Linux follows.
+/// Maximum number of links followed one after the other, as in Linux.
 const MOST_LINKS: usize = 40;
 
-/// A regular file with its length in bytes.
+/// Opens a regular file; returns it with its length in bytes.
 pub fn open(path: &Path, expected: Message) -> Result<(File, u64), LoadError> {
     let unreadable = |error: io::Error| LoadError::unreadable(path, expected, &error);
     let metadata = fs::metadata(path).map_err(unreadable)?;
@@ -29,11 +29,11 @@ pub fn open(path: &Path, expected: Message) -> Result<(File, u64), LoadError> {
     Ok((File::open(path).map_err(unreadable)?, metadata.len()))
 }
 
-/// Writes a file by `content`: the old one stays as it is until the new one is whole and on the disk, and passes its mode
+/// Writes a file by `content`: the old one stays until the new one is complete and on the disk, and passes its mode
 /// on. A link is followed; a device or a pipe is written to directly.
 ///
 /// # Errors
-/// A target that cannot be written, or what `content` reports; nothing is left behind then.
+/// A target that cannot be written, or an error of `content`; nothing is left behind then.
 pub fn write_whole(
     path: &Path,
     content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
@@ -41,7 +41,7 @@ pub fn write_whole(
     Unfinished::filled(path, content)?.finish(path)
 }
 
-/// Writes several texts like that: no file is replaced before all of them are whole and on the disk.
+/// Writes several texts like [`write_whole`]: no file is replaced before all of them are complete and on the disk.
 ///
 /// # Errors
 /// A target that cannot be written; nothing is left behind then.
@@ -54,11 +54,11 @@ pub fn write_texts(files: &[(PathBuf, &str)]) -> Result<(), SaveError> {
     whole.try_for_each(|((path, _), unfinished)| unfinished.finish(path))
 }
 
-/// What is written to, before it is seen under its name.
+/// A target being written, before it appears under its name.
 enum Unfinished {
-    /// A device, a pipe or the standard output: what is written cannot be taken back.
+    /// A device, a pipe or the standard output: written bytes cannot be taken back.
     Direct(Box<dyn Write>),
-    /// A file that on Linux has no name until it is whole.
+    /// A file that on Linux has no name until it is complete.
     Whole(AtomicWriteFile),
     /// A file with a hidden name.
     Hidden(HiddenFile),
@@ -83,14 +83,14 @@ impl Unfinished {
             return Ok(Self::Direct(Box::new(device)));
         }
         let target = behind_links(path);
-        // Linux gives a file without a name one by its entry there, and some containers have none.
+        // Linux names a file without a name through its entry there, and some containers have none.
         if cfg!(target_os = "linux") && !Path::new("/proc/self/fd").is_dir() {
             return HiddenFile::open(target).map(Self::Hidden);
         }
         AtomicWriteFile::open(target).map(Self::Whole)
     }
 
-    /// Writes the content, as far as to the disk: a full one is met here.
+    /// Writes the content through to the disk, so that a full one is detected here.
     fn fill(&mut self, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
         match self {
             Self::Direct(device) => fill(device, content),
@@ -118,8 +118,8 @@ fn unwritable(path: &Path, source: io::Error) -> SaveError {
     }
 }
 
-/// The standard output, by the name that Linux and the BSDs have for it; meant everywhere. It may be a file that others write to
-/// as well, which must not be replaced, or a socket, which cannot be opened.
+/// Path of the standard output on Linux and the BSDs, recognised everywhere. It may be a file that others write to as
+/// well, which must not be replaced, or a socket, which cannot be opened.
 pub const STDOUT: &str = "/dev/stdout";
 
 fn is_stdout(path: &Path) -> bool {
@@ -136,7 +136,7 @@ fn fill(
     };
     let mut out = BufWriter::new(&mut target);
     let written = content(&mut out).and_then(|()| out.flush());
-    // What is left is of no use now, and would be written when the buffer goes.
+    // The rest is useless now, and would be written when the buffer is dropped.
     let _ = out.into_parts();
     written.map_err(|error| match target.failed {
         Some(kind) => io::Error::new(kind, error),
@@ -144,7 +144,7 @@ fn fill(
     })
 }
 
-/// A target that keeps why it has failed: encoders wrap it in errors of their own.
+/// A target that keeps the cause of its failure, since encoders wrap it in errors of their own.
 struct ErrorKeeper<W> {
     target: W,
     failed: Option<io::ErrorKind>,
@@ -171,7 +171,7 @@ impl<W: Write> Write for ErrorKeeper<W> {
     }
 }
 
-/// The file that a link leads to, which need not exist.
+/// Returns the file that a link leads to, which need not exist.
 fn behind_links(path: &Path) -> PathBuf {
     let mut target = path.to_owned();
     for _ in 0..MOST_LINKS {
@@ -183,7 +183,7 @@ fn behind_links(path: &Path) -> PathBuf {
     target
 }
 
-/// Whether `path` can be written at all, as far as can be told without writing: worth asking before long work.
+/// Checks whether `path` can be written, as far as possible without writing: for use before long work.
 ///
 /// # Errors
 /// A folder that does not exist, a target that is a folder or is write-protected.
@@ -214,7 +214,7 @@ pub fn check_target(path: &Path) -> Result<(), SaveError> {
             refused("document-target-no-folder")
         }
         _ if error.kind() == io::ErrorKind::NotFound => Ok(()),
-        // Links in a circle, for example, or a name that is too long.
+        // For example a cycle of links, or a name that is too long.
         _ => Err(unwritable(path, error)),
     }
 }

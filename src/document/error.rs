@@ -1,4 +1,4 @@
-//! What can be wrong with a file, in sentences.
+//! Errors of files, as sentences.
 
 use crate::link::LinkError;
 use crate::scene::SceneError;
@@ -7,38 +7,38 @@ use std::fmt::Display;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// What a file was expected to be.
+/// The expected content of a file.
 pub(super) const SCENE_FILE: Message = Message("document-scene-file");
 pub(super) const MODEL: Message = Message("document-model");
 pub(super) const PICTURE: Message = Message("document-picture");
 
-/// Why something could not be opened. Displayed, it names the file, and the line where there is one; several problems
-/// take a line each.
+/// The reason why something could not be opened. Displayed, it names the file, and the line if there is one; several
+/// problems take a line each.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum LoadError {
-    /// The text of the scene, or an override.
+    /// An error in the text of the scene, or in an override.
     #[error(transparent)]
     Scene(#[from] SceneError),
-    /// The link.
+    /// An error in the link.
     #[error(transparent)]
     Link(#[from] LinkError),
-    /// The file itself, at a line counted from 1 where the problem has one.
+    /// An error of the file itself, with its line if the problem has one.
     #[error("{}:{} {problem}", shown(.path), .line.map(|line| format!("{line}:")).unwrap_or_default())]
     File {
         /// The file.
         path: PathBuf,
-        /// Counted from 1; none where the whole file is meant.
+        /// Line, counted from 1; none where the problem concerns the whole file.
         line: Option<u64>,
-        /// A sentence that says what is wrong and what was expected.
+        /// A sentence that describes the problem and the expectation.
         problem: String,
     },
 }
 
-/// Longest path that a system takes, in bytes.
+/// Longest path that a system accepts, in bytes.
 const MOST_PATH: usize = 4096;
 
-/// Returns a path as a message has it: whole, as editors look for it, unless it can be none.
+/// Returns a path for a message: complete, as editors search for it, unless it is too long for a path.
 fn shown(path: &Path) -> String {
     let text = path.display().to_string();
     if text.len() > MOST_PATH {
@@ -70,16 +70,16 @@ impl LoadError {
     }
 }
 
-/// Why a file could not be written. The target is then as it was before.
+/// The reason why a file could not be written. The target is then unchanged.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum SaveError {
-    /// The target is not what can be written to: a folder, say, or a name too long.
+    /// The target cannot be written to: a folder, say, or a name too long.
     #[error("{}: {}", .path.display(), .problem.text())]
     Target {
         /// The target.
         path: PathBuf,
-        /// What is wrong with it.
+        /// The problem with it.
         problem: Message,
     },
     /// The system refused to write.
@@ -87,7 +87,7 @@ pub enum SaveError {
     Unwritable {
         /// The target.
         path: PathBuf,
-        /// What the system says.
+        /// The system's error.
         source: io::Error,
     },
     /// An answer that has no figure.

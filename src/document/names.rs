@@ -1,10 +1,11 @@
-//! What names a file, and where a path out of a file may lead. The rules are the same on every system, and nothing is opened for them.
+//! Names of files, and the restrictions on paths found in a file. The rules are the same on every system and open
+//! nothing.
 
 use std::path::Path;
 
-/// Names that Windows has for devices, in any folder and with any ending.
+/// Windows' names of devices, in any folder and with any ending.
 const DEVICES: [&str; 6] = ["con", "prn", "aux", "nul", "conin", "conout"];
-/// The same, each followed by a digit.
+/// Windows' names of ports, each followed by a digit.
 const PORTS: [&str; 2] = ["com", "lpt"];
 
 const SEPARATORS: [char; 2] = ['/', '\\'];
@@ -29,12 +30,12 @@ fn last_part(path: &str) -> &str {
     path.rsplit(SEPARATORS).next().unwrap_or(path)
 }
 
-/// Whether a path that stands in a file leads to a file of this machine: not to another machine (`\\\\host\\share`), which opening it
-/// would sign in to, and to no device.
+/// Returns whether a path found in a file leads to a file of this machine: not to another machine (`\\host\share`),
+/// to which opening it would log in, and not to a device.
 pub(crate) fn stays_here(path: &str) -> bool {
     let mut start = path.chars();
     let separator = |c: Option<char>| c.is_some_and(|c| SEPARATORS.contains(&c));
-    // `\\\\` begins a share or a device, `\\??\\` what the kernel of Windows calls one.
+    // `\\` begins a share or a device, `\??\` the Windows kernel's name of one.
     let elsewhere = separator(start.next()) && {
         let second = start.next();
         separator(second) || second == Some('?')

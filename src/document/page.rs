@@ -1,4 +1,5 @@
-//! The files of a web page: what it was given is kept by name while the page is open, and what is written is downloaded.
+//! The files of a web page: those given to it are kept by name while the page is open, and written ones are
+//! downloaded.
 
 use super::error::{LoadError, SaveError};
 use crate::text::Message;
@@ -11,19 +12,19 @@ use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{Blob, HtmlAnchorElement, Url};
 
-/// A download has been read by then, milliseconds.
+/// Time by which a download has been read, milliseconds.
 const READ_WITHIN: i32 = 60_000;
 
 thread_local! {
     static GIVEN: RefCell<BTreeMap<PathBuf, Arc<[u8]>>> = const { RefCell::new(BTreeMap::new()) };
 }
 
-/// Keeps a file that the page was given, in place of one of that name.
+/// Keeps a file given to the page, in place of one of that name.
 pub fn give(path: PathBuf, content: Vec<u8>) {
     GIVEN.with_borrow_mut(|given| given.insert(path, content.into()));
 }
 
-/// A file that the page was given, with its length in bytes.
+/// Opens a file given to the page; returns it with its length in bytes.
 pub fn open(path: &Path, expected: Message) -> Result<(Cursor<Arc<[u8]>>, u64), LoadError> {
     let content = GIVEN.with_borrow(|given| given.get(path).cloned());
     let content = content.ok_or_else(|| {
@@ -36,7 +37,7 @@ pub fn open(path: &Path, expected: Message) -> Result<(Cursor<Arc<[u8]>>, u64), 
 /// Downloads a file by `content`, under the last part of its path.
 ///
 /// # Errors
-/// What `content` reports, or that the browser refuses.
+/// An error of `content`, or the browser's refusal.
 pub fn write_whole(
     path: &Path,
     content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
@@ -57,13 +58,13 @@ pub fn write_whole(
 /// Downloads several texts.
 ///
 /// # Errors
-/// That the browser refuses.
+/// The browser's refusal.
 pub fn write_texts(files: &[(PathBuf, &str)]) -> Result<(), SaveError> {
     let mut files = files.iter();
     files.try_for_each(|(path, text)| write_whole(path, |out| out.write_all(text.as_bytes())))
 }
 
-/// A download can always be begun.
+/// Accepts any target, since a download can always be started.
 ///
 /// # Errors
 /// None.
@@ -71,7 +72,7 @@ pub fn check_target(_: &Path) -> Result<(), SaveError> {
     Ok(())
 }
 
-/// Saves by a link that is clicked for the user: pages have no other way that every browser knows.
+/// Saves by a link that is clicked for the user, the only way that every browser supports.
 fn download(name: &str, bytes: &[u8]) -> Result<(), JsValue> {
     let document = web_sys::window()
         .and_then(|window| window.document())
@@ -83,7 +84,7 @@ fn download(name: &str, bytes: &[u8]) -> Result<(), JsValue> {
     link.set_href(&url);
     link.set_download(name);
     link.click();
-    // Some browsers read it only after a while.
+    // Some browsers read it only later.
     let forget = Closure::once_into_js(move || _ = Url::revoke_object_url(&url));
     let window = web_sys::window().ok_or(JsValue::NULL)?;
     window

@@ -1,7 +1,7 @@
-//! The scene in fixed-function OpenGL 1.x: what was computed before there were shaders.
+//! The scene in fixed-function OpenGL 1.x: the computation before there were shaders.
 //!
-//! In: a scene and its polygons. Out: C that sets up camera, lights and material, and with it a whole program that draws
-//! the polygons off screen.
+//! In: a scene and its polygons. Out: C that sets up camera, lights and material, and with it a whole program that
+//! draws the polygons off screen.
 
 mod concave;
 mod lights;
@@ -21,13 +21,13 @@ use concave::Concave;
 use glam::{DVec3, Vec3};
 use lights::{GREATEST_EXPONENT, light_limits, lights};
 
-/// Most triangles that are written out as C: about 100 MB of text.
+/// Maximum number of triangles written as C: about 100 MB of text.
 pub const MAX_PROGRAM_TRIANGLES: usize = 1_000_000;
 
-/// What is nearer than this many camera distances is not drawn.
+/// Minimum distance of drawn points, in camera distances.
 const NEAR: f64 = 1e-3;
 
-/// Room before the nearest and behind the farthest vertex.
+/// Margin in front of the nearest and behind the farthest vertex.
 const MARGIN: f64 = 1.01;
 
 const SNIPPET: [&str; 4] = [
@@ -44,8 +44,9 @@ const PROGRAM: [&str; 4] = [
     "    I = Ka*Od*Ia + sum over the lights of f*Ip*[Kd*Od*(N.L) + Ks*Os*(N.H)^n], where N.L > 0",
 ];
 
-/// The part that is worth copying: `set_up_camera(width, height)`, `set_up_lights()` and `set_up_material()` in C99, to
-/// be called in this order with an OpenGL context current. The mesh gives the distances that the depth buffer spans.
+/// Returns the reusable part: `set_up_camera(width, height)`, `set_up_lights()` and `set_up_material()` in C99, to be
+/// called in this order with an OpenGL context current. The mesh determines the distances that the depth buffer
+/// spans.
 pub fn opengl_c_snippet(scene: &Scene, mesh: &Mesh) -> Export {
     let mesh = export_mesh(scene, mesh);
     let mut limits = limits(scene, &mesh);
@@ -65,8 +66,8 @@ pub fn opengl_c_snippet(scene: &Scene, mesh: &Mesh) -> Export {
     }
 }
 
-/// A whole program in C99: the same functions, the polygons and a `main` that draws them off screen through EGL and
-/// writes a binary PPM picture to the path it is given.
+/// Returns a whole program in C99: the functions of [`opengl_c_snippet`], the polygons and a `main` that draws them
+/// off screen through EGL and writes a binary PPM picture to a given path.
 ///
 /// # Examples
 /// ```
@@ -117,7 +118,7 @@ fn functions(scene: &Scene, mesh: &VertexMesh) -> String {
     )
 }
 
-/// What fixed-function OpenGL cannot say.
+/// Returns the features that fixed-function OpenGL cannot express.
 fn limits(scene: &Scene, mesh: &VertexMesh) -> Vec<Limit> {
     let mut limits = surroundings(scene);
     let shading = match scene.shading.mode {
@@ -182,7 +183,7 @@ fn specular_limits(scene: &Scene) -> Vec<Limit> {
     limits
 }
 
-/// The camera as two matrices: from the world to the eye, and from the eye to the picture.
+/// Writes the camera as two matrices: from the world to the eye, and from the eye to the picture.
 fn camera(scene: &Scene, mesh: &VertexMesh) -> String {
     let camera = &scene.camera;
     let view = View::new(camera, scene.image.size);
@@ -244,14 +245,14 @@ fn camera(scene: &Scene, mesh: &VertexMesh) -> String {
     )
 }
 
-/// The depths of the vertices.
+/// Returns the depths of the vertices.
 fn depths(mesh: &VertexMesh, view: &View) -> impl Iterator<Item = f64> {
     mesh.positions
         .iter()
         .map(move |p| (mesh.origin + p.as_dvec3() - view.eye).dot(view.forward))
 }
 
-/// The depths that the depth buffer spans: those of the vertices, as far as they are in front of the eye.
+/// Returns the depths that the depth buffer spans: those of the vertices in front of the eye.
 fn planes(camera: &Camera, view: &View, mesh: &VertexMesh) -> [f64; 2] {
     let nearest = NEAR * camera.distance();
     let (least, greatest) = depths(mesh, view)
@@ -266,8 +267,9 @@ fn planes(camera: &Camera, view: &View, mesh: &VertexMesh) -> [f64; 2] {
     [near, (greatest * MARGIN).max(2.0 * near)]
 }
 
-/// Depth cueing, which is OpenGL's linear fog: it mixes with f = (end − z)/(end − start), clamped to 0..1, at every pixel. So
-/// a ramp of s0 from 1 to 0 is said exactly; any other one where the object does not leave it.
+/// Writes depth cueing as OpenGL's linear fog, which mixes with f = (end − z)/(end − start), clamped to 0..1, at
+/// every pixel. So a ramp of s0 from 1 to 0 is expressed exactly; any other one only where the object does not leave
+/// it.
 fn fog(cueing: &DepthCueing) -> String {
     let DepthCueing {
         front,
@@ -280,7 +282,7 @@ fn fog(cueing: &DepthCueing) -> String {
     if cueing.by == CuedBy::Off || fall == 0.0 {
         return String::new();
     }
-    // The depth where the ramp of s0 has a value.
+    // The depth at which the ramp of s0 has a value.
     let depth_of = |s0: f64| front + (front_scale - s0) / fall * (back - front);
     filled(
         include_str!("fixed/fog.c"),
@@ -296,7 +298,7 @@ fn fog(cueing: &DepthCueing) -> String {
     )
 }
 
-/// What fog does not say.
+/// Returns the features of depth cueing that fog does not express.
 fn fog_limits(scene: &Scene, mesh: &VertexMesh) -> Vec<Limit> {
     let cueing = &scene.depth_cueing;
     let DepthCueing {
@@ -328,7 +330,7 @@ fn fog_limits(scene: &Scene, mesh: &VertexMesh) -> Vec<Limit> {
     ])
 }
 
-/// The n of `(N·H)^n` that comes nearest to the scene's highlight.
+/// Returns the n of `(N·H)^n` that is nearest to the scene's highlight.
 fn exponent(scene: &Scene) -> f64 {
     let material = &scene.material;
     match scene.reflection.model {
@@ -341,7 +343,7 @@ fn exponent(scene: &Scene) -> f64 {
     }
 }
 
-/// `set_up_material()`: `glMaterial*`, and how polygons are shaded and which of them are drawn.
+/// Writes `set_up_material()`: `glMaterial*`, the shading of polygons and the culling of their faces.
 fn material(scene: &Scene, mesh: &VertexMesh) -> String {
     let material = &scene.material;
     let index = Index::of(material);
@@ -408,8 +410,8 @@ fn material(scene: &Scene, mesh: &VertexMesh) -> String {
     )
 }
 
-/// The polygons as arrays, and off-screen drawing. For flat shading each is a fan from its first vertex, which comes last, where
-/// OpenGL takes the shade from.
+/// Writes the polygons as arrays, and off-screen drawing. For flat shading each is a fan from its first vertex, which
+/// comes last, since OpenGL takes the shade from there.
 fn main(scene: &Scene, mesh: &VertexMesh) -> String {
     let [width, height] = scene.image.size.map(|side| side.to_string());
     let flat = scene.shading.mode == ShadingMode::Flat;

@@ -1,7 +1,7 @@
 //! The scene as a vertex and a fragment shader in GLSL 3.30: the equation of this program, term by term.
 //!
-//! Phong and exact shading evaluate the equation in the fragment shader, the other modes in the vertex shader: the text of
-//! the equation is the same.
+//! Phong and exact shading evaluate the equation in the fragment shader, the other modes in the vertex shader: the
+//! code of the equation is the same.
 
 use super::limit::limit;
 use super::sources::{Emitter, Place, emitters, flat, interpolation, surroundings};
@@ -16,27 +16,28 @@ use crate::scene::{
 use crate::text::{Language, Message, in_language};
 use glam::{DMat4, DVec3, DVec4};
 
-/// Stands for n = ∞.
+/// Value that stands for n = ∞.
 const MIRROR: f64 = 1e30;
 
-/// Radius about the origin that holds every built-in shape: √2 for the corners of the plane, a little more for rounding.
+/// Radius about the origin that contains every built-in shape: √2 for the corners of the plane, a little more for
+/// rounding.
 const SHAPES: f64 = 1.42;
 
-/// Room before the nearest and behind the farthest of a scene's own polygons.
+/// Margin in front of the nearest and behind the farthest of a scene's own polygons.
 const MARGIN: f64 = 1.01;
 
-/// What is nearer than this many camera distances is not drawn, nor what is farther than its inverse.
+/// Minimum distance of drawn points, in camera distances; its inverse is the maximum.
 const NEAR: f64 = 1e-3;
 
 const EQUATION: &str =
     "    I = Ka*Od*Ia + sum over the lights of f*Ip*[Kd*Od*(N.L) + Ks*Os*W*S], where N.L > 0";
 
-/// Lengths are lifted a little before anything is divided by them.
+/// Code for the direction to a light; lengths get a small minimum before they are divisors.
 const DIRECTION: &str = "    float d = max(length(to_light), 1e-9);\n    vec3 L = to_light / d;\n";
 
-/// A pair of shaders, `#version 330 core`, that evaluates the scene's equation where its shading mode does. They need
-/// positions (location 0) and unit normals (location 1) in the world and nothing else: the uniforms have the scene's
-/// values as defaults.
+/// Returns a pair of shaders, `#version 330 core`, that evaluates the scene's equation where its shading mode does.
+/// They need positions (location 0) and unit normals (location 1) in the world and nothing else: the uniforms have
+/// the scene's values as defaults.
 ///
 /// # Examples
 /// ```
@@ -95,7 +96,7 @@ pub fn glsl_330(scene: &Scene) -> Export {
     Export { parts, limits }
 }
 
-/// What the program around the shaders has to do.
+/// Describes the duties of the program around the shaders.
 fn host(scene: &Scene) -> String {
     let normals = match (scene.shading.mode, scene.object.normal_source()) {
         (ShadingMode::Interpolated, _) | (_, NormalSource::Facet) => {
@@ -130,7 +131,7 @@ fn host(scene: &Scene) -> String {
     )
 }
 
-/// The numbers that do not depend on the point.
+/// Writes the numbers that do not depend on the point.
 fn constants(scene: &Scene) -> String {
     let (camera, material, form) = (&scene.camera, &scene.material, SpecularForm::of(scene));
     let towards_viewer = match camera.viewer {
@@ -176,7 +177,7 @@ fn constants(scene: &Scene) -> String {
     )
 }
 
-/// The functions that the lights' contributions are made of, and `reflected`, which puts them together.
+/// Writes the functions for the lights' contributions, and `reflected`, which combines them.
 fn terms(scene: &Scene) -> String {
     let form = SpecularForm::of(scene);
     let index = Index::of(&scene.material).filter(|_| form != SpecularForm::None);
@@ -215,7 +216,7 @@ fn terms(scene: &Scene) -> String {
     text + &filled(include_str!("glsl/reflected.glsl"), &values)
 }
 
-/// `specular_factor`, the S of the equation.
+/// Writes `specular_factor`, the S of the equation.
 fn specular(form: SpecularForm) -> String {
     const PHONG: &str = "S = (R.V)^n with R = 2N(N.L) - L (Phong)";
     const BLINN: &str = "S = (N.H)^n with H = (L + V)/|L + V| (Blinn)";
@@ -254,7 +255,7 @@ fn specular(form: SpecularForm) -> String {
     format!("{facet}{helpers}\n// {doc}.\n{signature} {{\n    return {body};\n}}\n\n")
 }
 
-/// `surface_color`, Od at a point.
+/// Writes `surface_color`, Od at a point.
 fn pattern(scene: &Scene) -> String {
     let pattern = &scene.pattern;
     let around = if scene.object.kind.faces_viewer() {
@@ -278,7 +279,7 @@ fn pattern(scene: &Scene) -> String {
     filled(include_str!("glsl/pattern.glsl"), &values)
 }
 
-/// A function for each light, and `illuminate`, which adds them up.
+/// Writes a function for each light, and `illuminate`, which adds them up.
 fn lights(scene: &Scene) -> String {
     let emitters = emitters(scene);
     let functions: String = emitters.iter().map(light).collect();
@@ -326,7 +327,7 @@ fn light(emitter: &Emitter<'_>) -> String {
     filled(include_str!("glsl/light.glsl"), &values)
 }
 
-/// An area light: the points that stand for it, and a loop over them.
+/// Writes an area light: the points that represent it, and a loop over them.
 fn area(emitter: &Emitter<'_>, points: &[DVec3], index: &str) -> String {
     let list: Vec<_> = points
         .iter()
@@ -350,7 +351,7 @@ fn area(emitter: &Emitter<'_>, points: &[DVec3], index: &str) -> String {
     )
 }
 
-/// f, a spot light's part, and what is reflected of it, which `verb` returns or adds.
+/// Writes f, a spot light's factor, and the reflected light, which `verb` returns or adds.
 fn shine(emitter: &Emitter<'_>, verb: &str) -> String {
     let Light {
         attenuation,
@@ -379,7 +380,7 @@ fn shine(emitter: &Emitter<'_>, verb: &str) -> String {
     format!("    float f = {f};\n{cone}    {verb} reflected(N, L, V, color, {factor});\n")
 }
 
-/// `(−L·D)^e` inside the cone, nothing outside.
+/// Writes `(−L·D)^e` inside the cone, 0 outside.
 fn cone(emitter: &Emitter<'_>) -> String {
     let light = emitter.light;
     let gap = |degrees: f64| 2.0 * (degrees.to_radians() * 0.5).sin().powi(2);
@@ -405,15 +406,15 @@ fn cone(emitter: &Emitter<'_>) -> String {
     filled(include_str!("glsl/cone.glsl"), &values)
 }
 
-/// Where the s0 of depth cueing is evaluated.
+/// The stage that evaluates the s0 of depth cueing.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Cue {
     None,
-    /// In the vertex shader, where the intensity is.
+    /// The vertex shader, which applies it to the intensity.
     Intensity,
-    /// In the vertex shader, handed on by itself.
+    /// The vertex shader, which passes it on separately.
     Carried,
-    /// In the fragment shader.
+    /// The fragment shader.
     Fragment,
 }
 
@@ -429,7 +430,7 @@ impl Cue {
         }
     }
 
-    /// What the vertex and the fragment shader declare for `s0·I + (1 − s0)·Idc`.
+    /// Returns the declarations of the vertex and the fragment shader for `s0·I + (1 − s0)·Idc`.
     fn declared(self, scene: &Scene) -> [String; 2] {
         let cueing = &scene.depth_cueing;
         let view = View::new(&scene.camera, scene.image.size);
@@ -464,7 +465,7 @@ fn per_pixel(scene: &Scene) -> bool {
     matches!(scene.shading.mode, ShadingMode::Phong | ShadingMode::Exact)
 }
 
-/// How what the vertices carry comes to the pixels.
+/// Returns the interpolation qualifier of the values passed from the vertices to the pixels.
 fn qualifier(scene: &Scene) -> &'static str {
     match (scene.shading.mode, scene.shading.interpolation) {
         (ShadingMode::Flat, _) => "flat ",
@@ -606,7 +607,7 @@ fn clip_from_world(camera: &Camera, size: [u32; 2], object: &Object) -> DMat4 {
     DMat4::from_cols(DVec4::X * x, DVec4::Y * y, third, fourth) * eye_from_world
 }
 
-/// The depths that are drawn: those of the unit sphere, of the scene's polygons, or of all that a model may be.
+/// Returns the drawn depths: those of the unit sphere, of the scene's polygons, or of the largest possible model.
 fn planes(camera: &Camera, view: &View, object: &Object) -> [f64; 2] {
     let unit = camera.distance();
     let (nearest, farthest) = (NEAR * unit, unit / NEAR);

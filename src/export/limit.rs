@@ -1,19 +1,19 @@
-//! What a target cannot express, put into words where it is shown: to a person in the language of the program, in the code in
-//! English.
+//! Features that a target cannot express, put into words where they are shown: to a person in the program's language,
+//! in the code in English.
 
 use crate::text::{Value, filled};
 use std::fmt::{self, Display, Formatter};
 
-/// A sentence about what a target cannot express.
+/// A sentence about a feature that a target cannot express.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Limit {
-    /// Its message in the catalogue.
+    /// Key of its message in the catalogue.
     pub key: &'static str,
-    /// The message's variables.
+    /// Variables of the message.
     pub values: Vec<(&'static str, String)>,
 }
 
-/// A [`Limit`] by its message and the message's variables, as `text!` takes them.
+/// Makes a [`Limit`] from its message and the message's variables, in the form of `text!`.
 macro_rules! limit {
     ($key:literal $(, $name:ident = $value:expr)*) => {
         $crate::export::Limit {
@@ -32,7 +32,7 @@ impl Display for Limit {
     }
 }
 
-/// The limits whose condition holds.
+/// Returns the limits whose condition holds.
 pub(super) fn holding<const N: usize>(cases: [(bool, Limit); N]) -> Vec<Limit> {
     cases
         .into_iter()

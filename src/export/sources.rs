@@ -1,4 +1,4 @@
-//! What both languages ask of a scene: the lights that shine, and what neither expresses.
+//! Common parts of both languages: the lights that shine, and the features that neither expresses.
 
 use super::limit::{Limit, holding, limit};
 use crate::illumination::{SpecularForm, area_samples, attenuation_at, direction};
@@ -8,32 +8,32 @@ use crate::scene::{
 };
 use glam::DVec3;
 
-/// A light farther away than this many camera distances is parallel, as it is in the equation.
+/// Distance, in camera distances, beyond which a light is parallel, as in the equation.
 const PARALLEL_BEYOND: f64 = 1e9;
 
-/// Between this and its inverse, squares of lengths and products of a few of them stay within single precision.
+/// Length up to which, and down to its inverse, squares and products of a few of them stay within single precision.
 const GREATEST_LENGTH: f64 = 1e9;
 
 /// A light that shines.
 pub(super) struct Emitter<'a> {
-    /// Its place in the scene's list.
+    /// Index in the scene's list.
     pub index: usize,
     pub light: &'a Light,
     pub place: Place,
-    /// f where it is the same everywhere: what has no distance, or one that does not vary.
+    /// f if it is constant: for a light without a distance, or with one that does not vary.
     pub constant: Option<f64>,
 }
 
-/// Where light comes from.
+/// The position of a light.
 pub(super) enum Place {
-    /// L, unit, everywhere the same.
+    /// L, a unit vector, constant.
     Towards(DVec3),
     At(DVec3),
-    /// The points that stand for an area, each with an equal share of the intensity.
+    /// The points that represent an area, each with an equal share of the intensity.
     Among(Vec<DVec3>),
 }
 
-/// The lights of `scene` that shine, in its order: muted ones left out, distant ones made parallel.
+/// Returns the lights of `scene` that shine, in order: muted ones are omitted, distant ones made parallel.
 pub(super) fn emitters(scene: &Scene) -> Vec<Emitter<'_>> {
     let soloing = scene.soloing();
     let mut emitters = Vec::new();
@@ -69,7 +69,7 @@ pub(super) fn emitters(scene: &Scene) -> Vec<Emitter<'_>> {
 }
 
 impl Emitter<'_> {
-    /// `Light 0, a point light`, with the name that its author gave it where that can stand in a comment.
+    /// Returns `Light 0, a point light`, with the name that its author gave it if that can appear in a comment.
     pub fn title(&self) -> String {
         let kind = match self.light.kind {
             LightKind::Point => "a point light",
@@ -88,13 +88,14 @@ impl Emitter<'_> {
         format!("Light {}{name}, {kind}", self.index + 1)
     }
 
-    /// D, the unit vector along the axis of a spot light's cone.
+    /// Returns D, the unit vector along the axis of a spot light's cone.
     pub fn axis(&self) -> DVec3 {
         direction(self.light.direction)
     }
 }
 
-/// What neither the calls nor the shaders do: mostly what needs more than one surface at a time.
+/// Returns the features that neither the calls nor the shaders express: mostly those that need more than one surface
+/// at a time.
 pub(super) fn surroundings(scene: &Scene) -> Vec<Limit> {
     let unit = scene.camera.distance();
     let measured = (1.0 / GREATEST_LENGTH..GREATEST_LENGTH).contains(&unit);
@@ -122,9 +123,9 @@ pub(super) fn surroundings(scene: &Scene) -> Vec<Limit> {
     ])
 }
 
-/// What flat shading is not.
+/// Returns the difference of the target's flat shading from the scene's, if any.
 pub(super) fn flat(scene: &Scene) -> Option<Limit> {
-    // Where L and V do not vary, a polygon with one normal has one shade.
+    // If L and V do not vary, a polygon with one normal has one shade.
     let parallel = emitters(scene)
         .iter()
         .all(|emitter| matches!(emitter.place, Place::Towards(_)));
@@ -139,7 +140,8 @@ pub(super) fn flat(scene: &Scene) -> Option<Limit> {
     }
 }
 
-/// What interpolation is not; `affine` says whether the target can interpolate in the picture.
+/// Returns the difference of the target's interpolation from the scene's, if any; `affine` says whether the target
+/// can interpolate in the picture.
 pub(super) fn interpolation(scene: &Scene, affine: bool) -> Option<Limit> {
     match scene.shading.interpolation {
         Interpolation::Affine if !affine && scene.camera.projection == Projection::Perspective => {

@@ -1,37 +1,38 @@
-//! Numbers, comments and filled templates, as C and GLSL have them.
+//! Numbers, comments and filled templates in the syntax of C and GLSL.
 
 use super::limit::Limit;
 use crate::illumination::Scalar;
 use crate::text::{Language, in_language};
 use glam::DVec3;
 
-/// A single-precision number with a point or an exponent, the shortest that reads back the same: GLSL's `float`.
+/// Formats a single-precision number with a point or an exponent, the shortest that reads back the same: GLSL's
+/// `float`.
 pub(super) fn float(value: f64) -> String {
     // A negative zero becomes a positive one.
     format!("{:?}", f32::from_f64(value) + 0.0)
 }
 
-/// C's `float`.
+/// Formats C's `float`.
 pub(super) fn c_float(value: f64) -> String {
     float(value) + "f"
 }
 
-/// C's `double`.
+/// Formats C's `double`.
 pub(super) fn c_double(value: f64) -> String {
     format!("{:?}", value + 0.0)
 }
 
-/// Three components and a fourth as the elements of an array of C's `float`s.
+/// Formats three components and a fourth as the elements of an array of C's `float`s.
 pub(super) fn c_four(v: DVec3, fourth: f64) -> String {
     format!("{}, {}", c_three(v), c_float(fourth))
 }
 
-/// Three components as the elements of an array of C's `float`s.
+/// Formats three components as the elements of an array of C's `float`s.
 pub(super) fn c_three(v: DVec3) -> String {
     v.to_array().map(c_float).join(", ")
 }
 
-/// GLSL's `vec3`.
+/// Formats GLSL's `vec3`.
 pub(super) fn vec3(v: DVec3) -> String {
     if v.x == v.y && v.y == v.z {
         return format!("vec3({})", float(v.x));
@@ -39,7 +40,7 @@ pub(super) fn vec3(v: DVec3) -> String {
     format!("vec3({})", v.to_array().map(float).join(", "))
 }
 
-/// A number in a sentence: four digits.
+/// Formats a number for a sentence, with four digits.
 pub(super) fn said(value: f64) -> String {
     if value == 0.0 || (1e-3..1e6).contains(&value.abs()) {
         let text = format!("{value:.4}");
@@ -48,8 +49,8 @@ pub(super) fn said(value: f64) -> String {
     format!("{value:.3e}")
 }
 
-/// `template` with a value for each `$name$`. A line that is nothing but a name goes where its value is empty; the value's last
-/// line break is the line's own.
+/// Fills each `$name$` of `template` with its value. A line that consists only of a name is removed if its value is
+/// empty; the value's last line break is the line's own.
 pub(super) fn filled(template: &str, values: &[(&str, &str)]) -> String {
     let mut text = String::new();
     for line in template.lines() {
@@ -75,7 +76,8 @@ pub(super) fn filled(template: &str, values: &[(&str, &str)]) -> String {
     text
 }
 
-/// The head of every text as a comment: what it is, and what it does not express. Each line is set off by `prefix`.
+/// Returns the head of a text as a comment: a description, and the features that it does not express. Each line
+/// begins with `prefix`.
 pub(super) fn head(what: &[&str], limits: &[Limit], prefix: &str) -> String {
     let mut lines: Vec<String> = what.iter().map(|&line| line.to_owned()).collect();
     lines.push(String::new());
@@ -95,7 +97,8 @@ pub(super) fn head(what: &[&str], limits: &[Limit], prefix: &str) -> String {
         .collect()
 }
 
-/// `text` in lines of at most `width` characters, the second and later ones indented; code, which is indented, as it is.
+/// Wraps `text` to lines of at most `width` characters, the second and later ones indented; code, which is indented,
+/// is unchanged.
 fn wrap(text: &str, width: usize) -> Vec<String> {
     if text.starts_with(' ') {
         return vec![text.to_owned()];

@@ -1,6 +1,6 @@
 //! Rectangles, and lines clipped to them before they are dashed, stroked or handed to a window.
 //!
-//! A curve may leave its plot by ten orders of magnitude: dashing all of it would take all memory.
+//! A curve may extend ten orders of magnitude beyond its plot: dashing all of it would exhaust the memory.
 
 use glam::DVec2;
 
@@ -14,7 +14,7 @@ pub struct Area {
 }
 
 impl Area {
-    /// The area of `size` about `centre`.
+    /// Creates the area of `size` about `centre`.
     pub fn about(centre: DVec2, size: DVec2) -> Self {
         Self {
             min: centre - size * 0.5,
@@ -22,12 +22,12 @@ impl Area {
         }
     }
 
-    /// Its middle.
+    /// Returns its middle.
     pub fn centre(&self) -> DVec2 {
         (self.min + self.max) * 0.5
     }
 
-    /// Its corners, clockwise from the top left.
+    /// Returns its corners, clockwise from the top left.
     pub fn corners(&self) -> Vec<DVec2> {
         vec![
             self.min,
@@ -37,22 +37,22 @@ impl Area {
         ]
     }
 
-    /// Whether `other` lies within, edges included.
+    /// Returns whether `other` lies within, edges included.
     pub fn holds(&self, other: &Self) -> bool {
         other.min.cmpge(self.min).all() && other.max.cmple(self.max).all()
     }
 
-    /// Whether the two share more than an edge.
+    /// Returns whether the two share more than an edge.
     pub fn overlaps(&self, other: &Self) -> bool {
         self.min.cmplt(other.max).all() && other.min.cmplt(self.max).all()
     }
 
-    /// The point of the area next to `point`.
+    /// Returns the point of the area nearest to `point`.
     pub fn nearest(&self, point: DVec2) -> DVec2 {
         point.clamp(self.min, self.max)
     }
 
-    /// Length of the segment from `a` to `b` inside; nothing on an edge.
+    /// Returns the length of the segment from `a` to `b` inside; 0 on an edge.
     pub fn covers(&self, a: DVec2, b: DVec2) -> f64 {
         // Most segments are nowhere near.
         if a.max(b).cmple(self.min).any() || a.min(b).cmpge(self.max).any() {
@@ -62,9 +62,9 @@ impl Area {
             .map_or(0.0, |(from, to)| from.distance(to))
     }
 
-    /// The part of the segment from `a` to `b` within (Liang and Barsky 1984).
+    /// Returns the part of the segment from `a` to `b` within (Liang and Barsky 1984).
     fn segment(&self, a: DVec2, b: DVec2) -> Option<(DVec2, DVec2)> {
-        // From the end that is nearer, so that one out of all proportion takes no digits from what is seen.
+        // From the nearer end, so that a far one out of all proportion costs no digits of the visible part.
         if a.length_squared() > b.length_squared() {
             return self.segment_from(b, a).map(|(to, from)| (from, to));
         }
@@ -88,7 +88,7 @@ impl Area {
         let at = |t: f64| match t {
             t if t <= 0.0 => near,
             t if t >= 1.0 => far,
-            // Rounding must not lead out again.
+            // Rounding must not lead outside again.
             t => (near + along * t).clamp(self.min, self.max),
         };
         (enter <= leave && along.is_finite()).then(|| (at(enter), at(leave)))
@@ -98,13 +98,14 @@ impl Area {
 /// A connected part of a line.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Run {
-    /// Its points, pixels.
+    /// Points in pixels.
     pub points: Vec<DVec2>,
     /// Length of the line up to this part, so that dashes stay in step.
     pub start: f64,
 }
 
-/// The parts of the line through `points` that lie within `area`. Segments with an end that is not finite are left out.
+/// Clips the line through `points` to `area`; returns its parts inside. Segments with an end that is not finite are
+/// omitted.
 pub fn clipped(points: impl IntoIterator<Item = DVec2>, area: &Area) -> Vec<Run> {
     let mut runs: Vec<Run> = Vec::new();
     let mut last: Option<DVec2> = None;
@@ -131,8 +132,8 @@ pub fn clipped(points: impl IntoIterator<Item = DVec2>, area: &Area) -> Vec<Run>
     runs
 }
 
-/// Whether a filled shape is to be drawn: it reaches into `area` and does not dwarf it, as one does that perspective blew up
-/// beyond meaning.
+/// Returns whether a filled shape is to be drawn: it overlaps `area` and is not enormous beside it, as perspective
+/// can make one.
 pub fn can_be_filled(points: &[DVec2], area: &Area) -> bool {
     let bounds = points.iter().copied().map(|point| (point, point));
     let Some((min, max)) = bounds.reduce(|(a, b), (c, d)| (a.min(c), b.max(d))) else {

@@ -1,4 +1,4 @@
-//! A drawing as plain geometry: lines, areas and texts with their places, for any device.
+//! Drawings as plain geometry: lines, areas and texts with their positions, for any device.
 
 use super::palette::Rgb8;
 use super::text::{Lettering, width_of};
@@ -6,32 +6,33 @@ use glam::DVec2;
 use std::borrow::Cow;
 use std::sync::LazyLock;
 
-/// Corners of the polygon that is drawn as a circle: at the largest radius in use it is off by less than a tenth of a pixel.
+/// Number of corners of the polygon drawn as a circle: at the largest radius in use it is off by less than a tenth of
+/// a pixel.
 const CIRCLE_CORNERS: u32 = 96;
 
 /// A line or an area.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
-    /// Its corners, units of the drawing.
+    /// Corners, units of the drawing.
     pub points: Vec<DVec2>,
-    /// Whether the last point is joined to the first.
+    /// True if the last point is joined to the first.
     pub closed: bool,
-    /// Whether the area within is filled. All of it can be seen from its first point.
+    /// True if the area within is filled. All of it must be visible from its first point.
     pub fill: bool,
     /// Width of the line; of an area, that of its rounded edge.
     pub width: f64,
-    /// Lengths of dashes and gaps in turn, in widths; empty is solid.
+    /// Lengths of alternating dashes and gaps, in widths; empty is solid.
     pub dashes: &'static [f32],
-    /// Red, green and blue as stored.
+    /// Colour as stored: red, green and blue.
     pub colour: Rgb8,
-    /// From 0 to 1.
+    /// Opacity from 0 to 1.
     pub opacity: f64,
-    /// Whether it has the drawing's halo.
+    /// True if it has the drawing's halo.
     pub halo: bool,
 }
 
 impl Shape {
-    /// A solid line.
+    /// Creates a solid line.
     pub fn line(points: Vec<DVec2>, width: f64, colour: Rgb8) -> Self {
         Self {
             points,
@@ -45,7 +46,7 @@ impl Shape {
         }
     }
 
-    /// A closed line.
+    /// Creates a closed line.
     pub fn outline(points: Vec<DVec2>, width: f64, colour: Rgb8) -> Self {
         Self {
             closed: true,
@@ -53,7 +54,7 @@ impl Shape {
         }
     }
 
-    /// A filled area.
+    /// Creates a filled area.
     pub fn area(points: Vec<DVec2>, colour: Rgb8) -> Self {
         Self {
             fill: true,
@@ -61,7 +62,7 @@ impl Shape {
         }
     }
 
-    /// A circle's outline.
+    /// Creates a circle's outline.
     pub fn ring(centre: DVec2, radius: f64, width: f64, colour: Rgb8) -> Self {
         static CORNERS: LazyLock<Vec<DVec2>> = LazyLock::new(|| {
             let step = std::f64::consts::TAU / f64::from(CIRCLE_CORNERS);
@@ -79,7 +80,7 @@ impl Shape {
         )
     }
 
-    /// A filled circle.
+    /// Creates a filled circle.
     pub fn disc(centre: DVec2, radius: f64, colour: Rgb8) -> Self {
         Self {
             fill: true,
@@ -87,13 +88,13 @@ impl Shape {
         }
     }
 
-    /// The triangle at the end of an arrow.
+    /// Creates the triangle at the end of an arrow.
     pub fn arrow_head(tip: DVec2, along: DVec2, length: f64, colour: Rgb8) -> Self {
         let (base, side) = (tip - along * length, along.perp() * 0.4 * length);
         Self::area(vec![tip, base + side, base - side], colour)
     }
 
-    /// The shaft and the head of an arrow in the direction `along`.
+    /// Creates the shaft and the head of an arrow in the direction `along`.
     pub fn arrow(
         [tail, tip]: [DVec2; 2],
         along: DVec2,
@@ -108,17 +109,17 @@ impl Shape {
         ]
     }
 
-    /// The same with dashes, in line widths.
+    /// Sets dashes, in line widths.
     pub fn dashed(self, dashes: &'static [f32]) -> Self {
         Self { dashes, ..self }
     }
 
-    /// The same, partly transparent.
+    /// Sets the opacity.
     pub fn faded(self, opacity: f64) -> Self {
         Self { opacity, ..self }
     }
 
-    /// The same without a halo.
+    /// Removes the halo.
     pub fn plain(self) -> Self {
         Self {
             halo: false,
@@ -130,24 +131,24 @@ impl Shape {
 /// A line of text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Text {
-    /// It may have subscript digits and ⁿ, which fonts may lack.
+    /// The text. It may have subscript digits and ⁿ, which fonts may lack.
     pub text: String,
     /// A point of the baseline.
     pub at: DVec2,
-    /// Which part of the text's width lies left of that point: 0, 0.5 or 1.
+    /// Share of the text's width to the left of that point: 0, 0.5 or 1.
     pub align: f64,
-    /// Units an em.
+    /// Size in units per em.
     pub size: f64,
-    /// Red, green and blue as stored.
+    /// Colour as stored: red, green and blue.
     pub colour: Rgb8,
-    /// Whether its strokes are thickened.
+    /// True if its strokes are thickened.
     pub strong: bool,
-    /// Breadth of its halo, 0 for none.
+    /// Width of its halo, 0 for none.
     pub halo: f64,
 }
 
 impl Text {
-    /// Text that begins at `at`.
+    /// Creates text that begins at `at`.
     pub fn new(text: impl Into<String>, at: DVec2, size: f64, colour: Rgb8) -> Self {
         Self {
             text: text.into(),
@@ -160,7 +161,7 @@ impl Text {
         }
     }
 
-    /// Text with the middle of its ink at `centre`.
+    /// Creates text with the middle of its ink at `centre`.
     pub fn centred(text: &str, centre: DVec2, size: f64, colour: Rgb8) -> Self {
         let lettering = Lettering::new(text, size);
         Self::new(
@@ -171,17 +172,17 @@ impl Text {
         )
     }
 
-    /// Its width.
+    /// Returns its width.
     pub fn width(&self) -> f64 {
         width_of(&self.text, self.size)
     }
 
-    /// The same with its middle (0.5) or its end (1) there.
+    /// Aligns the text with its middle (0.5) or its end (1) at its point.
     pub fn aligned(self, align: f64) -> Self {
         Self { align, ..self }
     }
 
-    /// The same in bold type.
+    /// Makes the text bold.
     pub fn bold(self) -> Self {
         Self {
             strong: true,
@@ -190,7 +191,7 @@ impl Text {
     }
 }
 
-/// Where a plot draws its values.
+/// The mapping from a plot's values to the drawing.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Scale {
     Cartesian {
@@ -199,7 +200,7 @@ pub(crate) enum Scale {
         x: [f64; 2],
         y: [f64; 2],
     },
-    /// x is an angle in degrees clockwise from above; `scale` is the length of 1.
+    /// Polar axes: x is an angle in degrees clockwise from above; `scale` is the length of 1.
     Polar {
         centre: DVec2,
         radius: f64,
@@ -208,7 +209,7 @@ pub(crate) enum Scale {
 }
 
 impl Scale {
-    /// Where a value is drawn.
+    /// Returns the position of a value.
     pub fn place(&self, [x, y]: [f64; 2]) -> DVec2 {
         match self {
             Self::Cartesian {
@@ -228,7 +229,7 @@ impl Scale {
     }
 }
 
-/// Lines, areas and texts, on a ground of their own or over a picture.
+/// Lines, areas and texts, on a background of their own or over a picture.
 ///
 /// ```
 /// use shading_lab::figure::{Drawing, Shape, Text};
@@ -245,22 +246,22 @@ impl Scale {
 pub struct Drawing {
     /// Width and height, in the units of its shapes.
     pub size: DVec2,
-    /// What it stands on; nothing over a picture.
+    /// Background colour; none over a picture.
     pub ground: Option<Rgb8>,
     /// The colour of all halos.
     pub halo: Rgb8,
-    /// Breadth of the halos of shapes, at most: thin lines have less.
+    /// Maximum width of the halos of shapes: thin lines have narrower ones.
     pub breadth: f64,
-    /// The later over the earlier, and the texts over all.
+    /// The shapes, the later over the earlier, and the texts over all.
     pub shapes: Vec<Shape>,
     /// The texts.
     pub texts: Vec<Text>,
-    /// One for each plot that had room.
+    /// One scale for each plot that fit.
     pub(crate) scales: Vec<Scale>,
 }
 
 impl Drawing {
-    /// An empty sheet.
+    /// Creates an empty sheet.
     pub fn new(size: DVec2, ground: Rgb8) -> Self {
         Self {
             size,
@@ -269,7 +270,7 @@ impl Drawing {
         }
     }
 
-    /// Nothing yet, over a picture, with halos of a colour and a breadth.
+    /// Creates an empty drawing over a picture, with halos of a colour and a width.
     pub fn over_picture(halo: Rgb8, breadth: f64) -> Self {
         let (shapes, texts, scales) = (vec![], vec![], vec![]);
         Self {
@@ -283,7 +284,7 @@ impl Drawing {
         }
     }
 
-    /// The shapes in the order in which they are painted: the halos of all come first, so that lines that meet grow together
+    /// Returns the shapes in the order in which they are painted: all halos come first, so that lines that meet join
     /// instead of cutting one another.
     pub fn painted(&self) -> impl Iterator<Item = Cow<'_, Shape>> {
         let haloed = self
@@ -307,7 +308,7 @@ impl Drawing {
         halos.chain(self.shapes.iter().map(Cow::Borrowed))
     }
 
-    /// x at a place inside the first plot.
+    /// Returns x at a position inside the first plot.
     pub fn x_at(&self, place: DVec2) -> Option<f64> {
         match self.scales.first()? {
             Scale::Cartesian {
@@ -326,7 +327,8 @@ impl Drawing {
         }
     }
 
-    /// The place of a value of the first plot, and the line that marks its x there: from the axis to the far side.
+    /// Returns the position of a value of the first plot, and the line that marks its x there: from the axis to the
+    /// opposite side.
     pub fn place(&self, value: [f64; 2]) -> Option<(DVec2, [DVec2; 2])> {
         let scale = self.scales.first()?;
         let line = match scale {

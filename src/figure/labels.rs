@@ -1,38 +1,38 @@
-//! Finding room for letters: near what they name, inside the picture, off the lines and off one another.
+//! Placement of letters: near the things that they name, inside the picture, off the lines and off one another.
 
 use super::area::Area;
 use super::drawing::{Shape, Text};
 use super::palette::Rgb8;
 use glam::DVec2;
 
-/// Turns away from the wanted direction that are tried, in degrees.
+/// Turns away from the preferred direction to try, in degrees.
 const TURNS: [f64; 12] = [
     0.0, 25.0, -25.0, 50.0, -50.0, 80.0, -80.0, 110.0, -110.0, 145.0, -145.0, 180.0,
 ];
-/// Distances that are tried, in text sizes beyond the clearance.
+/// Distances to try, in text sizes beyond the clearance.
 const DISTANCES: [f64; 7] = [0.0, 0.3, 0.7, 1.2, 1.8, 2.5, 3.5];
-/// What a text size of distance, a half turn, and a text size of covered line cost.
+/// Costs of a text size of distance, of a half turn, and of a text size of covered line.
 const COST: [f64; 3] = [1.0, 1.0, 5.0];
-/// Places along each side of the picture that are tried when there is no room near the anchor.
+/// Number of places to try along each side of the picture if there is no space near the anchor.
 const GRID: u32 = 24;
-/// A curve counts as an obstacle by about this many chords.
+/// Approximate number of chords by which a curve counts as an obstacle.
 const CHORDS: usize = 12;
 
 /// A text in the picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
-    /// What it says.
+    /// The text.
     pub text: String,
-    /// What it covers, halo included.
+    /// Area that it covers, halo included.
     pub area: Area,
-    /// Size of the type, pixels an em.
+    /// Text size, pixels an em.
     pub size: f64,
-    /// Red, green and blue as stored.
+    /// Colour as stored: red, green and blue.
     pub colour: Rgb8,
 }
 
 impl Label {
-    /// The text in the middle of its area.
+    /// Returns the text in the middle of its area.
     pub fn to_text(&self, halo: f64) -> Text {
         Text {
             halo,
@@ -41,32 +41,32 @@ impl Label {
     }
 }
 
-/// A text that wants a place.
+/// A text to be placed.
 #[derive(Clone, Copy, Debug)]
 pub struct Wish {
-    /// What it names.
+    /// The point that it names.
     pub anchor: DVec2,
-    /// Where it would like to stand as seen from the anchor; unit, or zero for no preference.
+    /// Preferred direction from the anchor: a unit vector, or zero for no preference.
     pub direction: DVec2,
     /// Extent with its halo.
     pub size: DVec2,
-    /// Least distance from the anchor.
+    /// Minimum distance from the anchor.
     pub clearance: f64,
 }
 
-/// Places labels one after another.
+/// A placer of labels one after another.
 #[derive(Clone, Debug)]
 pub struct Placer {
     bounds: Area,
     text_size: f64,
     taken: Vec<Area>,
     segments: Vec<[DVec2; 2]>,
-    /// The best place found so far for the label in hand, and what it costs.
+    /// The best place found so far for the current label, and its cost.
     best: Option<(f64, Area)>,
 }
 
 impl Placer {
-    /// A placer for labels within `bounds`, off `shapes` and out of `taken`.
+    /// Creates a placer for labels within `bounds`, off `shapes` and out of `taken`.
     pub fn new(bounds: Area, text_size: f64, shapes: &[Shape], taken: Vec<Area>) -> Self {
         let mut segments = Vec::new();
         for shape in shapes {
@@ -87,7 +87,7 @@ impl Placer {
         }
     }
 
-    /// The best free place, or nothing where the picture has no room. The place is taken from then on.
+    /// Returns the best free place, or none if the picture has no space. The place is reserved from then on.
     pub fn place(&mut self, wish: &Wish) -> Option<Area> {
         self.best = None;
         self.try_beside(wish);
@@ -135,7 +135,7 @@ impl Placer {
         }
     }
 
-    /// Takes a place that costs `base` besides the lines it covers, if it is free and better than the best so far.
+    /// Keeps a place that costs `base` besides the lines it covers, if it is free and better than the best so far.
     fn consider(&mut self, area: Area, base: f64) {
         let least = self.best.map_or(f64::INFINITY, |(cost, _)| cost);
         let inside = area.min.is_finite() && self.bounds.holds(&area);

@@ -1,7 +1,7 @@
 //! The visual language: one letter, one colour and one line style for each vector, wherever it is drawn.
 //!
-//! The colours are Okabe and Ito's (2008, "Color Universal Design"), which colour-blind eyes tell apart; the letters and
-//! the dashes carry the meaning where colour cannot.
+//! The colours are Okabe and Ito's (2008, "Color Universal Design"), which people with colour blindness can tell
+//! apart; the letters and the dashes carry the meaning where colour cannot.
 
 use crate::scene::ShadingMode;
 use std::sync::LazyLock;
@@ -21,7 +21,8 @@ pub const V: Rgb8 = [0x00, 0x9E, 0x73];
 pub const H: Rgb8 = [0xCC, 0x79, 0xA7];
 /// The transmitted direction: sky blue.
 pub const T: Rgb8 = [0x56, 0xB4, 0xE9];
-/// Flat, interpolated, Gouraud, Phong and exact shading, in plots and over pictures: of the same colours.
+/// The colours of flat, interpolated, Gouraud, Phong and exact shading, in plots and over pictures, from the same
+/// palette.
 const SHADING: [Rgb8; 5] = [
     [0xD5, 0x5E, 0x00],
     [0xCC, 0x79, 0xA7],
@@ -30,16 +31,16 @@ const SHADING: [Rgb8; 5] = [
     [0x8A, 0x6D, 0x00],
 ];
 
-/// The colour of a shading mode.
+/// Returns the colour of a shading mode.
 pub const fn shading(mode: ShadingMode) -> Rgb8 {
     SHADING[mode as usize]
 }
 
 /// The share α along an edge or along a scan line, which is no vector: yellow.
 pub const ALPHA: Rgb8 = [0xF0, 0xE4, 0x42];
-/// The normal of a polygon, where it stands beside those of vertices: yellow, the colour that no vector has.
+/// The normal of a polygon beside those of vertices: yellow, the colour that no vector has.
 pub const FACE: Rgb8 = ALPHA;
-/// Its dashes, as [`Vector::dashes`] has them.
+/// Dashes of a polygon's normal, in the form of [`Vector::dashes`].
 pub const FACE_DASHES: [f32; 2] = [3.0, 1.5];
 
 /// The vectors of the illumination equation.
@@ -47,15 +48,15 @@ pub const FACE_DASHES: [f32; 2] = [3.0, 1.5];
 pub enum Vector {
     /// The surface's normal.
     N,
-    /// To the light.
+    /// The direction to the light.
     L,
     /// L mirrored at N.
     R,
-    /// To the viewer.
+    /// The direction to the viewer.
     V,
-    /// Half-way between L and V.
+    /// The direction half-way between L and V.
     H,
-    /// Transmitted.
+    /// The transmitted direction.
     T,
 }
 
@@ -70,29 +71,31 @@ const VECTORS: [(&str, Rgb8, &[f32]); 6] = [
 ];
 
 impl Vector {
-    /// Every vector, in the order of the legend.
+    /// All vectors, in the order of the legend.
     pub const ALL: [Self; 6] = [Self::N, Self::L, Self::R, Self::V, Self::H, Self::T];
 
-    /// The letter by which the textbooks call it.
+    /// Returns its letter in the textbooks.
     pub const fn letter(self) -> &'static str {
         VECTORS[self as usize].0
     }
 
-    /// Its colour, as stored in a picture.
+    /// Returns its colour, as stored in a picture.
     pub const fn colour(self) -> Rgb8 {
         VECTORS[self as usize].1
     }
 
-    /// Lengths of dashes and gaps in turn, in stroke widths, for a stroke with flat ends; empty is a solid line.
+    /// Returns the lengths of alternating dashes and gaps, in stroke widths, for a stroke with flat ends; empty is a
+    /// solid line.
     pub const fn dashes(self) -> &'static [f32] {
         VECTORS[self as usize].2
     }
 }
 
-/// `colour`, moved towards black or white no further than it takes to stand out from `background` by the contrast `ratio`.
+/// Returns `colour`, moved towards black or white only as far as needed to reach the contrast `ratio` with
+/// `background`.
 pub fn readable(colour: Rgb8, background: Rgb8, ratio: f64) -> Rgb8 {
     const STEPS: u32 = 20;
-    // The grey from which black and white are equally far.
+    // The grey at equal contrast from black and white.
     let away = if luminance(background) > 0.18 {
         [0; 3]
     } else {
@@ -109,13 +112,13 @@ pub fn readable(colour: Rgb8, background: Rgb8, ratio: f64) -> Rgb8 {
     (0..=STEPS).map(towards).find(stands_out).unwrap_or(away)
 }
 
-/// Contrast ratio as WCAG 2.2 defines it, from 1 to 21.
+/// Returns the contrast ratio as defined by WCAG 2.2, from 1 to 21.
 pub fn contrast(a: Rgb8, b: Rgb8) -> f64 {
     let [a, b] = [luminance(a), luminance(b)];
     (a.max(b) + 0.05) / (a.min(b) + 0.05)
 }
 
-/// Relative luminance as WCAG 2.2 defines it.
+/// Returns the relative luminance as defined by WCAG 2.2.
 fn luminance(colour: Rgb8) -> f64 {
     static LINEAR: LazyLock<[f64; 256]> = LazyLock::new(|| {
         std::array::from_fn(|code| {

@@ -11,16 +11,16 @@ use tiny_skia::{
     StrokeDash, Transform,
 };
 
-/// Letters are stroked by this share of their size, since the font is a light one.
+/// Stroke width of letters as a share of their size, since the font is a light one.
 const EMBOLDEN: f64 = 0.055;
 
 impl Drawing {
-    /// The drawing as a picture, a unit a pixel; nothing where it has no pixel or too many.
+    /// Returns the drawing as a picture, one pixel per unit; none if it has no pixels or too many.
     pub fn to_frame(&self) -> Option<Frame> {
         let (width, height) = (self.size.x as u32, self.size.y as u32);
         let mut pixmap = Pixmap::new(width, height)?;
         self.draw(&mut pixmap.as_mut());
-        // The ground is opaque, so that nothing is premultiplied.
+        // The background is opaque, so that nothing is premultiplied.
         Some(Frame {
             width,
             height,
@@ -28,7 +28,7 @@ impl Drawing {
         })
     }
 
-    /// Draws on a pixmap, a unit a pixel.
+    /// Draws on a pixmap, one pixel per unit.
     pub fn draw(&self, pixmap: &mut PixmapMut<'_>) {
         if let Some([r, g, b]) = self.ground {
             pixmap.fill(Color::from_rgba8(r, g, b, 255));
@@ -74,7 +74,7 @@ fn draw_text(pixmap: &mut PixmapMut<'_>, text: &Text, halo: Rgb8) {
 
 fn draw_shape(pixmap: &mut PixmapMut<'_>, shape: &Shape) {
     let paint = paint(shape.colour, shape.opacity);
-    // The picture with room for a line whose middle runs outside.
+    // The picture with a margin for a line whose middle is outside.
     let margin = DVec2::splat(2.0 * shape.width + 2.0);
     let size = DVec2::new(f64::from(pixmap.width()), f64::from(pixmap.height()));
     let window = Area {

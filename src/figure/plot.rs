@@ -1,7 +1,7 @@
 //! Plots, laid out once as plain geometry and drawn by tiny-skia, as SVG text, or by the window.
 //!
-//! A [`Plot`] and the room for it come in, a [`Drawing`] comes out: lines, areas and lines of text with their places. No
-//! curve is told apart by colour alone: each has dashes of its own, and the legend names it.
+//! Input is a [`Plot`] and its size, output a [`Drawing`]: lines, areas and lines of text with their positions. No
+//! curve is distinguished by colour alone: each has its own dashes, and the legend names it.
 
 mod axes;
 mod cartesian;
@@ -21,13 +21,13 @@ use glam::DVec2;
 use legend::Legend;
 use sheet::Sheet;
 
-/// Lays `plot` out in a room of `size` (width, height).
+/// Lays out `plot` in an area of `size` (width, height).
 pub fn lay_out(plot: &Plot, size: DVec2, style: &PlotStyle) -> Drawing {
     lay_out_sheet(std::slice::from_ref(plot), size, style)
 }
 
-/// Lays `plot` out without a legend, for a view that names the curves elsewhere. With a `span`, the axis of x begins and ends
-/// exactly at these places of the room, whatever stands beside it.
+/// Lays out `plot` without a legend, for a view that names the curves elsewhere. With a `span`, the x axis begins and
+/// ends exactly at these positions in the area, whatever is beside it.
 pub fn lay_out_bare(
     plot: &Plot,
     size: DVec2,
@@ -44,7 +44,7 @@ pub fn lay_out_bare(
     drawing
 }
 
-/// Lays several plots out on one sheet of `size`, in their order.
+/// Lays out several plots on one sheet of `size`, in order.
 pub fn lay_out_sheet(plots: &[Plot], size: DVec2, style: &PlotStyle) -> Drawing {
     let mut drawing = Drawing::new(size, style.paper.ground);
     let grid = paper::grid(plots.len(), size.x > size.y);

@@ -5,23 +5,23 @@ use super::palette::Rgb8;
 use fast_qr::{ECL, QRBuilder};
 use glam::DVec2;
 
-/// The square of modules that says a text.
+/// The square of modules that encodes a text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct QrCode {
-    /// Modules on a side, without the quiet zone.
+    /// Number of modules on a side, without the quiet zone.
     side: usize,
-    /// Row by row.
+    /// Dark modules, row by row.
     dark: Vec<bool>,
 }
 
 impl QrCode {
-    /// Light modules round the code that readers need.
+    /// Width in modules of the light quiet zone that readers need round the code.
     pub const QUIET: usize = 4;
 
     const BLACK: Rgb8 = [0; 3];
     const WHITE: Rgb8 = [255; 3];
 
-    /// The smallest code of a text, with as much protection against errors as its size has room for; none for more than 2953
+    /// Creates the smallest code of a text, with as much error correction as fits its size; none for more than 2953
     /// bytes.
     pub fn new(text: &str) -> Option<Self> {
         let code = |level| QRBuilder::new(text).ecl(level).build().ok();
@@ -36,12 +36,12 @@ impl QrCode {
         })
     }
 
-    /// Modules on a side with the quiet zone.
+    /// Returns the number of modules on a side, quiet zone included.
     pub fn side(&self) -> usize {
         self.side + 2 * Self::QUIET
     }
 
-    /// Runs of dark modules: the column and the row of the first, counted with the quiet zone, and how many there are.
+    /// Returns the runs of dark modules: the column and the row of the first, quiet zone included, and their number.
     pub fn runs(&self) -> Vec<[usize; 3]> {
         let mut runs: Vec<[usize; 3]> = Vec::new();
         for (row, modules) in self.dark.chunks(self.side).enumerate() {
@@ -56,7 +56,7 @@ impl QrCode {
         runs
     }
 
-    /// Black on white with the quiet zone, each module so many units wide.
+    /// Draws black on white with the quiet zone, each module `module` units wide.
     pub fn drawing(&self, module: f64) -> Drawing {
         let mut drawing = Drawing::new(DVec2::splat(self.side() as f64 * module), Self::WHITE);
         let area = |[x, y, count]: [usize; 3]| {

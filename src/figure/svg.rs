@@ -5,11 +5,12 @@ use super::palette::Rgb8;
 use super::text::Set;
 use std::fmt::Write;
 
-/// The program's own font first, then what most machines have.
+/// Font families: the program's own font first, then those that most machines have.
 const FONTS: &str = "Ubuntu, 'Helvetica Neue', Helvetica, Arial, 'Noto Sans', sans-serif";
 
 impl Drawing {
-    /// The text of an SVG file, a unit a pixel. `title` says what it shows, for those who do not see it.
+    /// Returns the text of an SVG file, one pixel per unit. `title` describes the picture for people who cannot see
+    /// it.
     pub fn to_svg(&self, title: &str) -> String {
         let (width, height) = (self.size.x, self.size.y);
         let mut svg = format!(
@@ -80,8 +81,8 @@ fn write_shape(svg: &mut String, shape: &Shape) {
     );
 }
 
-/// Writes a line of text, or its halo of a colour: a text of its own below it, since not every program paints the stroke
-/// of a text before its filling.
+/// Writes a line of text, or its halo in a colour: a text of its own below it, since not every program paints the
+/// stroke of a text before its fill.
 fn write_text(svg: &mut String, text: &Text, halo: Option<Rgb8>) {
     let anchor = if text.align > 0.75 {
         " text-anchor=\"end\""
@@ -112,7 +113,7 @@ fn write_text(svg: &mut String, text: &Text, halo: Option<Rgb8>) {
     );
 }
 
-/// Small letters above and below the line as ordinary ones, moved: fonts may lack them.
+/// Converts subscripts and superscripts to ordinary characters, shifted, since fonts may lack them.
 fn lettered(text: &str, size: f64) -> String {
     let mut out = String::new();
     let mut shifted = 0.0;
@@ -140,7 +141,7 @@ fn escaped(text: &str) -> String {
         .replace('"', "&quot;")
 }
 
-/// At most two decimals.
+/// Formats a number with at most two decimals.
 fn brief(value: f64) -> String {
     let text = format!("{value:.2}");
     let text = if text.contains('.') {

@@ -1,4 +1,4 @@
-//! Lettering as outlines: text in, a path and its extent in pixels out.
+//! Text as outlines: from a string to a path and its extent in pixels.
 
 use crate::text::{FONTS, chinese_font, with_minus};
 use glam::DVec2;
@@ -10,7 +10,7 @@ use tiny_skia::{Path, PathBuilder, Transform};
 
 /// Size of a subscript or a superscript, in the size of the text.
 const SMALL_SIZE: f32 = 0.68;
-/// Subscripts and superscripts, the ordinary letters, and how far above the line they stand, in the size of the text.
+/// Subscripts and superscripts, the ordinary characters, and their rise above the baseline, in the size of the text.
 const SMALL: [(&str, &str, f32); 2] = [
     ("₀₁₂₃₄₅₆₇₈₉", "0123456789", -0.16),
     ("⁰¹²³⁴⁵⁶⁷⁸⁹ⁿ⁻", "0123456789n−", 0.36),
@@ -20,17 +20,17 @@ const SMALL: [(&str, &str, f32); 2] = [
 #[derive(Clone, Debug)]
 pub(crate) struct Lettering {
     path: Option<Path>,
-    /// Top left corner of what is inked, pixels from the origin.
+    /// Top left corner of the ink, pixels from the origin.
     pub min: DVec2,
-    /// Bottom right corner of what is inked.
+    /// Bottom right corner of the ink.
     pub max: DVec2,
-    /// Where the next letter would stand.
+    /// Position of the next letter.
     pub width: f64,
 }
 
 impl Lettering {
-    /// Sets `text` at `size` pixels an em. Small digits are set as [`Set`] says; a character in none of the fonts
-    /// leaves a gap.
+    /// Lays out `text` at `size` pixels an em. Small digits are set according to [`Set`]; a character in none of the
+    /// fonts leaves a gap.
     pub fn new(text: &str, size: f64) -> Self {
         let mut pen = Pen {
             builder: PathBuilder::new(),
@@ -52,7 +52,7 @@ impl Lettering {
         }
     }
 
-    /// The outline with its origin, the left end of its baseline, at `origin`; nothing for a text without ink.
+    /// Returns the outline with its origin, the left end of its baseline, at `origin`; none for a text without ink.
     pub fn placed(&self, origin: DVec2) -> Option<Path> {
         self.path
             .clone()?
@@ -60,13 +60,13 @@ impl Lettering {
     }
 }
 
-/// Width and height of what is inked of a text at `size` pixels an em, pixels.
+/// Returns the width and height of a text's ink at `size` pixels an em, pixels.
 pub(crate) fn inked_size(text: &str, size: f64) -> DVec2 {
     let lettering = Lettering::new(text, size);
     lettering.max - lettering.min
 }
 
-/// Collects glyph outlines one after another.
+/// A pen that collects glyph outlines one after another.
 struct Pen {
     builder: PathBuilder,
     x: f32,
@@ -85,21 +85,21 @@ impl Pen {
         let outline = glyph(character).and_then(|(font, glyph)| font.outline_glyphs().get(glyph));
         if let Some(outline) = outline {
             let settings = DrawSettings::unhinted(Size::new(size), LocationRef::default());
-            // A glyph that does not draw leaves a gap, as one that is missing does.
+            // A glyph that fails to draw leaves a gap, like a missing one.
             let _ = outline.draw(settings, self);
         }
         self.x += advance(character, size);
     }
 }
 
-/// A character in the first font that has it.
+/// Returns a character's glyph in the first font that has it.
 fn glyph(character: char) -> Option<(&'static FontRef<'static>, GlyphId)> {
     fonts()
         .iter()
         .find_map(|font| Some((font, font.charmap().map(character)?)))
 }
 
-/// How far the next character stands from an ordinary one, pixels.
+/// Returns the distance from an ordinary character to the next, pixels.
 fn advance(character: char, size: f32) -> f32 {
     let Some((font, glyph)) = glyph(character) else {
         return 0.5 * size;
@@ -109,7 +109,7 @@ fn advance(character: char, size: f32) -> f32 {
         .unwrap_or(0.0)
 }
 
-/// Width of a text at `size` pixels an em, pixels.
+/// Returns the width of a text at `size` pixels an em, pixels.
 pub(crate) fn width_of(text: &str, size: f64) -> f64 {
     let advance = |character| {
         let set = Set::of(character);
@@ -118,20 +118,20 @@ pub(crate) fn width_of(text: &str, size: f64) -> f64 {
     text.chars().map(advance).sum::<f32>().into()
 }
 
-/// How a character is set: a small one below or above the line is the ordinary one made smaller and moved, since fonts
-/// may lack it.
+/// The setting of a character: a small one below or above the line is the ordinary one scaled and shifted, since
+/// fonts may lack it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Set {
     /// The ordinary character.
     pub letter: char,
-    /// Its size, in the size of the text.
+    /// Size relative to the text.
     pub size: f32,
-    /// How far above the line it stands, in the size of the text.
+    /// Rise above the baseline, in the size of the text.
     pub rise: f32,
 }
 
 impl Set {
-    /// How `character` is set.
+    /// Returns the setting of `character`.
     pub fn of(character: char) -> Self {
         for (small, ordinary, rise) in SMALL {
             let same = small
@@ -154,12 +154,12 @@ impl Set {
     }
 }
 
-/// A number in small digits below the line.
+/// Formats a number in subscript digits.
 pub fn lowered(number: usize) -> String {
     small(&number.to_string(), 0)
 }
 
-/// A number in small digits above the line.
+/// Formats a number in superscript digits.
 pub fn raised(number: i32) -> String {
     small(&with_minus(&number.to_string()), 1)
 }
@@ -177,7 +177,7 @@ fn small(text: &str, which: usize) -> String {
         .collect()
 }
 
-/// Glyphs have y upwards, pictures downwards.
+/// Converts glyphs, whose y points upwards, to pictures, where it points downwards.
 impl OutlinePen for Pen {
     fn move_to(&mut self, x: f32, y: f32) {
         self.builder.move_to(self.x + x, self.y - y);
@@ -203,7 +203,8 @@ impl OutlinePen for Pen {
     }
 }
 
-/// The fonts in the order in which they are asked for a character; a web page may not have the last of them yet.
+/// Returns the fonts in the order in which they are searched for a character; a web page may not have the last of
+/// them yet.
 fn fonts() -> &'static [FontRef<'static>] {
     static READ: [OnceLock<Vec<FontRef<'static>>>; 2] = [const { OnceLock::new() }; 2];
     READ[usize::from(!chinese_font().is_empty())].get_or_init(|| {

@@ -9,27 +9,27 @@ use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::{ErrorEvent, MessageEvent, Worker, WorkerOptions, WorkerType};
 
-/// Most workers at a time: each has memory of its own.
+/// Maximum number of workers at a time: each has memory of its own.
 const MOST: usize = 4;
-/// The script of a worker, beside the page, and what it is told first: the program as the page has compiled it.
+/// The script of a worker, beside the page, and its first message: the program as compiled by the page.
 const SCRIPT: &str = "worker.js";
 const OF_PAGE: [&str; 2] = ["shadingLab", "module"];
 
-/// What a worker says about its work. The last three are the end of it.
+/// A message from a worker about its work. The last three end it.
 pub enum WorkerMessage<'a> {
-    /// How far it is, from 0 to 1.
+    /// Progress, from 0 to 1.
     At(f32),
-    /// What is known so far.
+    /// The part of the answer known so far.
     SoFar(&'a [u8]),
     Over(&'a [u8]),
     Failed(String),
-    /// It was stopped, or has stopped.
+    /// The work was stopped, or has stopped.
     Stopped,
 }
 
 type Hear = Box<dyn FnMut(WorkerMessage<'_>)>;
 
-/// Work that was sent.
+/// Work to be sent to a worker.
 struct Order {
     number: u64,
     message: JsValue,
@@ -55,16 +55,16 @@ thread_local! {
     static POOL: RefCell<Pool> = RefCell::default();
 }
 
-/// Does this on the page, once it has shown what it has drawn.
+/// Runs work on the page, after it has shown what it has drawn.
 pub fn later(work: impl FnOnce() + 'static) {
     let work = Closure::once_into_js(work);
     if let Some(window) = web_sys::window() {
-        // A window always takes it.
+        // A window always accepts it.
         let _ = window.set_timeout_with_callback(work.unchecked_ref());
     }
 }
 
-/// Sends work of this name to a worker; `hear` is told what it says.
+/// Sends work of this name to a worker; `hear` receives its messages.
 pub fn send(name: &str, content: Vec<u8>, hear: impl FnMut(WorkerMessage<'_>) + 'static) -> u64 {
     let place = Language::ALL.iter().position(|known| *known == language());
     let message = Array::of4(
@@ -86,7 +86,7 @@ pub fn send(name: &str, content: Vec<u8>, hear: impl FnMut(WorkerMessage<'_>) + 
     number
 }
 
-/// Stops work that was sent, if it goes on.
+/// Cancels work that was sent, if it is still running.
 pub fn cancel(number: u64) {
     let hear = POOL.with_borrow_mut(|pool| {
         let waiting = pool.orders.iter().position(|order| order.number == number);
@@ -104,7 +104,7 @@ pub fn cancel(number: u64) {
     }
 }
 
-/// Gives workers what waits, as far as there are any.
+/// Assigns waiting work to workers, as far as there are any.
 fn begin() {
     let refused = POOL.with_borrow_mut(|pool| {
         while pool.busy.len() < MOST
@@ -132,7 +132,7 @@ fn begin() {
     }
 }
 
-/// A new worker, with the program.
+/// Creates a worker, with the program.
 fn worker() -> Result<Worker, JsValue> {
     let options = WorkerOptions::new();
     options.set_type(WorkerType::Module);
@@ -157,7 +157,7 @@ fn is(one: &Worker, other: &Worker) -> bool {
     Object::is(one, other)
 }
 
-/// Hears a message: what it is, and what it says.
+/// Handles a message: its kind, and its content.
 fn hear(worker: &Worker, message: &JsValue) {
     let message: &Array = message.unchecked_ref();
     let kind = message.get(0).as_f64().unwrap_or(0.0) as u32;
@@ -193,7 +193,7 @@ fn hear(worker: &Worker, message: &JsValue) {
     begin();
 }
 
-/// A worker has failed.
+/// Handles the failure of a worker.
 fn lose(worker: &Worker) {
     let number = POOL.with_borrow(|pool| {
         let busy = pool.busy.iter().find(|busy| is(&busy.worker, worker));

@@ -1,4 +1,4 @@
-//! The other side of a worker: does what the page has sent, and tells it.
+//! The worker's side: does work that the page has sent, and reports on it.
 
 use super::{MessageKind, Work, nanoseconds};
 use crate::analysis::Watch;
@@ -11,15 +11,15 @@ use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::DedicatedWorkerGlobalScope;
 
-/// How far the work is, and what is known so far, is told this often at most, nanoseconds.
+/// Minimum interval between reports of progress, and between reports of intermediate answers, nanoseconds.
 const PAUSE: u64 = 50_000_000;
-/// What the worker's script calls with a message.
+/// Name of the function that the worker's script calls with a message.
 const SERVE: &str = "serve";
 
-/// A kind of work that is done in workers: its name, and how.
+/// A kind of work done in workers: its name, and its function.
 pub type Served = (&'static str, fn(&[u8]));
 
-/// Work of this type.
+/// Returns the entry for work of this type.
 pub fn served<W: Work>() -> Served {
     (type_name::<W>(), work::<W>)
 }
@@ -45,15 +45,15 @@ pub fn serve(kinds: Vec<Served>) -> bool {
             None => tell(MessageKind::Failure, &JsValue::NULL),
         }
     });
-    // A script that cannot be given this says so itself.
+    // If this fails, the script reports it itself.
     let _ = Reflect::set(&scope, &SERVE.into(), &serve.into_js_value());
     true
 }
 
-/// Sends the page what it hears.
+/// Sends a message to the page.
 fn tell(kind: MessageKind, content: &JsValue) {
     let scope: DedicatedWorkerGlobalScope = js_sys::global().unchecked_into();
-    // A page that is gone hears nothing.
+    // A closed page receives nothing.
     let _ = scope.post_message(&Array::of2(&(kind as u32).into(), content));
 }
 
@@ -78,7 +78,7 @@ fn work<W: Work>(content: &[u8]) {
 }
 
 struct Reporter<W> {
-    /// When the page was last told how far the work is, and what is known, nanoseconds.
+    /// Times of the last reports of progress and of intermediate answers, nanoseconds.
     told: [AtomicU64; 2],
     work: PhantomData<fn(W)>,
 }
@@ -95,7 +95,7 @@ impl<W> Reporter<W> {
 }
 
 impl<W: Work> Watch<W::Answer> for Reporter<W> {
-    /// Whoever wants no more ends the worker.
+    /// Always continues: the page ends the worker to cancel.
     fn at(&self, share: f32) -> bool {
         if self.is_due(0) {
             tell(MessageKind::Share, &share.into());

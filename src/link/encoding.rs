@@ -1,15 +1,15 @@
-//! Characters of a link: percent encoding for what stands in its readable part, base64url for what is compressed.
+//! Encoding of a link's characters: percent encoding for its readable part, base64url for compressed text.
 
 /// The digits of base64url (RFC 4648, section 5), none of which browsers or messengers change.
 const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
 
-/// Whether a character stands for itself. RFC 3986 allows a few more in a query; messengers end a link at some of them, or
-/// take them for marks of their own.
+/// Returns whether a character stands for itself. RFC 3986 allows a few more in a query; messengers end a link at
+/// some of them, or interpret them as markup.
 fn is_plain(byte: u8) -> bool {
     byte.is_ascii_alphanumeric() || b"-._,=;".contains(&byte)
 }
 
-/// A text with all but plain characters percent-encoded.
+/// Percent-encodes all but plain characters.
 pub fn encoded(text: &str) -> String {
     let mut encoded = String::with_capacity(text.len());
     for byte in text.bytes() {
@@ -37,7 +37,7 @@ fn push_encoded(text: &mut String, byte: u8) {
     text.extend(['%', digit(byte >> 4), digit(byte)]);
 }
 
-/// The text that was encoded; a plus sign is a blank, as browsers have it. The offset of what is wrong, otherwise.
+/// Decodes a text; a plus sign is a blank, as in browsers. On failure, returns the offset of the error.
 pub fn decoded(text: &str) -> Result<String, usize> {
     let mut bytes = Vec::with_capacity(text.len());
     let mut rest = text.as_bytes();
@@ -62,7 +62,7 @@ pub fn decoded(text: &str) -> Result<String, usize> {
     String::from_utf8(bytes).map_err(|_| 0)
 }
 
-/// Bytes as base64url without padding.
+/// Encodes bytes as base64url without padding.
 pub fn base64(bytes: &[u8]) -> String {
     let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
     for chunk in bytes.chunks(3) {
@@ -75,7 +75,7 @@ pub fn base64(bytes: &[u8]) -> String {
     text
 }
 
-/// The bytes of a text in base64url, with or without padding.
+/// Decodes a text in base64url, with or without padding.
 pub fn from_base64(text: &str) -> Option<Vec<u8>> {
     let text = text.trim_end_matches('=').as_bytes();
     let mut bytes = Vec::with_capacity(text.len() / 4 * 3 + 3);
@@ -97,7 +97,7 @@ pub fn from_base64(text: &str) -> Option<Vec<u8>> {
     Some(bytes)
 }
 
-/// What follows `start`, in whichever case that stands.
+/// Returns the text after `start`, which is compared ignoring case.
 pub fn after<'t>(text: &'t str, start: &str) -> Option<&'t str> {
     let (head, rest) = text.split_at_checked(start.len())?;
     head.eq_ignore_ascii_case(start).then_some(rest)

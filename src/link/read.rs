@@ -1,4 +1,4 @@
-//! From a link to its scene. Anybody may have written it: its length, what it unpacks to and what it sets are bounded.
+//! From a link to its scene. Links are untrusted: length, unpacked size and settings are bounded.
 
 use super::encoding::{after, decoded, from_base64};
 use super::shown::Shown;
@@ -16,8 +16,8 @@ const KEYS: [&str; 11] = [
     "controls",
 ];
 
-/// Keys that messengers, mailing lists and advertisers append to links; they are ignored, and so is all that begins with
-/// `utm_`.
+/// Keys that messengers, mailing lists and advertisers append to links; they are ignored, and so are all that begin
+/// with `utm_`.
 const APPENDED: [&str; 16] = [
     "fbclid", "gclid", "dclid", "gbraid", "wbraid", "msclkid", "twclid", "ttclid", "yclid", "igsh",
     "igshid", "mc_cid", "mc_eid", "srsltid", "_ga", "_gl",
@@ -26,17 +26,17 @@ const APPENDED: [&str; 16] = [
 /// The key of a model's file.
 const MODEL: &str = "object.path";
 
-/// What a scene is called that no built-in one has given its name to.
+/// Name of a scene that is not based on a built-in one.
 const NAME: &str = "link";
 
-/// Whether a text is meant as a link: it begins as an address of the web does, or with `?` or `#scene=`.
+/// Returns whether a text is meant as a link: it begins like a web address, or with `?` or `#scene=`.
 pub fn is_link(text: &str) -> bool {
     let text = bare(text);
     let starts = ["https://", "http://", "file://", "?", "#scene="];
     starts.into_iter().any(|start| after(text, start).is_some())
 }
 
-/// The text of a link without what surrounds it in a letter.
+/// Returns the text of a link without the characters that surround it in a letter.
 fn bare(text: &str) -> &str {
     let text = text.trim();
     let inner = text
@@ -45,7 +45,7 @@ fn bare(text: &str) -> &str {
     inner.unwrap_or(text)
 }
 
-/// Reads a link: what is before `?` is not looked at.
+/// Reads a link, ignoring the part before `?`.
 ///
 /// # Examples
 /// ```
@@ -66,8 +66,7 @@ fn bare(text: &str) -> &str {
 /// # Guarantees
 /// The scene is one that [`Scene::validate`] accepts, and names no file.
 ///
-/// # Errors
-/// Keys that a link or a scene does not have, and values that they cannot have, each with its place.
+/// # Errors Unknown keys of a link or a scene, and invalid values, each with its position.
 pub fn read(text: &str) -> Result<Link, LinkError> {
     let text = bare(text);
     let reader = Reader { text };
@@ -91,7 +90,7 @@ pub fn read(text: &str) -> Result<Link, LinkError> {
     reader.scene(parts)
 }
 
-/// A text up to a mark, and what follows with its offset.
+/// Splits a text at a mark; returns the part before it, and the part after it with its offset.
 fn split(text: &str, mark: char) -> (&str, Option<(usize, &str)>) {
     let Some((before, after)) = text.split_once(mark) else {
         return (text, None);
@@ -99,7 +98,7 @@ fn split(text: &str, mark: char) -> (&str, Option<(usize, &str)>) {
     (before, Some((text.len() - after.len(), after)))
 }
 
-/// What a link consists of, each with its offset.
+/// The parts of a link, each with its offset.
 #[derive(Default)]
 struct Parts {
     scene: Option<(usize, String)>,
@@ -116,14 +115,14 @@ struct Reader<'t> {
 }
 
 impl Reader<'_> {
-    /// The number of the character at an offset, from 1.
+    /// Returns the number of the character at an offset, from 1.
     fn position(&self, offset: usize) -> usize {
         let before = self.text.as_bytes().get(..offset).unwrap_or_default();
         // Bytes that begin a character.
         1 + before.iter().filter(|byte| **byte & 0xC0 != 0x80).count()
     }
 
-    /// `words` follow the key.
+    /// Returns an error about a key, which `words` follow.
     fn wrong(&self, key: &str, offset: usize, words: &str) -> LinkError {
         let key = if key.is_empty() { "=" } else { key };
         let shown: String = key.chars().take(80).flat_map(char::escape_debug).collect();
@@ -224,7 +223,7 @@ impl Reader<'_> {
         Ok(())
     }
 
-    /// What follows `#`: a scene file, or nothing. Browsers keep what they look for after `:~:`.
+    /// Parses the part after `#`: a scene file, or nothing. Browsers keep their search text after `:~:`.
     fn fragment(&self, at: usize, fragment: &str, parts: &mut Parts) -> Result<(), LinkError> {
         let fragment = split(fragment, ':').0;
         if fragment.is_empty() {
@@ -295,7 +294,7 @@ impl Reader<'_> {
         })
     }
 
-    /// The scene that the link begins with: the default one where it names none.
+    /// Returns the scene on which the link is based: the default one if it names none.
     fn base(&self, named: Option<&(usize, String)>) -> Result<(&'static str, Scene), LinkError> {
         let Some((at, name)) = named else {
             return Ok((presets::DEFAULT, presets::default_scene()));
@@ -314,7 +313,7 @@ impl Reader<'_> {
         Ok((preset.name, preset.scene()))
     }
 
-    /// A link cannot carry a file, and must not make whoever follows it open one.
+    /// Refuses a model: a link cannot carry a file, and must not make its reader's program open one.
     fn no_model(&self, scene: &Scene, at: usize) -> Result<(), LinkError> {
         match scene.object.path {
             None => Ok(()),
@@ -380,7 +379,7 @@ impl Reader<'_> {
     }
 }
 
-/// What is wrong, with the key. Where a model is asked for, it is not a path that is missing.
+/// Describes a problem, with the key. Where a link asks for a model, the problem is not the missing path.
 fn words(problem: &Problem) -> String {
     if problem.key == MODEL {
         return keyed(MODEL, text!("link-no-file"));
@@ -391,7 +390,7 @@ fn words(problem: &Problem) -> String {
     }
 }
 
-/// A key and the words that follow it.
+/// Returns a key and the words that follow it.
 fn keyed(key: &str, words: &str) -> String {
     format!("`{key}` {words}")
 }

@@ -1,4 +1,4 @@
-//! What a link says beside the scene: what is shown of it, and how.
+//! The part of a link beside the scene: the view of it.
 
 use super::encoding::encoded;
 use crate::text::text;
@@ -17,37 +17,37 @@ pub const VIEWS: [&str; 9] = [
     "stability",
 ];
 
-/// What is shown of a scene; all of it may be left open.
+/// The view of a scene; all of it is optional.
 ///
-/// Places are counted from the picture's middle to the right and down, in units of its shorter side, so that they mean the same
-/// place of the scene on a phone and on a projector.
+/// Positions are relative to the picture's middle, to the right and down, in units of its shorter side, so that they
+/// refer to the same point of the scene on a phone and on a projector.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Shown {
-    /// One of [`VIEWS`].
+    /// The view, one of [`VIEWS`].
     pub view: Option<&'static str>,
-    /// The place of the probe.
+    /// Position of the probe.
     pub probe: Option<DVec2>,
-    /// Where the profile is taken.
+    /// The line of the profile.
     pub line: Option<[DVec2; 2]>,
-    /// Nothing but the picture and the controls named, for a page inside another.
+    /// True to show only the picture and the named controls, for a page inside another.
     pub embed: bool,
-    /// A lesson of the course by its name, and the number of a step in it, from 1.
+    /// Name of a lesson of the course.
     pub lesson: Option<String>,
-    /// The number of the step.
+    /// Number of a step in the lesson, from 1.
     pub step: Option<u32>,
-    /// The controls of an embedded page, by words of lower-case letters, digits, dots and hyphens.
+    /// The controls of an embedded page, as words of lower-case letters, digits, dots and hyphens.
     pub controls: Vec<String>,
 }
 
-/// Greatest distance of a place from the picture's middle: no picture is that much longer than wide.
+/// Maximum distance of a position from the picture's middle: no picture is that much longer than wide.
 const FARTHEST: f64 = 1e5;
-/// The greatest number of a step.
+/// Maximum number of a step.
 const MOST_STEPS: u32 = 100;
-/// Most controls that can be named.
+/// Maximum number of named controls.
 const MOST_CONTROLS: usize = 64;
 
 impl Shown {
-    /// The keys with their values, encoded.
+    /// Returns the keys with their values, encoded.
     pub(super) fn pairs(&self) -> Vec<String> {
         let numbers = |key: &str, points: &[DVec2]| {
             let numbers = points.iter().flat_map(|point| point.to_array().map(short));
@@ -66,7 +66,8 @@ impl Shown {
         pairs
     }
 
-    /// Takes a key with its value, where that is one of these; what is wrong with the value, in words that follow the key.
+    /// Takes a key with its value; none for other keys. The error says what is wrong with the value, in words that
+    /// follow the key.
     pub(super) fn take(&mut self, key: &str, value: &str) -> Option<Result<(), String>> {
         Some(match key {
             "view" => VIEWS
@@ -114,14 +115,14 @@ impl Shown {
     }
 }
 
-/// Half a ten-thousandth of a side is less than a pixel of any screen.
+/// Formats a coordinate; half a ten-thousandth of a side is less than a pixel of any screen.
 fn short(value: f64) -> String {
     let rounded = (value * 1e4).round() / 1e4;
     // Not −0.
     (rounded + 0.0).to_string()
 }
 
-/// So many places, a pair of numbers each.
+/// Parses `N` positions, a pair of numbers each.
 fn places<const N: usize>(text: &str) -> Option<[DVec2; N]> {
     let sound = |number: &f64| number.abs() <= FARTHEST;
     let number = |text: &str| text.trim().parse().ok().filter(sound);

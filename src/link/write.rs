@@ -8,20 +8,20 @@ use crate::scene::{ObjectKind, Pane, Scene, presets};
 use miniz_oxide::deflate::compress_to_vec;
 use std::path::PathBuf;
 
-/// A link, and what it says nothing of.
+/// A link, and the part that it cannot carry.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Written {
-    /// The whole link, at most 2000 characters before `#`.
+    /// The link, at most 2000 characters before `#`.
     pub link: String,
-    /// The model's file that does not travel: in the link the teapot stands in its place.
+    /// The model's file, which the link omits: the teapot takes its place.
     pub left_out: Option<PathBuf>,
 }
 
-/// How hard to compress, from 0 to 10.
+/// Compression level, from 0 to 10.
 const EFFORT: u8 = 9;
 
-/// The link to a scene on a page, which may be empty. `origin` is the built-in scene that it was made from; without one it is
-/// written from the one with the fewest differences.
+/// Writes the link to a scene on a page, whose address may be empty. `origin` is the built-in scene that it was made
+/// from; without one it is based on the one with the fewest differences.
 ///
 /// # Errors
 /// A scene with too many polygons, or one that [`Scene::validate`] refuses.
@@ -61,7 +61,7 @@ pub fn write(
     }
 }
 
-/// The scene without its model, and the model's file, if that was shown.
+/// Returns the scene without its model, and the model's file, if that was shown.
 fn portable(scene: &Scene) -> (Scene, Option<PathBuf>) {
     let mut scene = scene.clone();
     let path = scene.object.path.take();
@@ -83,12 +83,12 @@ fn portable(scene: &Scene) -> (Scene, Option<PathBuf>) {
     (scene, path.filter(|_| shown || in_pane))
 }
 
-/// Whether two scenes are the same to the last bit.
+/// Returns whether two scenes are identical to the last bit.
 fn is_same(a: &Scene, b: &Scene) -> bool {
     a.differences(b).next().is_none()
 }
 
-/// What makes a built-in scene into this one, encoded; none where settings cannot say it.
+/// Returns the encoded settings that turn a built-in scene into this one; none where settings cannot express it.
 fn settings(scene: &Scene, origin: Option<&str>) -> Option<Vec<String>> {
     let (name, mut base) = origin
         .and_then(presets::find)
@@ -133,7 +133,7 @@ fn setting(parameter: &Parameter, scene: &Scene, index: usize) -> Option<String>
     Some(format!("set={key}={value}"))
 }
 
-/// The settings of a pane, separated by semicolons.
+/// Returns the settings of a pane, separated by semicolons.
 fn pane(set: &[String]) -> Option<String> {
     let apart = |setting: &String| {
         !setting.is_empty() && setting.trim() == setting && !setting.contains(';')
@@ -142,7 +142,7 @@ fn pane(set: &[String]) -> Option<String> {
     sound.then(|| format!("pane={}", encoded(&set.join(";"))))
 }
 
-/// The built-in scene, or the one of all defaults, from which this one differs in the fewest keys.
+/// Returns the built-in scene, or the one of all defaults, from which this one differs in the fewest keys.
 fn nearest(scene: &Scene) -> (&'static str, Scene) {
     let built_in = presets::ALL
         .iter()
@@ -152,14 +152,15 @@ fn nearest(scene: &Scene) -> (&'static str, Scene) {
     nearest.unwrap_or_else(|| (DEFAULTS, defaults().clone()))
 }
 
-/// A text, compressed. Its last character is a letter or a digit: messengers take another for the end of a sentence.
+/// Compresses a text. The last character of the result is a letter or a digit: messengers consider another the end of
+/// a sentence.
 fn packed(text: &str) -> String {
     let mut bytes = compress_to_vec(text.as_bytes(), EFFORT);
     let packed = base64(&bytes);
     if !packed.ends_with(['-', '_']) {
         return packed;
     }
-    // What follows the end of the compressed text is not read.
+    // Bytes after the end of the compressed text are not read.
     bytes.push(0);
     base64(&bytes)
 }

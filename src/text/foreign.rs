@@ -1,9 +1,9 @@
-//! Text that other people wrote, where this program repeats it: short in messages, and without what a terminal would act on.
+//! Text from others that this program repeats: short in messages, and with terminal control characters escaped.
 
-/// The longest piece of somebody else's text that a message repeats, in characters.
+/// Longest quotation of such text in a message, in characters.
 pub const LONGEST_QUOTE: usize = 200;
 
-/// Returns a text as a message repeats it: its first 200 characters, and `…` where it is longer.
+/// Returns a text as quoted in a message: its first 200 characters, and `…` where it is longer.
 pub fn excerpt(text: &str) -> String {
     let mut chars = text.chars();
     let mut short: String = chars.by_ref().take(LONGEST_QUOTE).collect();
@@ -13,13 +13,14 @@ pub fn excerpt(text: &str) -> String {
     short
 }
 
-/// Returns another library's message with the names that it repeats between backquotes cut like that.
+/// Returns another library's message with the names that it quotes between backquotes cut like that.
 pub fn with_short_names(message: &str) -> String {
     let pieces: Vec<_> = message.split('`').map(excerpt).collect();
     pieces.join("`")
 }
 
-/// Returns a text with what a terminal would act on written out: an escape as `\u{1b}`. The ends of lines and tabs stay.
+/// Returns a text with the characters that a terminal would act on escaped: an escape as `\u{1b}`. Line ends and tabs
+/// stay.
 ///
 /// # Examples
 /// ```
@@ -31,7 +32,7 @@ pub fn escaped(text: &str) -> String {
     written_out(text, |c| c.escape_unicode().to_string())
 }
 
-/// Returns JSON in which such characters are JSON's own escapes, so that it says the same.
+/// Returns JSON in which such characters are JSON escapes, so that its value is unchanged.
 pub fn escaped_json(json: &str) -> String {
     written_out(json, |c| format!("\\u{:04x}", u32::from(c)))
 }
@@ -48,7 +49,8 @@ fn written_out(text: &str, escape: impl Fn(char) -> String) -> String {
     out
 }
 
-/// Returns whether a character separates lines or turns the direction of writing: text with it can look like another text.
+/// Returns whether a character separates lines or changes the direction of writing: text with it can look like
+/// different text.
 pub fn turns(c: char) -> bool {
     matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
@@ -65,7 +67,7 @@ mod tests {
             assert!(!text.contains(acts));
         }
         assert!(escaped(&all).contains("\\u{9b}") && escaped(&all).contains("\\u{202e}"));
-        // What is no danger stays as it is.
+        // Harmless characters are unchanged.
         let plain = "θ = 30°, “中文” é 👩‍🔬\n\tn\\x";
         assert_eq!(escaped(plain), plain);
     }

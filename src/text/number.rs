@@ -1,11 +1,11 @@
-//! Numbers as people read them.
+//! Formats of numbers for people.
 
-/// Writes a number's hyphen as a minus sign.
+/// Replaces a number's hyphen by a minus sign.
 pub fn with_minus(number: &str) -> String {
     number.replace('-', "−")
 }
 
-/// Writes a number with so many decimals, with a minus sign, and without one before a 0.
+/// Formats a number with a fixed number of decimals, with a minus sign, and without one before a 0.
 pub fn fixed(value: f64, decimals: usize) -> String {
     if value.is_infinite() {
         return if value > 0.0 { "∞" } else { "−∞" }.into();

@@ -111,8 +111,8 @@ impl Format {
         );
     }
 
-    /// An input with some changes.
-    fn changed(&self, dice: &mut Dice) -> Vec<u8> {
+    /// Returns a valid input with some changes.
+    pub fn changed(&self, dice: &mut Dice) -> Vec<u8> {
         let mut input = self.sound[below(dice, self.sound.len())].clone();
         for _ in 0..=below(dice, 5) {
             if self.png && dice.unit() < 0.8 {
@@ -252,11 +252,55 @@ pub fn is_small(lesson: &Lesson) -> bool {
     })
 }
 
-/// The lesson with every kind of question, its scene so coarse that it [is small](is_small).
-pub fn small_lesson() -> Vec<u8> {
-    let coarse = "\"image.size=[96,96]\", \"object.segments=24\", \"object.rings=12\"";
+/// A lesson for each question of the one with every kind, its scene so coarse that thousands can be gone through.
+fn small_lessons() -> Vec<Vec<u8>> {
+    let coarse = "\"image.size=[24,24]\", \"object.segments=8\", \"object.rings=6\"";
     let lesson = EVERY_KIND.replace("\"image.size=[96,96]\"", coarse);
-    let read = Lesson::read(&lesson, None).expect("a lesson");
-    assert!(is_small(&read), "nothing would be gone through");
-    lesson.into_bytes()
+    let question = lesson.find("```question").expect("a first question");
+    let (beginning, questions) = lesson.split_at(question);
+    let lessons = questions.split("\n## ").map(|section| {
+        let (_, question) = section.split_once("```question").expect("a question");
+        let lesson = format!("{beginning}```question{question}");
+        let read = Lesson::read(&lesson, None).expect("a lesson");
+        assert!(is_small(&read), "nothing would be gone through");
+        lesson.into_bytes()
+    });
+    lessons.collect()
+}
+
+/// Lessons with one step, for every kind of question.
+pub fn lessons_of_every_kind(name: &'static str, read: fn(&[u8]) -> bool) -> Format {
+    Format {
+        name,
+        sound: small_lessons(),
+        words: &[
+            "x = [0, 5e-324]\n",
+            "y = [-1e300, 1e300]\n",
+            "tolerance = 1e-300\n",
+            "from = -1e308\n",
+            "answer = \"x*1e308\"\n",
+            "unit = \"𝕏\"\n",
+            "probe = [1e9, -1e9]\n",
+            "line = [0, 0, 0, 0]\n",
+            "set = [\"image.size=[1,300]\"]\n",
+            "light.0.position=[0,0,0]",
+            "{{ probe.sum[0] | 9 }}",
+            "picture.mean",
+            "$\\frac{$",
+            "<script>",
+        ],
+        read,
+        png: false,
+    }
+}
+
+/// Returns a lesson that is wrong somewhere, and can still be opened.
+pub fn any_lesson(dice: &mut Dice) -> Lesson {
+    let format = lessons_of_every_kind("lessons", |_| true);
+    loop {
+        let lesson = Lesson::read(&text(&format.changed(dice)), None);
+        if let Some(lesson) = lesson.ok().filter(is_small) {
+            return lesson;
+        }
+    }
 }

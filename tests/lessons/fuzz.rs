@@ -1,7 +1,7 @@
 //! What other people send: scenes, models, pictures, links, lessons and handed-in answers, changed at random in ways that know
 //! their structure. Each is read or refused, in bounded time and memory, and what is read survives being written.
 
-use crate::common::fuzz::{Format, is_small, small_lesson, text};
+use crate::common::fuzz::{Format, is_small, lessons_of_every_kind, text};
 use shading_lab::geometry::read_obj;
 use shading_lab::lesson::{
     Answer, Answered, Grade, Handed, LESSONS, Lab, Lesson, Record, Worksheet, check, class_sheet,
@@ -214,43 +214,26 @@ const SHEET: Worksheet = Worksheet {
 
 #[test]
 fn lessons_through_to_their_pages() {
-    let format = Format {
-        name: "lessons through to their pages",
-        sound: vec![SMALL.as_bytes().to_vec(), small_lesson()],
-        words: &[
-            "x = [0, 5e-324]\n",
-            "y = [-1e300, 1e300]\n",
-            "tolerance = 1e-300\n",
-            "from = -1e308\n",
-            "answer = \"x*1e308\"\n",
-            "set = [\"image.size=[1,300]\"]\n",
-            "light.0.position=[0,0,0]",
-            "{{ probe.sum[0] | 9 }}",
-            "picture.mean",
-            "<script>",
-        ],
-        read: |bytes| {
-            let Ok(lesson) = Lesson::read(&text(bytes), None) else {
-                return false;
-            };
-            if !is_small(&lesson) {
-                return true;
-            }
-            // Whether each is sound or not, it ends; and what is sound for `check` is so for all.
-            let checked = check(&lesson).is_ok();
-            let page = worksheet(&lesson, SHEET, &mut || {});
-            let words = in_words(&lesson, SHEET.seed, true);
-            if checked {
-                assert!(page.is_ok() && words.is_ok(), "{page:?} {words:?}");
-            }
-            if let Ok(page) = page {
-                assert!(page.ends_with("</html>\n") && !page.contains("<script"));
-            }
-            collected(&lesson);
-            true
-        },
-        png: false,
-    };
+    let format = lessons_of_every_kind("lessons through to their pages", |bytes| {
+        let Ok(lesson) = Lesson::read(&text(bytes), None) else {
+            return false;
+        };
+        if !is_small(&lesson) {
+            return true;
+        }
+        // Whether each is sound or not, it ends; and what is sound for `check` is so for all.
+        let checked = check(&lesson).is_ok();
+        let page = worksheet(&lesson, SHEET, &mut || {});
+        let words = in_words(&lesson, SHEET.seed, true);
+        if checked {
+            assert!(page.is_ok() && words.is_ok(), "{page:?} {words:?}");
+        }
+        if let Ok(page) = page {
+            assert!(page.ends_with("</html>\n") && !page.contains("<script"));
+        }
+        collected(&lesson);
+        true
+    });
     format.fuzz();
 }
 

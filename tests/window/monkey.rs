@@ -16,6 +16,7 @@
 
 use crate::common::any_scene::any_scene;
 use crate::common::dice::Dice;
+use crate::common::fuzz::any_lesson;
 use crate::common::hands;
 use crate::common::monkey::act;
 use eframe::egui::Shape;
@@ -198,13 +199,19 @@ fn episode(seed: u64, told: bool) {
     if told {
         eprintln!("opens {}\n{}", loaded.name, loaded.scene.to_toml());
     }
+    let lesson = (dice.unit() < 0.3).then(|| any_lesson(&mut dice));
+    if let Some(lesson) = &lesson {
+        let what = format!("goes through the lesson:\n{}", lesson.source);
+        diary(|diary| diary.steps.push(what));
+    }
     let began = Instant::now();
     // A window shows a box for a letter that its fonts lack.
     let builder = Harness::builder()
         .with_size([800.0, 500.0])
         .allow_missing_glyphs()
         .renderer(hands::Nowhere);
-    let mut harness = builder.build_eframe(|cc| App::new(cc, loaded));
+    let mut harness =
+        builder.build_eframe(|cc| App::new(cc, loaded).with_lesson(lesson, Some(seed)));
     harness.input_mut().max_texture_side = Some(16_384);
     let mut longest = (Duration::ZERO, String::new());
     for _ in 0..STEPS {

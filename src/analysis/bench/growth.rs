@@ -1,8 +1,9 @@
-//! How the time of a frame grows with the pixels and with the triangles.
+//! Growth of a frame's time with the pixels and with the triangles.
 //!
-//! A row of pictures of one scene, from few pixels to many, and a row of tessellations in one picture. All of a row are drawn in
-//! turn, so that what else the machine does falls on all alike; each just after it was drawn uncounted, so that none pays
-//! for the others having used the caches. What takes long takes part in fewer of the rounds.
+//! There is a series of pictures of one scene, from few pixels to many, and a series of tessellations in one picture.
+//! All of a series are drawn in turn, so that other load of the machine affects all alike; each is drawn once
+//! uncounted just before, so that none pays for the others having used the caches. Slow ones take part in fewer of
+//! the rounds.
 
 use super::median_ms;
 use crate::analysis::report::{Column, Part, Report, Table, as_it_is, fixed};
@@ -14,7 +15,8 @@ use crate::text::text;
 use fearless_simd::Level;
 use serde::{Deserialize, Serialize};
 
-/// Pixels of the pictures, about, drawn with [`FEW_TRIANGLES`]: each has twice as many as the one before.
+/// Approximate number of pixels of the pictures, drawn with [`FEW_TRIANGLES`]: each has twice as many as the one
+/// before.
 const PIXELS: [f64; 8] = [
     65_536.0,
     131_072.0,
@@ -26,31 +28,32 @@ const PIXELS: [f64; 8] = [
     8_388_608.0,
 ];
 const FEW_TRIANGLES: u64 = 1024;
-/// Triangles of the tessellations, about, in a picture of [`FEW_PIXELS`].
+/// Approximate number of triangles of the tessellations, in a picture of [`FEW_PIXELS`].
 const TRIANGLES: [u64; 9] = [
     16_384, 32_768, 65_536, 131_072, 262_144, 524_288, 1_048_576, 2_097_152, 4_194_304,
 ];
 const FEW_PIXELS: f64 = 65_536.0;
 
-/// A frame that takes longer than this takes part in every second round, one twice as long in every third, and so on.
+/// Time above which a frame takes part in every second round, one twice as long in every third, and so on.
 const ROUND_MS: f64 = 15.0;
-/// But in so many at least, as far as there are so many.
+/// Minimum number of rounds for any frame, as far as there are so many.
 const LEAST_FRAMES: u32 = 5;
 
-/// A picture of a row.
+/// A picture of a series.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Row {
     pub pixels: u64,
     pub triangles: u64,
-    /// Frames that the median is of.
+    /// Number of frames in the median.
     pub frames: usize,
     pub median_ms: f64,
-    /// The least of them, which other work on the machine has delayed least.
+    /// Minimum time, which other work on the machine has delayed least.
     pub fastest_ms: f64,
 }
 
-/// A row of pictures, and the exponent by which the time grows: that of a power through all of it, through its upper half,
-/// where what every frame takes besides counts for less, and through the fastest frames. None where too few are known.
+/// A series of pictures, and the exponent by which the time grows: that of a power through all of it, through its
+/// upper half, where the fixed cost of a frame counts for less, and through the fastest frames. None if too few are
+/// known.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Series {
     pub rows: Vec<Row>,
@@ -59,21 +62,21 @@ pub struct Series {
     pub order_fastest: Option<Fit>,
 }
 
-/// How the time grows.
+/// Growth of the time.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Growth {
-    /// Time by the pixels of the picture.
+    /// Growth with the pixels of the picture.
     pub pixels: Series,
-    /// None for objects whose polygons are given.
+    /// Growth with the triangles; none for objects whose polygons are given.
     pub triangles: Option<Series>,
 }
 
-/// Frames that [`measure`] is going to draw at most.
+/// Returns the maximum number of frames that [`measure`] draws.
 pub fn most_frames(frames: u32) -> u64 {
     u64::from(frames) * (PIXELS.len() + TRIANGLES.len()) as u64
 }
 
-/// Measures by up to `frames` frames each.
+/// Measures with up to `frames` frames each.
 pub fn measure(subject: &Subject, level: Level, frames: u32, count: &dyn Fn()) -> Growth {
     let scene = &subject.scene;
     let coarse = divided(scene, FEW_TRIANGLES).unwrap_or_else(|| scene.clone());
@@ -91,7 +94,7 @@ pub fn measure(subject: &Subject, level: Level, frames: u32, count: &dyn Fn()) -
     Growth { pixels, triangles }
 }
 
-/// The scene with about so many pixels.
+/// Returns the scene with about so many pixels.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
@@ -106,7 +109,7 @@ fn sized(scene: &Scene, pixels: f64) -> Scene {
     scene
 }
 
-/// The scene with about so many triangles; none where its polygons are given.
+/// Returns the scene with about so many triangles; none where its polygons are given.
 fn divided(scene: &Scene, count: u64) -> Option<Scene> {
     let mut scene = scene.clone();
     let object = &mut scene.object;
@@ -114,16 +117,16 @@ fn divided(scene: &Scene, count: u64) -> Option<Scene> {
         return None;
     }
     [object.segments, object.rings] = divisions_for(object.kind, count);
-    // A shape that cannot be cut so fine has fewer.
+    // A shape that cannot be tessellated so finely has fewer.
     (triangles(object) * 2 > count).then_some(scene)
 }
 
-/// A picture that is measured.
+/// A picture being measured.
 struct Frame {
     renderer: Renderer,
     clock: fn() -> u64,
     scene: Scene,
-    /// It takes part in one of so many rounds.
+    /// Interval of the rounds in which it takes part.
     stride: u32,
     times: Vec<u64>,
 }
@@ -150,7 +153,7 @@ impl Frame {
         frame
     }
 
-    /// The time of a frame drawn anew.
+    /// Measures the time of a frame drawn from scratch.
     fn time(&mut self) -> u64 {
         self.renderer.redraw();
         let began = (self.clock)();
@@ -211,7 +214,7 @@ fn series(
 }
 
 impl Growth {
-    /// The tables, with the exponents below.
+    /// Adds the tables, with the exponents below.
     pub fn describe(&self, report: &mut Report) {
         let series = [
             ("engine-growth-pixels", Some(&self.pixels)),

@@ -1,5 +1,5 @@
-//! The panes of a comparison on one sheet: side by side, on either side of a line, or their difference, with the scale that says
-//! what its colours mean.
+//! The panes of a comparison on one sheet: side by side, on either side of a dividing line, or as their difference,
+//! with the scale that explains its colours.
 
 use super::{ErrorFigures, LinearPicture, PaneFigures, brightest, error_figures};
 use crate::analysis::luminance;
@@ -11,16 +11,17 @@ use crate::text;
 use glam::DVec2;
 use rayon::prelude::*;
 
-/// Pixels between two panes of a sheet that is not a tiny one.
+/// Gap between two panes in pixels, except on a tiny sheet.
 const GAP: u32 = 2;
-/// What is seen between panes, and where a row has no further pane.
+/// Colour between panes, and where a row has no further pane.
 const BETWEEN: [u8; 4] = [0x80, 0x80, 0x80, 255];
 const EMPTY: [u8; 4] = [0x26, 0x27, 0x2B, 255];
-/// Where neither picture shows the object.
+/// Colour where neither picture shows the object.
 const OUTSIDE: Rgb8 = [0x26, 0x27, 0x2B];
-/// No difference, where the scale has two sides.
+/// Colour of no difference, where the scale has two sides.
 const NONE: Rgb8 = [0xF4, 0xF4, 0xF2];
-/// Ten even steps of cividis, which eyes with and without colour-blindness read alike (Nuñez, Anderton and Renslow 2018).
+/// Ten even steps of cividis, which people with and without colour blindness read alike (Nuñez, Anderton and Renslow
+/// 2018).
 const CIVIDIS: [Rgb8; 10] = [
     [0x00, 0x20, 0x4D],
     [0x00, 0x33, 0x6F],
@@ -33,7 +34,7 @@ const CIVIDIS: [Rgb8; 10] = [
     [0xE4, 0xCF, 0x5B],
     [0xFF, 0xEA, 0x46],
 ];
-/// Colours along the drawn scale.
+/// Number of colours along the drawn scale.
 const STEPS: u32 = 128;
 
 /// A rectangle of whole pixels.
@@ -45,8 +46,9 @@ pub struct PaneArea {
     pub size: [u32; 2],
 }
 
-/// Where `count` panes stand in a picture of `size`, all of one size: in the rows and columns that show a square object
-/// largest, the share of the room that stays empty held against it. A last row that is not full stands in the middle.
+/// Returns the areas of `count` panes of equal size in a picture of `size`: in the rows and columns that show a
+/// square object largest, with a penalty for the share of the space that stays empty. A last row that is not full is
+/// centred.
 pub fn pane_areas(count: usize, size: [u32; 2]) -> Vec<PaneArea> {
     let count = u32::try_from(count.max(1)).unwrap_or(1);
     let gap = if size[0].min(size[1]) < 64 { 0 } else { GAP };
@@ -66,7 +68,7 @@ pub fn pane_areas(count: usize, size: [u32; 2]) -> Vec<PaneArea> {
         let ([seen, area], [other, beside]) = (worth(*a), worth(*b));
         seen.total_cmp(&other).then(area.total_cmp(&beside))
     };
-    // Of equal ones the fewest columns: a pane that is wider than high cuts nothing off.
+    // Of equal ones the fewest columns: a pane that is wider than tall cuts nothing off.
     let columns = (1..=count).rev().max_by(order).unwrap_or(1);
     let [width, height] = cell(columns);
     let place = |index: u32| {
@@ -84,25 +86,25 @@ pub fn pane_areas(count: usize, size: [u32; 2]) -> Vec<PaneArea> {
     (0..count).map(place).collect()
 }
 
-/// A pane as drawn.
+/// A pane that has been drawn.
 #[derive(Clone, Debug)]
 pub struct DrawnPane {
     /// The picture as stored.
     pub frame: Frame,
-    /// Before the display; empty where nothing is compared.
+    /// The picture before the display; empty where nothing is compared.
     pub linear: Vec<[f32; 4]>,
-    /// Whether the display clamps at 1; see [`LinearPicture`](super::LinearPicture).
+    /// True if the display clamps at 1; see [`LinearPicture`](super::LinearPicture).
     pub clamps: bool,
-    /// Its number, from 0.
+    /// Index of the pane.
     pub pane: usize,
-    /// What the pane is called.
+    /// Name of the pane.
     pub name: String,
-    /// Whether the others are measured against it.
+    /// True if the others are measured against it.
     pub reference: bool,
 }
 
 impl DrawnPane {
-    /// What was measured of it and of its difference from `reference`.
+    /// Returns the picture before the display.
     pub fn linear(&self) -> LinearPicture<'_> {
         LinearPicture {
             width: self.frame.width,
@@ -112,7 +114,7 @@ impl DrawnPane {
     }
 }
 
-/// What captions say of panes.
+/// Returns the figures for the panes' captions.
 pub fn pane_figures(panes: &[DrawnPane]) -> Vec<PaneFigures> {
     let reference = panes.iter().find(|pane| pane.reference).or(panes.last());
     let figures = |pane: &DrawnPane| {
@@ -127,8 +129,8 @@ pub fn pane_figures(panes: &[DrawnPane]) -> Vec<PaneFigures> {
     panes.iter().map(figures).collect()
 }
 
-/// What is measured of a pane, for its caption: its brightest value and its error, beside those of the reference among `all`;
-/// of none, nothing stands beside them.
+/// Formats the figures of a pane for its caption: its brightest value and its error, beside those of the reference
+/// among `all`; if there is none, without them.
 pub fn caption(figures: &PaneFigures, all: &[PaneFigures]) -> Vec<String> {
     let mut words = Vec::new();
     if figures.error.is_none() {
@@ -157,7 +159,7 @@ pub fn caption(figures: &PaneFigures, all: &[PaneFigures]) -> Vec<String> {
     words
 }
 
-/// The error of a difference picture in one line.
+/// Formats the error of a difference picture in one line.
 pub fn error_line(error: &ErrorFigures) -> String {
     text!(
         "picture-error-line",
@@ -167,7 +169,7 @@ pub fn error_line(error: &ErrorFigures) -> String {
     )
 }
 
-/// The panes that stand on a sheet of the scene's size, by their numbers, and the size of each.
+/// Returns the indices of the panes on a sheet of the scene's size, with the size of each.
 pub fn panes_on_sheet(scene: &Scene) -> Vec<(usize, [u32; 2])> {
     let shown = scene.shown_panes();
     let size = match scene.compare.view {
@@ -182,11 +184,12 @@ pub fn panes_on_sheet(scene: &Scene) -> Vec<(usize, [u32; 2])> {
         .collect()
 }
 
-/// Draws panes of a sound scene, given by their numbers with the size of each; `over` may draw over each, with the renderer
-/// that drew it and its scene. `progress` gets the number of samples done in all panes and returns whether to go on.
+/// Draws panes of a valid scene, given by their indices with the size of each; `over` may draw over each, with the
+/// renderer that drew it and its scene. `progress` gets the number of samples done in all panes and returns whether
+/// to continue.
 ///
 /// # Errors
-/// Whatever `over` objects to.
+/// Any error of `over`.
 pub fn draw_panes<E>(
     renderer: &mut Renderer,
     scene: &Scene,
@@ -199,7 +202,7 @@ pub fn draw_panes<E>(
     for (&(index, size), done) in which.iter().zip(0..) {
         let mut shown = scene.pane(index).unwrap_or_else(|_| scene.clone());
         shown.image.size = size;
-        // What is drawn over a pane may have asked for something else; one picture is compared with nothing.
+        // A drawing over a pane may have changed this; a single picture is not compared.
         renderer.keep_linear(scene.compare.view != CompareView::Single || which.len() > 1);
         let mut frame =
             renderer.render_supersampled(&shown, samples, &mut |n| progress(done * samples + n));
@@ -218,7 +221,7 @@ pub fn draw_panes<E>(
     Ok(panes)
 }
 
-/// Puts panes, as [`draw_panes`] drew them, on one sheet. With `captions` each is named.
+/// Places panes drawn by [`draw_panes`] on one sheet. With `captions` each is named.
 pub fn comparison_sheet(scene: &Scene, panes: &[DrawnPane], captions: bool) -> Frame {
     let (Some(first), Some(last)) = (panes.first(), panes.last()) else {
         return Frame::default();
@@ -297,7 +300,7 @@ pub fn comparison_sheet(scene: &Scene, panes: &[DrawnPane], captions: bool) -> F
     sheet
 }
 
-/// The left of one picture and the right of another, which is as large.
+/// Combines the left of one picture with the right of another of the same size.
 fn wiped(left: &Frame, right: &Frame, wipe: f64) -> Frame {
     let mut sheet = left.clone();
     let width = left.width.max(1) as usize;
@@ -312,7 +315,7 @@ fn wiped(left: &Frame, right: &Frame, wipe: f64) -> Frame {
     sheet
 }
 
-/// Panes with lines about them, as wide as the gaps.
+/// Draws panes with borders as wide as the gaps.
 fn side_by_side([width, height]: [u32; 2], panes: &[DrawnPane], areas: &[PaneArea]) -> Frame {
     let mut sheet = Frame {
         width,
@@ -331,7 +334,7 @@ fn side_by_side([width, height]: [u32; 2], panes: &[DrawnPane], areas: &[PaneAre
         let columns = pane.frame.width.max(1) as usize;
         for (row, pixels) in pane.frame.pixels.chunks(columns).enumerate() {
             let from = (area.min[1] as usize + row) * width + area.min[0] as usize;
-            // A sheet of fewer pixels than panes has not room for all.
+            // A sheet of fewer pixels than panes cannot hold all of them.
             if let Some(place) = sheet.pixels.get_mut(from..from + columns) {
                 place.copy_from_slice(pixels);
             }
@@ -340,7 +343,7 @@ fn side_by_side([width, height]: [u32; 2], panes: &[DrawnPane], areas: &[PaneAre
     sheet
 }
 
-/// `picture` less `reference`, times `gain`, in the colours of `kind`. Both are linear and as large as each other.
+/// Computes `picture` less `reference`, times `gain`, in the colours of `kind`. Both are linear and of the same size.
 pub fn difference_picture(
     picture: LinearPicture<'_>,
     reference: LinearPicture<'_>,
@@ -375,7 +378,7 @@ pub fn difference_picture(
     }
 }
 
-/// The colour of a difference of each channel, gain included.
+/// Returns the colour of a difference of each channel, gain included.
 fn colour(kind: DifferenceKind, difference: [f64; 3]) -> Rgb8 {
     match kind {
         DifferenceKind::Signed => signed(luminance(Rgb::from_array(difference))),
@@ -388,7 +391,7 @@ fn colour(kind: DifferenceKind, difference: [f64; 3]) -> Rgb8 {
     }
 }
 
-/// From blue at −1 to orange at 1.
+/// Returns a colour from blue at −1 to orange at 1.
 fn signed(share: f64) -> Rgb8 {
     let end = if share < 0.0 { palette::N } else { palette::L };
     mixed(NONE, end, share.abs())
@@ -412,8 +415,8 @@ fn code(value: f64) -> u8 {
     value.round().clamp(0.0, 255.0) as u8
 }
 
-/// The scale of a difference picture at its lower right: its colours, and the differences that they stand for. `em` is the
-/// size of the letters in pixels. Where the picture has no room for it, it is empty.
+/// Draws the scale of a difference picture at its lower right: its colours, and the differences that they represent.
+/// `em` is the size of the letters in pixels. If the scale does not fit the picture, the drawing is empty.
 pub fn difference_scale(size: [u32; 2], kind: DifferenceKind, gain: f64, em: f64) -> Drawing {
     let size = DVec2::from_array(size.map(f64::from));
     let mut drawing = Drawing::over_picture([0x10; 3], 0.12 * em);
@@ -458,7 +461,7 @@ pub fn difference_scale(size: [u32; 2], kind: DifferenceKind, gain: f64, em: f64
     drawing
 }
 
-/// A difference as the scale letters it.
+/// Formats a difference for the scale.
 fn tick(value: f64, signed: bool) -> String {
     let digits = if value == 0.0 {
         "0".to_owned()

@@ -1,4 +1,4 @@
-//! How light weakens with distance: f(d), by the present law and by the others.
+//! Attenuation of light with distance: f(d), by the current law and by the others.
 
 use crate::analysis::probe::attenuation_law;
 use crate::analysis::{Axis, Curve, Dash, Ink, Mark, Plot, PlotKind};
@@ -9,22 +9,22 @@ use crate::scene::{Attenuation, Light, Scene};
 use crate::text;
 use glam::DVec3;
 
-/// Samples of f, which crowd towards the light: there it is steep.
+/// Number of samples of f; they crowd towards the light, where f is steep.
 const SAMPLES: u32 = 480;
-/// Columns and rows of the pixels among which the nearest and the farthest are sought.
+/// Columns and rows of the pixel grid that is searched for the nearest and the farthest point.
 const SEARCH: u32 = 40;
-/// How far the axes of f reach beyond the scene's own distances and values.
+/// Extent of the axes of f relative to the scene's own distances and values.
 const BEYOND: f64 = 1.2;
-/// Values of f from here on are seen on an axis that ends at 1.
+/// Smallest value of f that is visible on an axis that ends at 1.
 const SEEN_BESIDE_ONE: f64 = 0.04;
 
-/// Whether there is a distance for f to count.
+/// Returns whether f has a distance to depend on.
 pub fn has_distance(light: &Light) -> bool {
     light.kind.has_position() || light.attenuation == Attenuation::Viewer
 }
 
-/// The law by which a light weakens: a directional one is equally far from everything, so that only the distance to the
-/// viewer counts.
+/// Returns the law by which a light is attenuated. A directional light is equally far from everything, so that only
+/// the distance to the viewer counts.
 fn effective(light: &Light) -> Attenuation {
     if has_distance(light) {
         light.attenuation
@@ -33,20 +33,21 @@ fn effective(light: &Light) -> Attenuation {
     }
 }
 
-/// Distances in a picture, from one light or, where the attenuation counts from there, from the viewer; world units.
+/// Distances in a picture from one light, or from the viewer where the attenuation counts from there; world units.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Distances {
-    /// The nearest and the farthest point seen.
+    /// Distance of the nearest visible point.
     pub nearest: Option<f64>,
-    /// The distance of the farthest point seen.
+    /// Distance of the farthest visible point.
     pub farthest: Option<f64>,
-    /// The distance of the point that the probe is at.
+    /// Distance of the probed point.
     pub probe: Option<f64>,
 }
 
 impl Distances {
-    /// The distances in the picture of `scene` that `renderer` has drawn, to the nearest and the farthest of a grid of
-    /// 40 × 40 pixels, and to the `probe`'s point. A directional light is nowhere and has none but those from the viewer.
+    /// Finds the distances in the picture of `scene` that `renderer` has drawn: to the nearest and the farthest of a
+    /// grid of 40 × 40 pixels, and to the `probe`'s point. A directional light has no position and only distances
+    /// from the viewer.
     pub fn seen(renderer: &Renderer, scene: &Scene, light: &Light, probe: Option<DVec3>) -> Self {
         let from = match light.attenuation {
             Attenuation::Viewer => scene.camera.eye,
@@ -61,7 +62,7 @@ impl Distances {
         let pixels = (0..SEARCH).flat_map(|y| (0..SEARCH).map(move |x| (x, y)));
         let points =
             pixels.filter_map(|(x, y)| renderer.evaluation(middle(x, width), middle(y, height)));
-        // The probe's point is one of those seen.
+        // The probed point is one of the visible points.
         let seen = points
             .map(|evaluation| evaluation.position)
             .chain(probe)
@@ -75,8 +76,8 @@ impl Distances {
     }
 }
 
-/// The laws of attenuation as functions of a distance, how they are written, and their dashes beside the present one. That
-/// of the distance to the viewer is that of the distance to the light.
+/// The laws of attenuation as functions of a distance, with their formulas and their dashes beside the current one.
+/// The law of the distance to the viewer is that of the distance to the light.
 const LAWS: [(Attenuation, &str, Dash); 4] = [
     (Attenuation::None, "1", Dash::Dotted),
     (Attenuation::Light, "1/(r + k)", Dash::Long),
@@ -84,8 +85,8 @@ const LAWS: [(Attenuation, &str, Dash); 4] = [
     (Attenuation::Quadratic, "1/(c₁ + c₂d + c₃d²)", Dash::DashDot),
 ];
 
-/// f(d): how light is attenuated with distance, from the light itself to beyond what is seen, by the present law and by the
-/// others with this light's constants.
+/// Plots f(d), the attenuation with distance, from the light itself to beyond the visible points, by the current law
+/// and by the others with this light's constants.
 pub fn attenuation_plot(light: &Light, distances: &Distances) -> Plot {
     let attenuation = effective(light);
     let f = |d: f64| attenuation_at(light, attenuation, d);
@@ -103,7 +104,7 @@ pub fn attenuation_plot(light: &Light, distances: &Distances) -> Plot {
         };
         (0..=SAMPLES).map(at).collect::<Vec<_>>()
     };
-    // The present law first.
+    // The current law comes first.
     let mut laws = LAWS;
     laws.sort_by_key(|(law, ..)| *law != own_law(attenuation));
     let curves: Vec<Curve> = laws
@@ -151,8 +152,8 @@ pub fn attenuation_plot(light: &Light, distances: &Distances) -> Plot {
         })
     });
     let marks: Vec<Mark> = marks.collect();
-    // Near the light f may rise without bound; the axis ends where the scene's own values do, and at 1 where these are not
-    // too small to be seen then.
+    // Near the light f may grow without bound; the axis ends at the scene's own largest value, or at 1 if those
+    // values are large enough to be seen then.
     let greatest = marks.iter().map(|mark| f(mark.x)).fold(f64::NAN, f64::max);
     let top = if greatest.is_finite() && greatest > 0.0 {
         greatest
@@ -201,7 +202,7 @@ pub fn attenuation_plot(light: &Light, distances: &Distances) -> Plot {
     }
 }
 
-/// The entry of [`LAWS`] that has the values of a law.
+/// Returns the entry of [`LAWS`] that has the values of a law.
 fn own_law(law: Attenuation) -> Attenuation {
     if law == Attenuation::Viewer {
         Attenuation::Light

@@ -1,5 +1,5 @@
-//! How the highlight falls with the angle φ between R and V, or α between N and H: the family of powers of its cosine, and
-//! the polar lobe of a point.
+//! Falloff of the highlight with the angle φ between R and V, or α between N and H: the family of powers of its
+//! cosine, and the polar lobe of a point.
 
 use crate::analysis::probe::exponent;
 use crate::analysis::{
@@ -12,21 +12,22 @@ use crate::text::{fixed, text};
 use glam::DVec3;
 use std::f64::consts::{FRAC_PI_2, SQRT_2};
 
-/// The exponents that the course plots, their dashes, and the heights at which their curves carry their names: where there
-/// is room between one curve and the next.
+/// The exponents that the course plots, with their dashes and the heights of their curves' names, where there is
+/// space between neighbouring curves.
 pub const COURSE: [f64; 4] = [5.0, 15.0, 45.0, 1005.0];
 const DASHES: [Dash; 4] = [Dash::Long, Dash::Dashed, Dash::DashDot, Dash::Dotted];
 const TAGS: [f64; 4] = [0.44, 0.36, 0.28, 0.05];
-/// Even steps of an angle in a right angle, a half of a degree each.
+/// Number of even steps in a right angle, half a degree each.
 const EVEN: i32 = 180;
-/// Steps in which a half-width is divided, and how many of them are sampled on each side: of the lobe, and of the cosine's powers.
+/// Number of steps per half-width, and of steps sampled on each side: for the lobe, and for the cosine's powers.
 const FINE: [[i32; 2]; 2] = [[16, 80], [12, 60]];
-/// The narrowest half-width that is sampled finely; a mirror's is none at all.
+/// Smallest half-width that is sampled finely; a mirror's is zero.
 const NARROW: f64 = 1e-4;
-/// Out of the plane by less than this, degrees, V counts as in it.
+/// Largest angle between V and the plane at which V counts as lying in it, degrees.
 const IN_PLANE: f64 = 0.5;
 
-/// Angles from −90° to 90°, radians: even, and finer on both sides of some, each of which comes with its half-width.
+/// Returns angles from −90° to 90°, radians: evenly spaced, and finer on both sides of some, each given with its
+/// half-width.
 fn angles(finer: &[(f64, f64)], [parts, count]: [i32; 2]) -> Vec<f64> {
     let mut angles: Vec<f64> = (-EVEN..=EVEN)
         .map(|i| FRAC_PI_2 * f64::from(i) / f64::from(EVEN))
@@ -41,8 +42,9 @@ fn angles(finer: &[(f64, f64)], [parts, count]: [i32; 2]) -> Vec<f64> {
     angles
 }
 
-/// The lobe cut by the plane of incidence, with the vectors: what the point of `hit` reflects of the light of index
-/// `light`, for viewers in the plane of N and L. Nothing where the light does not reach the surface from the front.
+/// Plots the lobe cut by the plane of incidence, with the vectors: the light of index `light` that the point of `hit`
+/// reflects to viewers in the plane of N and L. Returns none where the light does not reach the surface from the
+/// front.
 pub fn lobe_plot(scene: &Scene, hit: &ProbeHit, light: usize) -> Option<Plot> {
     let lobe = ReflectionLobe::at(scene, hit, light)?;
     let mirror = lobe.mirror_angle();
@@ -51,7 +53,7 @@ pub fn lobe_plot(scene: &Scene, hit: &ProbeHit, light: usize) -> Option<Plot> {
         FINE[0],
     );
     let responses = angles.into_iter().map(|angle| {
-        // R itself, not R to rounding: a mirror sends nothing elsewhere.
+        // R itself, not R to rounding: a mirror reflects in no other direction.
         let v = if angle == mirror {
             lobe.r
         } else {
@@ -109,7 +111,7 @@ pub fn lobe_plot(scene: &Scene, hit: &ProbeHit, light: usize) -> Option<Plot> {
     })
 }
 
-/// Degrees between `vector` and the plane of incidence.
+/// Returns the degrees between `vector` and the plane of incidence.
 fn out_of_plane(lobe: &ReflectionLobe, vector: DVec3) -> f64 {
     vector
         .dot(lobe.n.cross(lobe.across))
@@ -118,7 +120,7 @@ fn out_of_plane(lobe: &ReflectionLobe, vector: DVec3) -> f64 {
         .to_degrees()
 }
 
-/// N, L and R lie in the plane; V is shown by its shadow on it.
+/// Returns the directions in the plot. N, L and R lie in the plane; V is represented by its projection onto it.
 fn directions(lobe: &ReflectionLobe) -> Vec<Direction> {
     let vectors = [
         ("N", lobe.n, Ink::N),
@@ -140,15 +142,16 @@ fn directions(lobe: &ReflectionLobe) -> Vec<Direction> {
             ink,
         }
     });
-    // Below the surface there is nothing to point at.
+    // Directions below the surface are not drawn.
     seen.filter(|direction| direction.angle.abs() <= 90.0 && direction.length.is_finite())
         .collect()
 }
 
-/// The present falling of the highlight with the angle that the model measures, beside the course's exponents; `angle` is the
-/// probe's, radians.
+/// Plots the falloff of the current highlight with the angle that its model measures, beside the course's exponents;
+/// `angle` is the probe's, radians.
 ///
-/// For Cook and Torrance's model, which has no exponent, the present curve is the distribution of its microfacets, D(α)/D(0).
+/// For Cook and Torrance's model, which has no exponent, the current curve is the distribution of its microfacets,
+/// D(α)/D(0).
 pub fn exponent_plot(scene: &Scene, angle: Option<f64>) -> Plot {
     let (falling, model) = (Falling::new(scene), scene.reflection.model);
     let finer: Vec<_> = COURSE
@@ -229,8 +232,9 @@ pub fn exponent_plot(scene: &Scene, angle: Option<f64>) -> Plot {
     }
 }
 
-/// The angle between V and the middle of the highlight at which the specular term has fallen to about a half, radians:
-/// exact for Phong's model, and in the plane of incidence for those that measure N·H, where H turns half as fast as V.
+/// Returns the angle between V and the middle of the highlight at which the specular term has fallen to about a half,
+/// radians: exact for Phong's model, and in the plane of incidence for those that measure N·H, where H turns half as
+/// fast as V.
 pub fn highlight_half_width(scene: &Scene) -> f64 {
     let own = Falling::new(scene).half_width();
     if scene.reflection.model == ReflectionModel::Phong {
@@ -240,7 +244,7 @@ pub fn highlight_half_width(scene: &Scene) -> f64 {
     }
 }
 
-/// How the highlight falls with the angle that its model measures.
+/// Falloff of the highlight with the angle that its model measures.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Falling {
     Power(f64),
@@ -258,7 +262,7 @@ impl Falling {
         }
     }
 
-    /// 1 at the angle 0, 0 beyond a right angle.
+    /// Returns the value at an angle: 1 at 0, 0 beyond a right angle.
     fn at(self, angle: f64) -> f64 {
         let cosine = cosine(angle);
         match self {
@@ -270,12 +274,12 @@ impl Falling {
         }
     }
 
-    /// Where it has fallen to one half for good, radians.
+    /// Returns the angle beyond which it stays below one half, radians.
     fn half_width(self) -> f64 {
         if let Self::Power(n) = self {
             return half_width(n);
         }
-        // Above its half before, below after: a very rough Beckmann surface first rises.
+        // Above one half before, below after: a very rough Beckmann surface rises at first.
         let (mut above, mut below) = (0.0, FRAC_PI_2);
         for _ in 0..60 {
             let middle = 0.5 * (above + below);
@@ -288,7 +292,7 @@ impl Falling {
         0.5 * (above + below)
     }
 
-    /// The exponent whose samples suit it.
+    /// Returns the exponent whose sampling suits it.
     fn like_power(self) -> f64 {
         match self {
             Self::Power(n) => n,
@@ -296,7 +300,8 @@ impl Falling {
         }
     }
 
-    /// Its parameter, what is plotted, and the formula, in the letter of the angle between two vectors.
+    /// Returns its parameter, the name of the plotted quantity, and the formula, in the letter of the angle between
+    /// two vectors.
     fn words(self, letter: &str, [a, b]: [&str; 2]) -> (String, String, String) {
         let lobe = power(letter);
         let (m, note) = match self {
@@ -331,17 +336,17 @@ impl Falling {
     }
 }
 
-/// The course's highlight as a function of an angle.
+/// Formats the course's highlight as a function of an angle.
 fn power(letter: &str) -> String {
     format!("cosⁿ{letter}")
 }
 
-/// An angle in degrees with one decimal.
+/// Formats an angle in degrees with one decimal.
 pub fn degrees(radians: f64) -> String {
     format!("{}°", fixed(radians.to_degrees(), 1))
 }
 
-/// The ink of what is specular.
+/// Returns the ink of the specular term.
 pub fn specular_ink(scene: &Scene) -> Ink {
     if scene.reflection.model == ReflectionModel::Phong {
         Ink::R
@@ -350,7 +355,7 @@ pub fn specular_ink(scene: &Scene) -> Ink {
     }
 }
 
-/// cos θ, 0 at a right angle: there the cosine is 6·10⁻¹⁷ in double precision.
+/// Returns cos θ, and 0 at a right angle, where the cosine is 6·10⁻¹⁷ in double precision.
 pub fn cosine(theta: f64) -> f64 {
     if theta.abs() >= FRAC_PI_2 - 1e-15 {
         0.0

@@ -1,4 +1,4 @@
-//! The part of the light that a surface reflects at each angle of incidence: W(θ), of the present substance and of others.
+//! Reflectance of a surface at each angle of incidence: W(θ), of the current substance and of others.
 
 use super::highlight::{cosine, degrees, specular_ink};
 use crate::analysis::perception::luminance;
@@ -9,13 +9,13 @@ use crate::scene::{Reflectance, ReflectionModel, Rgb, Scene};
 use crate::text;
 use std::f64::consts::FRAC_PI_2;
 
-/// Samples of W, which crowd near 90°: there it is steep.
+/// Number of samples of W; they crowd near 90°, where W is steep.
 const SAMPLES: u32 = 360;
-/// The angles at which the legend of W reads the curves, degrees.
+/// Angles at which the legend of W reads the curves, degrees.
 pub const READ_AT: [f64; 3] = [0.0, 45.0, 80.0];
 
-/// W(θ): the part of the light that the surface reflects, from straight down to grazing; `incidence` is the probe's angle,
-/// radians.
+/// Plots W(θ), the fraction of light that the surface reflects, from normal to grazing incidence; `incidence` is the
+/// probe's angle, radians.
 pub fn reflectance_plot(scene: &Scene, incidence: Option<f64>) -> Plot {
     let index = Index::of(&scene.material);
     let w = |theta: f64| index.map_or(Rgb::ONE, |index| index.reflectance(cosine(theta)));
@@ -107,11 +107,11 @@ pub fn reflectance_plot(scene: &Scene, incidence: Option<f64>) -> Plot {
     }
 }
 
-/// A substance: its reflectance, key, index of refraction and dash, and where its curve carries its name: an angle in degrees,
-/// and how far above the curve.
+/// A substance: its reflectance, key, index of refraction and dash, and the position of its curve's name: an angle in
+/// degrees and a height above the curve.
 type Substance = (Reflectance, &'static str, Option<Index>, Dash, [f64; 2]);
 
-/// The substances that are plotted beside the present one.
+/// The substances that are plotted beside the current one.
 const SUBSTANCES: [Substance; 4] = [
     (
         Reflectance::Constant,
@@ -153,7 +153,7 @@ fn substance(reflectance: Reflectance) -> &'static str {
     }
 }
 
-/// The index of refraction, and which angle θ is.
+/// Describes the index of refraction and the angle that θ stands for.
 fn reflectance_note(scene: &Scene, index: Option<Index>) -> String {
     let Some(Index { eta, k }) = index else {
         return text!("point-note-constant").to_owned();

@@ -1,4 +1,4 @@
-//! The defects drawn: those that have a place over the picture, and those that are a curve as plots.
+//! Drawings of the defects: marks over the picture for those that have a place, plots for those that are a curve.
 
 use super::{Defects, Orientation, SharedVertices};
 use crate::analysis::overlay::{OverlayOptions, Style};
@@ -7,30 +7,30 @@ use crate::text;
 use glam::DVec2;
 use tiny_skia::PixmapMut;
 
-/// Shorter distances are not seen, pixels.
+/// Smallest visible distance, pixels.
 const LEAST: f64 = 0.05;
-/// Smaller jumps are roundings, a quarter of a code value.
+/// Smallest jump beyond rounding, a quarter of a code value.
 const LEAST_JUMP: f64 = 1e-3;
-/// A distance shorter than this is pointed at by an arrow, in letters.
+/// Distance, in letters, below which an arrow points at it.
 const SHORT: f64 = 0.3;
 
-/// A defect that has a place in the picture, marked for letters of some size; pixels.
+/// The mark of a defect that has a place in the picture, for letters of some size; pixels.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DefectMark {
-    /// The built-in scene about the defect.
+    /// The built-in scene that shows the defect.
     pub scene: &'static str,
-    /// Lines to be drawn, each through its points; pixels.
+    /// Lines to draw, each through its points; pixels.
     pub lines: Vec<Vec<DVec2>>,
-    /// What stands beside them.
+    /// Text beside the lines.
     pub label: String,
     /// The middle of the label.
     pub label_at: DVec2,
 }
 
-/// The marks of what was measured, for letters of `em` pixels: the outline's greatest distance, and a ring about the greatest
-/// jump at an unshared vertex.
+/// Returns the marks of the measurements, for letters of `em` pixels: the outline's largest distance, and a ring
+/// about the largest jump at an unshared vertex.
 pub fn defect_marks(defects: &Defects, em: f64) -> Vec<DefectMark> {
-    // Words are wider than high.
+    // Words are wider than tall.
     let beside = |end: DVec2, way: DVec2| end + DVec2::new(1.9 * em, 1.6 * em) * way;
     let outline = defects
         .silhouette
@@ -67,7 +67,8 @@ pub fn defect_marks(defects: &Defects, em: f64) -> Vec<DefectMark> {
     outline.into_iter().chain(jump).collect()
 }
 
-/// A distance between two ticks, or an arrow to a short one; `way` goes from its first end to its second, a unit vector.
+/// Marks a distance between two ticks, or a short one with an arrow; `way` is a unit vector from its first end to its
+/// second.
 fn distance([a, b]: [DVec2; 2], way: DVec2, em: f64) -> Vec<Vec<DVec2>> {
     let tick = 0.45 * em * way.perp();
     if a.distance(b) >= SHORT * em {
@@ -104,14 +105,14 @@ pub fn draw_defects(pixmap: &mut PixmapMut<'_>, defects: &Defects, options: &Ove
     }
 }
 
-/// The plots of what was measured.
+/// Returns the plots of the measurements.
 pub fn defect_plots(defects: &Defects) -> Vec<Plot> {
     let orientation = defects.orientation.as_ref().ok().map(orientation);
     let shared = defects.shared_vertices.as_ref().ok().map(shared);
     orientation.into_iter().chain(shared).collect()
 }
 
-/// Two curves, the first one emphasised, with a mark where both are read.
+/// Plots two curves, the first one emphasised, with a mark at which both are read.
 fn plot(kind: PlotKind, title: &str, x: Axis, curves: [Curve; 2], mark: Mark) -> Plot {
     let [first, second] = curves;
     let curves = vec![
@@ -129,7 +130,7 @@ fn plot(kind: PlotKind, title: &str, x: Axis, curves: [Curve; 2], mark: Mark) ->
         (l.min(v), h.max(v))
     });
     let (low, high) = if low <= high { (low, high) } else { (0.0, 1.0) };
-    // A curve that is even to rounding is shown as even.
+    // A curve that is constant up to rounding is shown as constant.
     let padding = (0.08 * (high - low)).max(0.02 * high.abs()).max(1e-6);
     let values = curves
         .iter()

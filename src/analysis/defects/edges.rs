@@ -1,4 +1,4 @@
-//! Defects of edges: the polygonal silhouette, and edges where one side has a vertex and the other has none.
+//! Defects of edges: the polygonal silhouette, and edges with a vertex on one side only.
 
 use super::{Finding, goes_on, interpolates};
 use crate::analysis::{Watch, luminance};
@@ -10,72 +10,72 @@ use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-/// Samples along an edge of the outline, its middle among them.
+/// Number of samples along an edge of the outline, its middle among them.
 const OUTLINE_SAMPLES: u32 = 7;
-/// An outline has the background this far outside and the object this far inside, pixels.
+/// Distance of an outline from the background outside and from the object inside at which these must appear, pixels.
 const OUTLINE: f64 = 1.5;
-/// The first step across an edge in search of the true outline, and the greatest, pixels: no part of the object that is as wide
-/// as a pixel is stepped over.
+/// First and maximum step across an edge in search of the true outline, pixels: no part of the object that is as wide
+/// as a pixel is skipped.
 const STEPS: [f64; 2] = [0.25, 1.0];
-/// Most edges of the outline that are looked at: of more, every second, every third and so on.
+/// Maximum number of outline edges examined: of more, every second, every third and so on.
 const MOST_OUTLINE: usize = 2048;
-/// To what the place of the true outline is found, pixels.
+/// Precision of the true outline's position, pixels.
 const PRECISION: f64 = 1e-3;
-/// Samples along an edge with an unshared vertex.
+/// Number of samples along an edge with an unshared vertex.
 const SAMPLES: u32 = 200;
-/// A vertex is on an edge when it is nearer to it than this share of its length.
+/// Share of an edge's length within which a vertex lies on it.
 const ON: f64 = 1e-6;
-/// How far beside the edge the two sides are looked for, pixels.
+/// Distance from the edge at which its two sides are sampled, pixels.
 const BESIDE: f64 = 0.25;
-/// Most pairs of a vertex and an edge on borders that are looked at.
+/// Maximum number of examined pairs of a vertex and an edge on borders.
 const MOST: usize = 20_000_000;
-/// Work on the edges that are measured, in corners of the mesh that are looked through; of edges that would take more, every
-/// second, every third and so on is measured.
+/// Maximum work on measured edges, in corners of the mesh examined; of edges that would take more, every second,
+/// every third and so on is measured.
 const MOST_WORK: usize = 40_000_000;
-/// As many are measured in any case.
+/// Minimum number of edges measured in any case.
 const LEAST_EDGES: usize = 16;
-/// What a source costs at a place of an edge, in corners.
+/// Cost of a light source at a place of an edge, in corners.
 const PER_SOURCE: usize = 20;
 
-/// How far the polygons' outline is from the true surface's.
+/// Distance of the polygons' outline from the true surface's.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Silhouette {
-    /// Greatest distance between the two outlines across the polygons' edges, pixels.
+    /// Maximum distance between the two outlines across the polygons' edges, pixels.
     pub greatest: f64,
-    /// Where it is on the polygons' outline, pixels.
+    /// Its end on the polygons' outline, pixels.
     pub polygon: DVec2,
-    /// Where it is on the true one.
+    /// Its end on the true outline, pixels.
     pub surface: DVec2,
-    /// Edges of the outline that were looked at.
+    /// Number of outline edges examined.
     pub edges: usize,
 }
 
-/// The jump at a vertex that is not shared.
+/// Jump of the luminance at a vertex that is not shared.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SharedVertices {
-    /// Edges with a vertex that one of their sides does not share.
+    /// Number of edges with a vertex that one of their sides does not share.
     pub edges: usize,
-    /// How many of them were measured: all, or an even choice where there are very many.
+    /// Number of them that were measured: all, or an even choice where there are very many.
     pub measured: usize,
-    /// Greatest jump of the luminance across such an edge.
+    /// Maximum jump of the luminance across such an edge.
     pub greatest: f64,
-    /// Where it is, pixels.
+    /// Position of that jump, pixels.
     pub at: DVec2,
-    /// Along the edge that has it: the place from 0 to 1, and the luminance on the side that has not the vertex and on the one
-    /// that has it.
+    /// Samples along that edge: the place from 0 to 1, and the luminance on the side without the vertex and on the
+    /// side with it.
     pub samples: Vec<[f64; 3]>,
-    /// Where the vertex appears on that edge, from 0 to 1.
+    /// Position of the vertex on that edge, from 0 to 1.
     pub vertex: f64,
 }
 
-/// The edges of a face, as pairs of points, the lower index first.
+/// Returns the edges of a face, as pairs of points, the lower index first.
 fn edges_of(mesh: &Mesh, face: usize) -> impl Iterator<Item = [u32; 2]> {
     let corners = mesh.face(face);
     let pairs = corners.iter().zip(corners.iter().cycle().skip(1));
     pairs.map(|(a, b)| [a.position.min(b.position), a.position.max(b.position)])
 }
 
-/// The edges that exactly one of the faces that `counts` has, sorted.
+/// Returns the edges that belong to exactly one of the faces accepted by `counts`, sorted.
 fn edges_of_one(mesh: &Mesh, counts: impl Fn(usize) -> bool + Sync) -> Vec<[u32; 2]> {
     let faces = (0..mesh.face_count())
         .into_par_iter()
@@ -105,7 +105,7 @@ pub fn silhouette(
         .map(|pixel| pixel[3] > 0.0)
         .collect();
     let size = scene.image.size;
-    // Whether the pixel at a place shows the object; nothing outside the picture.
+    // Whether the pixel at a place shows the object; none outside the picture.
     let shown = |place: DVec2| {
         let inside = place.cmpge(DVec2::ZERO).all()
             && place.cmplt(DVec2::from_array(size.map(f64::from))).all();
@@ -161,7 +161,7 @@ pub fn silhouette(
     })
 }
 
-/// Edges of the mesh that are seen with a front face on one side only, as pairs of points in the picture.
+/// Returns the edges of the mesh that have a visible front face on one side only, as pairs of points in the picture.
 fn outline(mesh: &Mesh, scene: &Scene) -> Vec<[DVec2; 2]> {
     let view = View::new(&scene.camera, scene.image.size);
     let front = |f: usize| {
@@ -178,8 +178,9 @@ fn outline(mesh: &Mesh, scene: &Scene) -> Vec<[DVec2; 2]> {
         .collect()
 }
 
-/// How far the true outline is from `place` along `outwards`; negative inside. Nothing where there is none within `reach`, or none
-/// before the polygons' outline on the other side, that of another part of the object: `shown` says where the polygons are.
+/// Finds the distance of the true outline from `place` along `outwards`; negative inside. Returns none if there is
+/// none within `reach`, or none before the polygons' outline on the other side, that of another part of the object:
+/// `shown` tells where the polygons are.
 fn distance(
     place: DVec2,
     outwards: DVec2,
@@ -210,7 +211,7 @@ fn distance(
     Some(way * 0.5 * (near + far))
 }
 
-/// An edge of a face, and a vertex on it that the face has not.
+/// An edge of a face, and a vertex on it that the face does not have.
 #[derive(Clone, Copy, Debug)]
 struct Touched {
     face: u32,
@@ -218,9 +219,10 @@ struct Touched {
     vertex: DVec3,
 }
 
-/// The edges with vertices on them. An edge that has a face on either side has none: both faces end at its ends.
+/// Finds the edges with vertices on them. An edge that has a face on either side has none: both faces end at its
+/// ends.
 fn touched(mesh: &Mesh) -> Finding<Vec<Touched>> {
-    // Where every edge has a face on either side there is none to look at.
+    // If every edge has a face on either side, there is none to examine.
     let open = if mesh.closed {
         Vec::new()
     } else {
@@ -295,7 +297,7 @@ pub fn shared_vertices(
     greatest.ok_or("picture-missing-edge")
 }
 
-/// The luminance on both sides of an edge.
+/// Samples the luminance on both sides of an edge.
 fn along(
     renderer: &Renderer,
     scene: &Scene,
@@ -338,7 +340,7 @@ fn along(
         let (Some(u), Some(v)) = (value(place, &p), value(place, &q)) else {
             continue;
         };
-        // First the side that has not the vertex.
+        // First the side without the vertex.
         let (without, with) = if p.face == edge.face { (u, v) } else { (v, u) };
         samples.push([s, without, with]);
         if (u - v).abs() > greatest {

@@ -10,19 +10,20 @@ use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-/// Degrees between two samples of a turning picture.
+/// Degrees between two samples of a rotated picture.
 const STEP: u32 = 3;
-/// Sides of the pictures that are turned: places in them differ by at least 1/256 of a pixel.
+/// Side of the rotated pictures: places in them differ by at least 1/256 of a pixel.
 const SIDE: u32 = 256;
-/// Faces that one task looks at.
+/// Number of faces per task.
 const CHUNK: usize = 4096;
 
-/// What interpolation in the picture does to what is linear in space.
+/// Error of interpolating in the picture a quantity that is linear in space.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PerspectiveDistortion {
-    /// What is compared with perspective-correct interpolation: the scene's own, or affine where that is the scene's.
+    /// The interpolation that is compared with perspective-correct interpolation: the scene's own, or affine if that
+    /// is perspective-correct.
     pub interpolation: Interpolation,
-    /// The difference over the picture.
+    /// Difference over the picture.
     pub error: ErrorFigures,
 }
 
@@ -51,16 +52,16 @@ pub fn perspective(renderer: &mut Renderer, scene: &Scene) -> Finding<Perspectiv
     })
 }
 
-/// How the shade of one point changes while the picture is turned.
+/// Change of one point's shade while the picture is rotated.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Orientation {
-    /// What is followed, world.
+    /// The point followed, world.
     pub point: DVec3,
     /// The picture's own roll, degrees from 0 to 360.
     pub roll: f64,
-    /// The luminance at the point for every roll.
+    /// Luminance at the point for every roll.
     pub samples: Vec<Turned>,
-    /// Difference between the greatest and the least value along the scan line, and with barycentric weights.
+    /// Difference between the maximum and the minimum by scan-line interpolation, and by barycentric weights.
     pub spread: [f64; 2],
 }
 
@@ -69,9 +70,9 @@ pub struct Orientation {
 pub struct Turned {
     /// The camera's roll, degrees.
     pub angle: f64,
-    /// By scan-line interpolation; nothing where the point is not seen.
+    /// Luminance by scan-line interpolation; none where the point is not visible.
     pub scanline: Option<f64>,
-    /// By barycentric weights.
+    /// Luminance by barycentric weights.
     pub barycentric: Option<f64>,
 }
 
@@ -127,7 +128,8 @@ pub fn orientation(
     })
 }
 
-/// The luminance of `point`, which lies on `triangle`, in a turned picture. The triangle that is seen there is the same in all.
+/// Returns the luminance of `point`, which lies on `triangle`, in a rotated picture. The triangle visible there is
+/// the same in all.
 fn turned_value(
     renderer: &Renderer,
     turned: &Scene,
@@ -143,16 +145,16 @@ fn turned_value(
     Some(luminance(intensity.max(Rgb::ZERO)))
 }
 
-/// How well vertex normals stand for the surface.
+/// Quality of the vertex normals as an approximation of the surface's.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct VertexNormals {
-    /// Greatest angle between a face and a vertex normal that it is shaded with, degrees.
+    /// Maximum angle between a face and a vertex normal that it is shaded with, degrees.
     pub greatest_angle: f64,
-    /// Its mean over the corners of all faces.
+    /// Mean of that angle over the corners of all faces, degrees.
     pub mean_angle: f64,
     /// Standard deviation of the luminance over the object, in the picture.
     pub contrast: f64,
-    /// The same in the true picture.
+    /// Standard deviation of the luminance in the true picture.
     pub true_contrast: f64,
 }
 
@@ -191,14 +193,14 @@ pub fn vertex_normals(renderer: &mut Renderer, scene: &Scene) -> Finding<VertexN
                 (most.max(angle), sum + angle, count + 1)
             })
         });
-    // Added in the order of the faces, whichever was done first.
+    // Added in the order of the faces, in whatever order they were finished.
     let chunks: Vec<(f64, f64, u32)> = chunks.collect();
     let add = |a: (f64, f64, u32), b: &(f64, f64, u32)| (a.0.max(b.0), a.1 + b.1, a.2 + b.2);
     let (greatest_angle, sum, count) = chunks.iter().fold((0.0, 0.0, 0), add);
     let mut truth = scene.clone();
     truth.shading.mode = ShadingMode::Exact;
     if !renderer.shows_surface(&truth) {
-        // Beyond its polygons such an object is nothing: each has its own normal.
+        // Such an object has no surface beyond its polygons: each has its own normal.
         truth.shading.mode = ShadingMode::Phong;
         truth.object.normals = NormalSource::Facet;
     }
@@ -211,7 +213,7 @@ pub fn vertex_normals(renderer: &mut Renderer, scene: &Scene) -> Finding<VertexN
     })
 }
 
-/// Standard deviation of the luminance over the pixels that show the object.
+/// Returns the standard deviation of the luminance over the pixels that show the object.
 fn contrast(renderer: &mut Renderer, scene: &Scene) -> Option<f64> {
     let (mut count, mut mean, mut squares) = (0.0, 0.0, 0.0);
     for pixel in renderer

@@ -1,29 +1,29 @@
-//! Fine strokes by the thousand: each pixel near one is covered by its distance from it.
+//! Thin strokes by the thousand: each nearby pixel is covered according to its distance from the stroke.
 //!
-//! A path of thousands of strokes costs tens of milliseconds to fill; a stroke that is a few pixels long touches a hundred
-//! pixels, and that is all there is to do. Coverage is `½ − d`, kept from 0 to 1, with d the distance from the stroke's
-//! edge in pixels: exact for a straight edge along the grid, off by less than a tenth for any other.
+//! Filling a path of thousands of strokes takes tens of milliseconds; a stroke a few pixels long touches only about a
+//! hundred pixels, which is all the work done here. Coverage is `½ − d`, clamped to 0 to 1, with d the distance from
+//! the stroke's edge in pixels: exact for a straight edge along the grid, off by less than a tenth for any other.
 
 use crate::figure::palette::Rgb8;
 use glam::{DVec2, Vec2};
 use tiny_skia::PixmapMut;
 
-/// A straight stroke with round ends and a foot where it begins, in pixels.
+/// A straight stroke with round ends and a foot at its start, in pixels.
 #[derive(Clone, Copy, Debug)]
 pub struct Fine {
     pub foot: DVec2,
     pub tip: DVec2,
     pub width: f64,
-    /// Half the foot's breadth.
+    /// Half the width of the foot.
     pub breadth: f64,
-    /// Whether the foot is square instead of round.
+    /// True for a square foot, false for a round one.
     pub square: bool,
-    /// Lengths of a dash and of a gap, or nothing.
+    /// Lengths of a dash and of a gap; none for a solid stroke.
     pub dash: Option<[f64; 2]>,
 }
 
 impl Fine {
-    /// Puts it on a pixmap.
+    /// Draws the stroke on a pixmap.
     pub fn draw(&self, pixmap: &mut PixmapMut<'_>, colour: Rgb8) {
         let [width, height] = [pixmap.width(), pixmap.height()].map(|side| side as usize);
         let (foot, way) = (self.foot.as_vec2(), (self.tip - self.foot).as_vec2());
@@ -51,11 +51,11 @@ impl Fine {
             line.max(inside(breadth - away))
         };
         let (tip, reach) = (foot + along * length, half.max(breadth) + 1.0);
-        // Casts keep a stroke from outside at the border.
+        // The casts saturate, which clips a stroke that lies outside.
         let rows = (foot.y.min(tip.y) - reach) as usize
             ..((foot.y.max(tip.y) + reach).ceil() as usize).min(height);
         for y in rows {
-            // The columns that the part of the stroke within reach of the row spans.
+            // The columns within reach of the row's part of the stroke.
             let beside = |off: f32| (y as f32 + 0.5 + off - foot.y) / along.y;
             let travelled = if along.y == 0.0 {
                 [0.0, length]
@@ -79,15 +79,15 @@ impl Fine {
     }
 }
 
-/// Coverage at a distance inside an edge.
+/// Returns the coverage at a distance inside an edge.
 fn inside(distance: f32) -> f32 {
     (0.5 + distance).clamp(0.0, 1.0)
 }
 
-/// A colour over a premultiplied pixel.
+/// Blends a colour over a premultiplied pixel.
 fn over(pixel: &mut [u8; 4], [r, g, b]: Rgb8, share: f32) {
     for (stored, own) in pixel.iter_mut().zip([r, g, b, 255]) {
-        // Rounded: the cast cuts off.
+        // Rounded, since the cast truncates.
         *stored = (f32::from(own) * share + f32::from(*stored) * (1.0 - share) + 0.5) as u8;
     }
 }
@@ -97,7 +97,7 @@ mod tests {
     use super::*;
     use tiny_skia::Pixmap;
 
-    /// A stroke drawn, and the area that it covers.
+    /// Draws a stroke and returns it with the area it covers.
     fn drawn(foot: DVec2, tip: DVec2, change: impl Fn(Fine) -> Fine) -> (Pixmap, f64) {
         let mut pixmap = Pixmap::new(24, 11).expect("not empty");
         let stroke = Fine {

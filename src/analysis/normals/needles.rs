@@ -1,9 +1,9 @@
-//! The normals of polygons and of vertices as needles, and the polygons that one vertex normal comes from.
+//! Needles for the normals of polygons and vertices, and the polygons that one vertex normal comes from.
 //!
-//! A needle stands at a polygon's centre (yellow, dashed, a square foot) or at a vertex (N's blue, solid, a round foot). All
-//! are equally long in the world, so that what is seen of one shows how it leans. Where there are more than a picture can
-//! show, an even choice is drawn: needles keep a distance in the world, not in the picture, so that towards an outline they
-//! close up as the surface does, and those on the outline stay.
+//! A needle stands at a polygon's centre (yellow, dashed, a square foot) or at a vertex (N's blue, solid, a round
+//! foot). All have the same length in the world, so that the visible length of one shows how it leans. Where there
+//! are more than a picture can show, an even choice is drawn: needles keep a distance in the world, not in the
+//! picture, so that they crowd towards an outline as the surface does, and those on the outline stay.
 
 use super::fine::Fine;
 use super::{NormalField, SeenNormal, VertexFace, VertexNormal};
@@ -18,80 +18,82 @@ use glam::{DVec2, DVec3};
 use std::collections::HashMap;
 use tiny_skia::PixmapMut;
 
-/// Length of a needle: the wanted share of the polygons' median edge, and its bounds in the picture's shorter side.
+/// Length of a needle as a share of the polygons' median edge, and its bounds in the picture's shorter side.
 const LENGTH: f64 = 0.5;
 const LENGTHS: [f64; 2] = [0.014, 0.085];
-/// Width of a needle, in the line width of the vectors, and its foot's radius and its halo's breadth in its own width.
+/// Width of a needle, in the line width of the vectors; radius of its foot and width of its halo, in its own width.
 const WIDTH: f64 = 0.62;
 const FOOT: f64 = 1.3;
 const HALO: f64 = 0.5;
-/// Contrast of blue needles with their halo: they are thin.
+/// Minimum contrast of the thin blue needles with their halo.
 const CONTRAST: f64 = 5.5;
-/// Size of the note about what is left out, and of a face's share, in that of the vectors' letters.
+/// Text size of the note about omitted needles and of a face's share, relative to the vectors' letters.
 const NOTE: f64 = 0.62;
 const SHARE: f64 = 0.8;
-/// The note is no smaller than this, pixels an em, before the scale.
+/// Minimum text size of the note, pixels an em, before the scale.
 const LEAST_NOTE: f64 = 13.0;
-/// The halo of yellow needles, which on white would not show.
+/// Halo of yellow needles, which would not show on white.
 const DARK: Rgb8 = [16; 3];
-/// More needles than this are never drawn.
+/// Maximum number of needles drawn.
 const MOST: usize = 2000;
-/// More normals than this are not looked at one by one: by chance as many are.
+/// Maximum number of normals considered one by one; of more, a random choice of this many.
 const LOOKED_AT: usize = 24_000;
-/// Edges shorter than this, in letters, leave no room for needles at every one.
+/// Edge length, in letters, below which needles do not fit at every edge.
 const CROWDED: f64 = 0.5;
-/// Least distance between needles, in letters, where they are crowded; elsewhere in median edges: a shape has parts that
-/// are finer than the rest.
+/// Minimum distance between needles: in letters where they are crowded, elsewhere in median edges, since a shape has
+/// parts that are finer than the rest.
 const APART: f64 = 0.8;
 const APART_IN_EDGES: f64 = 0.15;
-/// The distance from needles of the other kind, where they are crowded, in that between needles.
+/// Minimum distance from needles of the other kind where they are crowded, relative to that between needles of one
+/// kind.
 const OTHERS: f64 = 0.3;
-/// Length of an emphasised normal in that of a needle.
+/// Length of an emphasised normal, relative to a needle.
 const EMPHASIS: f64 = 1.5;
-/// How opaque faces are filled: where nothing is averaged, and what the largest share adds.
+/// Opacity of filled faces: where nothing is averaged, and the increase for the largest share.
 const FILL: [f64; 2] = [0.12, 0.33];
-/// More faces than this are counted instead of lettered.
+/// Maximum number of faces that are lettered; more are only counted.
 const LETTERED: usize = 12;
-/// Of the outline of a face that is seen from behind, in widths.
+/// Dashes of the outline of a back-facing face, in widths.
 const BEHIND: &[f32] = &[2.0, 2.0];
 
-/// Whose normal a needle is.
+/// The owner of a needle's normal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NeedleKind {
-    /// A face's, at its centre.
+    /// A face, at its centre.
     Face,
-    /// A vertex's.
+    /// A vertex.
     Vertex,
 }
 
 /// A normal in the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Needle {
-    /// Of a face or of a vertex.
+    /// The owner of the normal: a face or a vertex.
     pub kind: NeedleKind,
-    /// The face's or the vertex's number.
+    /// Number of the face or vertex.
     pub index: u32,
-    /// Where its point appears, pixels.
+    /// Position of the normal's point in the picture, pixels.
     pub foot: DVec2,
-    /// Where the needle's end appears, pixels.
+    /// Position of the needle's tip in the picture, pixels.
     pub tip: DVec2,
 }
 
 /// The needles of a picture, laid out.
 #[derive(Clone, Debug)]
 pub struct Needles {
-    /// Those that are drawn.
+    /// The needles that are drawn.
     pub needles: Vec<Needle>,
     /// Length of every needle, world units.
     pub length: f64,
-    /// Says how many there are, where not all are drawn.
+    /// Note about the number of needles, where not all are drawn.
     pub note: Option<Label>,
     style: Style,
 }
 
 impl Needles {
-    /// The needles of the layers among `options` that are normals, over a picture of `scene` of `size` pixels that
-    /// `renderer` last drew. Back faces and what other parts hide are left out; of more than fit, an even choice is made.
+    /// Lays out the needles of the layers among `options` that are normals, over a picture of `scene` of `size`
+    /// pixels that `renderer` last drew. Back faces and hidden points are left out; if there are too many, an even
+    /// choice is made.
     pub fn new(
         size: [u32; 2],
         scene: &Scene,
@@ -145,13 +147,13 @@ impl Needles {
                 ));
             }
             let [least, most] = LENGTHS.map(|share| share * side * unit);
-            // Of either kind as long as the first.
+            // Needles of either kind are as long as the first.
             if needles.length == 0.0 {
                 needles.length = (LENGTH * choice.apart.max(edge)).clamp(least, most);
             }
             others.extend(choice.shown.iter().map(|one| one.point));
             for one in &choice.shown {
-                // One that would pass the eye is cut short before it.
+                // A needle that would pass the eye is cut short before it.
                 let nowhere = Area {
                     min: DVec2::ZERO,
                     max: DVec2::ZERO,
@@ -167,7 +169,7 @@ impl Needles {
             }
         }
         if !notes.is_empty() {
-            // At the lower right: panes say their figures at the lower left.
+            // At the lower right, since panes have their figures at the lower left.
             let text = match &notes[..] {
                 [vertices, faces] => text!(
                     "picture-needles-both",
@@ -193,7 +195,7 @@ impl Needles {
         needles
     }
 
-    /// Draws them on a pixmap of the size for which they were laid out.
+    /// Draws the needles on a pixmap of the size for which they were laid out.
     pub fn draw(&self, pixmap: &mut PixmapMut<'_>) {
         let (style, width) = (self.style, WIDTH * self.style.line);
         let blue = readable(palette::N, style.halo_colour, CONTRAST);
@@ -202,7 +204,7 @@ impl Needles {
             (NeedleKind::Face, palette::FACE, DARK, Some(dash)),
             (NeedleKind::Vertex, blue, style.halo_colour, None),
         ] {
-            // The halos of all come first.
+            // All halos come first.
             for (colour, more, dash) in [(halo, HALO * width, None), (colour, 0.0, dash)] {
                 for needle in self.needles.iter().filter(|needle| needle.kind == kind) {
                     let Needle { foot, tip, .. } = *needle;
@@ -223,12 +225,12 @@ impl Needles {
     }
 }
 
-/// Draws the layers of `options` that are normals over a picture of `scene` that `renderer` last drew, and lights up a
-/// vertex of its mesh. The pixmap is of that picture's size.
+/// Draws the layers of `options` that are normals over a picture of `scene` that `renderer` last drew, and highlights
+/// a vertex of its mesh. The pixmap has that picture's size.
 ///
 /// # Errors
 ///
-/// What `vertex` says where it finds none.
+/// The error of `vertex`, if it finds none.
 pub fn draw_normals<E>(
     pixmap: &mut PixmapMut<'_>,
     scene: &Scene,
@@ -247,17 +249,17 @@ pub fn draw_normals<E>(
     Ok(())
 }
 
-/// What of the needles is drawn.
+/// The choice of needles to draw.
 struct Choice {
     shown: Vec<SeenNormal>,
-    /// How far they are kept apart where they are crowded, world units.
+    /// Distance kept between them where they are crowded, world units.
     apart: f64,
-    /// Whether some are left out that nothing hides.
+    /// True if some were omitted although nothing hides them.
     thinned: bool,
 }
 
-/// As many needles that are not `hidden` as keep a distance from each other and from `others`, in the order of the mesh.
-/// `edge` is the polygons' and `letter` the size of the type, both in world units.
+/// Chooses as many needles that are not `hidden` as keep a distance from each other and from `others`, in the order
+/// of the mesh. `edge` is the polygons' edge length and `letter` the text size, both in world units.
 fn thinned(
     seen: &[SeenNormal],
     edge: f64,
@@ -279,7 +281,7 @@ fn thinned(
         .collect();
     loop {
         let (shown, dropped) = kept_apart(&looked_at, apart, others, &hidden);
-        // Where a letter has no size either, no distance would ever be enough.
+        // If a letter has no size either, no distance would ever suffice.
         let grows = apart.is_finite() && (apart > 0.0 || letter > 0.0);
         if shown.len() <= MOST || !grows {
             let apart = if crowded { apart } else { 0.0 };
@@ -289,12 +291,12 @@ fn thinned(
                 thinned: dropped || one_in > 1,
             };
         }
-        // From nothing, where all edges have no length, the next is a letter's.
+        // If all edges have no length, the distance goes from zero to a letter's size.
         apart = (1.25 * apart).max(APART * letter);
     }
 }
 
-/// A number that has nothing to do with those beside it (the finaliser of SplitMix64, Steele et al. 2014).
+/// Returns a number unrelated to those of neighbouring indices (the finaliser of SplitMix64, Steele et al. 2014).
 fn scattered(index: u32) -> u64 {
     let mut x = u64::from(index).wrapping_add(0x9E37_79B9_7F4A_7C15);
     x = (x ^ (x >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
@@ -302,7 +304,7 @@ fn scattered(index: u32) -> u64 {
     x ^ (x >> 31)
 }
 
-/// Cells as wide as a distance: what is too near lies in a cell or in one beside it.
+/// A grid with cells as wide as the minimum distance: anything too near lies in the same cell or a neighbour.
 #[derive(Default)]
 struct Grid {
     cell: f64,
@@ -321,7 +323,7 @@ impl Grid {
         self.feet.entry(self.place(foot)).or_default().push(foot);
     }
 
-    /// Whether nothing is nearer to `foot` than a cell is wide.
+    /// Returns whether no point is nearer to `foot` than the width of a cell.
     fn free(&self, foot: DVec3) -> bool {
         if self.feet.is_empty() {
             return true;
@@ -334,13 +336,13 @@ impl Grid {
         };
         let [x, y, z] = self.place(foot);
         let beside = |x: i64| x.saturating_sub(1)..=x.saturating_add(1);
-        // Most of what is not free is told by its own cell.
+        // Its own cell decides for most points that are not free.
         !taken([x, y, z])
             && !beside(x).any(|x| beside(y).any(|y| beside(z).any(|z| taken([x, y, z]))))
     }
 }
 
-/// Those that are kept, and whether another was left out that nothing hides.
+/// Returns the needles that are kept, and whether any was omitted that nothing hides.
 fn kept_apart(
     seen: &[SeenNormal],
     apart: f64,
@@ -360,7 +362,7 @@ fn kept_apart(
     let mut dropped = false;
     for one in seen {
         if !own.free(one.point) || !taken.free(one.point) {
-            // Several normals at one point are several vertices.
+            // Several normals at one point belong to several vertices.
             let upon = shown
                 .last()
                 .is_some_and(|last| last.point == one.point && last.normal != one.normal);
@@ -377,17 +379,17 @@ fn kept_apart(
     (shown, dropped)
 }
 
-/// A vertex and the faces that its normal comes from, lit up, each with its share.
+/// A highlighted vertex with the faces that its normal comes from, each with its share.
 #[derive(Clone, Debug)]
 pub struct LitVertex {
-    /// The shares and the letter of the normal.
+    /// Labels of the shares and of the normal.
     pub labels: Vec<Label>,
     drawing: Drawing,
     style: Style,
 }
 
 impl LitVertex {
-    /// Lays out `vertex` of `field` over a picture of `scene` of `size` pixels; nothing where it does not appear.
+    /// Lays out `vertex` of `field` over a picture of `scene` of `size` pixels; none if it does not appear.
     pub fn new(
         size: [u32; 2],
         scene: &Scene,
@@ -461,7 +463,7 @@ impl LitVertex {
         })
     }
 
-    /// Draws it on a pixmap of the size for which it was laid out.
+    /// Draws the vertex and its faces on a pixmap of the size for which they were laid out.
     pub fn draw(&self, pixmap: &mut PixmapMut<'_>) {
         self.drawing.draw(pixmap);
         self.style.lettered(&self.labels).draw(pixmap);
@@ -491,7 +493,7 @@ fn draw_face(sketch: &mut Sketch, field: &NormalField, face: &VertexFace, weight
     sketch.shapes.extend([rim.plain(), outline.plain()]);
 }
 
-/// The normal at a face's centre, about which `own` is, and its share beside it.
+/// Draws the normal at a face's centre, the origin of `own`, and its share beside it.
 fn draw_face_normal(sketch: &mut Sketch, own: &Sketch, face: &VertexFace, lettered: bool) {
     let Some(tip) = own.end(face.normal) else {
         return;
@@ -500,7 +502,7 @@ fn draw_face_normal(sketch: &mut Sketch, own: &Sketch, face: &VertexFace, letter
     let along = (tip - own.origin).normalize_or_zero();
     let head = (0.7 * style.head).min(0.5 * own.origin.distance(tip));
     let width = 0.75 * style.line;
-    // Yellow on a dark rim: the same arrow twice, first wider.
+    // Yellow on a dark rim: the same arrow twice, the wider one first.
     for (more, dot, colour, dashes) in [
         (style.line, 1.6, DARK, &[][..]),
         (0.0, 1.1, palette::FACE, &palette::FACE_DASHES[..]),
@@ -527,7 +529,7 @@ fn draw_face_normal(sketch: &mut Sketch, own: &Sketch, face: &VertexFace, letter
     }
 }
 
-/// The vertex with its own normal, over everything, which says where it comes from if not from the faces.
+/// Draws the vertex with its own normal on top of everything, and the normal's source if it is not the faces.
 fn draw_vertex_normal(sketch: &mut Sketch, field: &NormalField, vertex: &VertexNormal) {
     let (style, origin) = (sketch.style, sketch.origin);
     let colour = readable(palette::N, style.halo_colour, CONTRAST);

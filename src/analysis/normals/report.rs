@@ -1,4 +1,4 @@
-//! A vertex normal with the faces that it comes from: how it is asked, and what it says.
+//! A vertex normal with the faces that it comes from: the question and its report.
 
 use super::{NormalField, VertexNormal};
 use crate::analysis::report::{About, Answer, Column, Part, Report, Table, as_it_is, cells, fixed};
@@ -10,27 +10,27 @@ use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
-/// The normal of one vertex.
+/// The question for the normal of one vertex.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct NormalsQuestion {
-    /// By its number; otherwise the seen vertex next to the pixel.
+    /// Number of the vertex; without one, the visible vertex nearest to the pixel.
     pub vertex: Option<u32>,
-    /// Otherwise the picture's middle.
+    /// The pixel; without one, the picture's middle.
     pub pixel: Option<[u32; 2]>,
 }
 
-/// The vertex, and how many there are.
+/// The normal found, with the counts of the mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FoundNormal {
     /// The vertex with its normal and faces.
     pub vertex: VertexNormal,
-    /// Where vertex normals come from in the scene.
+    /// Source of the scene's vertex normals.
     pub source: NormalSource,
-    /// The weight of each polygon in an averaged normal.
+    /// Weighting of the polygons in an averaged normal.
     pub weighting: Weighting,
-    /// Vertices of the mesh.
+    /// Number of vertices in the mesh.
     pub vertices: usize,
-    /// Faces of the mesh.
+    /// Number of faces in the mesh.
     pub faces: usize,
 }
 
@@ -41,7 +41,7 @@ impl Question for NormalsQuestion {
         let (mut renderer, scene) = (subject.renderer(), &subject.scene);
         renderer.render(scene);
         let field = NormalField::new(&renderer, &scene.object);
-        // By its number, or next to a pixel's centre or to the picture's middle.
+        // By number, or the vertex nearest to a pixel's centre or to the picture's middle.
         let size = scene.image.size;
         let middle = DVec2::from_array(size.map(f64::from)) * 0.5;
         let place = self.pixel.map_or(middle, |pixel| {
@@ -68,7 +68,7 @@ impl Question for NormalsQuestion {
 }
 
 impl NormalField {
-    /// The vertex of that number, or which numbers there are.
+    /// Returns the vertex with that number, or an error that names the valid numbers.
     pub fn vertex_of(&self, number: u32) -> Result<VertexNormal, String> {
         self.vertex(number)
             .ok_or_else(|| match self.vertex_count() {
@@ -79,7 +79,7 @@ impl NormalField {
 }
 
 impl FoundNormal {
-    /// The unit of the weights; none where faces are counted or nothing is averaged.
+    /// Returns the unit of the weights; none where faces are counted or nothing is averaged.
     fn unit(&self) -> Option<&'static str> {
         let averages = matches!(
             self.vertex.origin,
@@ -92,7 +92,7 @@ impl FoundNormal {
         }
     }
 
-    /// Where the normal comes from, in words.
+    /// Describes the normal's source in words.
     fn origin(&self) -> String {
         let vertex = &self.vertex;
         let count = vertex.faces.len();

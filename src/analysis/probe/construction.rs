@@ -1,4 +1,4 @@
-//! How R and H are built from N, L and V, step by step, with the numbers of one pixel.
+//! Construction of R and H from N, L and V, step by step, with the numbers of one pixel.
 
 use super::digits::{coordinates, digits};
 use super::products::LightHere;
@@ -11,7 +11,7 @@ use glam::DVec3;
 pub enum ConstructionStep {
     /// N·L, the cosine of θ.
     Cosine,
-    /// N(N·L), what L has along N.
+    /// N(N·L), the projection of L onto N.
     Projection,
     /// S = N(N·L) − L, from the end of L to that of its projection.
     Across,
@@ -22,7 +22,7 @@ pub enum ConstructionStep {
 }
 
 impl ConstructionStep {
-    /// Every step, in its order.
+    /// All steps, in order.
     pub const ALL: [Self; 5] = [
         Self::Cosine,
         Self::Projection,
@@ -31,7 +31,7 @@ impl ConstructionStep {
         Self::Halfway,
     ];
 
-    /// What is done, in a few words.
+    /// Describes the step in a few words.
     pub fn title(self) -> &'static str {
         match self {
             Self::Cosine => text!("point-step-cosine"),
@@ -46,18 +46,18 @@ impl ConstructionStep {
 /// A step with its numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WorkedStep {
-    /// Which step it is.
+    /// The step.
     pub step: ConstructionStep,
-    /// With its letters in braces; see [`plain_formula`](super::plain_formula).
+    /// Formula with its letters in braces; see [`plain_formula`](super::plain_formula).
     pub formula: &'static str,
-    /// The same with numbers, from one “=” to the next.
+    /// The formula with numbers, from one “=” to the next.
     pub numbers: Vec<String>,
-    /// What the step makes; a number lies on the first axis.
+    /// Result of the step; a number lies on the first axis.
     pub result: DVec3,
 }
 
 impl LightHere<'_> {
-    /// N as the construction has it: turned towards the light where the surface has two sides.
+    /// Returns N as the construction uses it: turned towards the light where the surface has two sides.
     pub(super) fn facing_normal(self) -> DVec3 {
         if self.turned() {
             -self.here.hit.normal
@@ -66,8 +66,8 @@ impl LightHere<'_> {
         }
     }
 
-    /// The construction of R and H. R needs a light in front of the surface, H one that is not straight behind the point as
-    /// the viewer sees it; without them the steps end earlier.
+    /// Returns the construction of R and H. R needs a light in front of the surface, H one that is not directly
+    /// behind the point as the viewer sees it; without them there are fewer steps.
     pub fn construction(self) -> Vec<WorkedStep> {
         let (n, l, v) = (self.facing_normal(), self.terms.l, self.here.hit.view);
         if n == DVec3::ZERO || ![n, l, v].iter().all(|vector| vector.is_finite()) {
@@ -128,7 +128,7 @@ impl LightHere<'_> {
         steps
     }
 
-    /// Whether R is a unit vector, in a sentence: it is where N is.
+    /// Describes whether R is a unit vector, which it is if N is.
     pub fn mirror_check(self) -> String {
         let (r, n) = (self.terms.r.length(), self.here.hit.normal.length());
         if (r - 1.0).abs() < UNIT {
@@ -139,5 +139,5 @@ impl LightHere<'_> {
     }
 }
 
-/// A length that differs from 1 by less is 1.
+/// Tolerance for a length of 1.
 const UNIT: f64 = 5e-5;

@@ -1,16 +1,16 @@
-//! Numbers as the filled-in equation writes them.
+//! Number formats of the filled-in equation.
 
 use crate::figure::scientific;
 use crate::scene::Rgb;
 use crate::text::{fixed, text};
 use glam::DVec3;
 
-/// Below this a number with four decimals has lost its digits and is written with a power of ten; from `LARGE` on it is too
-/// long to be written out.
+/// Smallest number written with four decimals, which lose their digits below it, so that a power of ten is used; from
+/// `LARGE` on a number is too long to be written out.
 const SMALL: f64 = 5e-4;
 const LARGE: f64 = 1e5;
 
-/// What `part` is of the whole, in words; nothing where there is no light.
+/// Formats the share of `part` in the whole; none where there is no light.
 pub fn percent(part: f64, whole: f64) -> Option<String> {
     let share = 100.0 * part / whole;
     (whole > 0.0).then(|| {
@@ -22,13 +22,13 @@ pub fn percent(part: f64, whole: f64) -> Option<String> {
     })
 }
 
-/// A number with four digits behind the point, fewer where it is large; very small and very large ones with a power of ten.
+/// Formats a number with four decimals, fewer where it is large; very small and very large ones with a power of ten.
 pub fn digits(value: f64) -> String {
     with_decimals(value, decimals(value, 4))
 }
 
-/// Numbers with their points below each other. Numbers that somebody has chosen have a few digits and show no more; others
-/// show at least three that count, as far as there is room.
+/// Formats numbers with aligned decimal points. Numbers that a user has chosen have few digits and show no more;
+/// others show at least three significant digits, as far as space allows.
 pub fn digits_below(values: Rgb) -> [String; 3] {
     let values = values.to_array();
     let is_short = |value: &f64, decimals: i32| {
@@ -61,7 +61,7 @@ pub fn digits_below(values: Rgb) -> [String; 3] {
     values.map(|value| with_decimals(value, count))
 }
 
-/// Three numbers as text; one where they are equal.
+/// Formats three numbers; one where they are equal.
 pub fn triple(values: Rgb) -> String {
     let [red, green, blue] = digits_below(values);
     if red == green && green == blue {
@@ -75,7 +75,7 @@ pub fn in_channels([red, green, blue]: [&str; 3]) -> String {
     text!("point-channels", red = red, green = green, blue = blue)
 }
 
-/// Decimals behind the point of a number, `most` for one below 10.
+/// Returns the number of decimals for a number, `most` for one below 10.
 fn decimals(value: f64, most: usize) -> usize {
     match value.abs() {
         size if size >= 1000.0 => 0,
@@ -93,7 +93,7 @@ fn with_decimals(value: f64, decimals: usize) -> String {
     scientific(value)
 }
 
-/// A vector with three decimals.
+/// Formats a vector with three decimals.
 pub fn coordinates(v: DVec3) -> String {
     let [x, y, z] = v.to_array().map(|part| fixed(part, 3));
     format!("({x}, {y}, {z})")

@@ -1,7 +1,7 @@
 //! The equation filled in at one pixel: every term with this pixel's numbers, adding up to the stored pixel.
 //!
-//! The report and the window lay out what is said here. A formula is a string with its letters in braces: `{Kd}` is a
-//! letter, `{n}` a raised one, `{^40}` raises a number and `{=0.61}` is a result.
+//! The report and the window lay out these parts. A formula is a string with its letters in braces: `{Kd}` is a
+//! letter, `{n}` a superscript one, `{^40}` makes a number a superscript and `{=0.61}` is a result.
 
 mod light;
 
@@ -23,7 +23,7 @@ use glam::DVec3;
 pub enum FilledPart {
     /// A remark, a sentence or two.
     Note(String),
-    /// Where the equation is evaluated, if not once at the pixel.
+    /// The points at which the equation is evaluated, if not once at the pixel.
     Evaluated(String),
     /// A line of letters.
     Formula(String),
@@ -33,14 +33,14 @@ pub enum FilledPart {
         name: &'static str,
         /// The term's colour.
         tone: Tone,
-        /// Its share, in percent; none where the pixel is black.
+        /// Its share in percent; none where the pixel is black.
         share: Option<String>,
     },
     /// A product, factor by factor.
     Product {
-        /// What it makes.
+        /// Name of the result.
         name: String,
-        /// Its columns.
+        /// The columns of the product.
         product: Product,
         /// The colour of its letters.
         letters: Tone,
@@ -56,28 +56,28 @@ pub enum FilledPart {
 /// A line of the sum.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FilledLine {
-    /// + or =, or nothing.
+    /// The sign, + or =, or nothing.
     pub sign: &'static str,
-    /// What is added.
+    /// Name of the summand.
     pub name: String,
-    /// A formula that stands for the name; empty for none.
+    /// A formula in place of the name; empty for none.
     pub letters: &'static str,
-    /// What it comes to.
+    /// The value of the line.
     pub value: LineValue,
     /// The colour of its value.
     pub tone: Tone,
-    /// The light that it is about.
+    /// The light that the line is about.
     pub light: Option<usize>,
-    /// What the line is made of.
+    /// The parts that the line is made of.
     pub parts: Vec<FilledPart>,
 }
 
-/// What a line comes to.
+/// The value of a line.
 #[derive(Clone, Debug, PartialEq)]
 pub enum LineValue {
-    /// Red, green and blue, as they are written.
+    /// Red, green and blue, as text.
     Channels([String; 3]),
-    /// Why there is no number, in a phrase.
+    /// The reason why there is no number, in a phrase.
     Words(String),
 }
 
@@ -86,7 +86,7 @@ impl LineValue {
         Self::Channels(value.to_array().map(digits))
     }
 
-    /// In a phrase.
+    /// Returns the value in a phrase.
     pub fn words(&self) -> String {
         match self {
             Self::Channels([red, green, blue]) => in_channels([red, green, blue]),
@@ -95,16 +95,16 @@ impl LineValue {
     }
 }
 
-/// What one term has in the pixel's brightness.
+/// The contribution of one term to the pixel's brightness.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Share {
-    /// What the term is called.
+    /// Name of the term.
     pub name: String,
-    /// Where the full name does not fit.
+    /// Short name, for use where the full name does not fit.
     pub short: String,
-    /// The term's colour.
+    /// Colour of the term.
     pub tone: Tone,
-    /// Luminance, as it enters the pixel.
+    /// Luminance with which it enters the pixel.
     pub weight: f64,
 }
 
@@ -121,7 +121,7 @@ fn line(sign: &'static str, name: impl Into<String>, value: LineValue, tone: Ton
 }
 
 impl Here<'_> {
-    /// The whole formula, from the ambient term to the stored pixel.
+    /// Returns the whole formula, from the ambient term to the stored pixel.
     pub fn filled(self) -> Vec<FilledPart> {
         let shares = self.shares();
         let mut parts = vec![FilledPart::Line(self.ambient_line())];
@@ -176,7 +176,8 @@ impl Here<'_> {
         }
     }
 
-    /// What comes through the surface, mixed with what it reflects; nothing where it is opaque.
+    /// Returns the line for the light that comes through the surface, mixed with the reflected light; none where it
+    /// is opaque.
     fn through_line(self) -> Option<FilledLine> {
         let (product, through) = (self.mixture()?, self.hit.transmission?);
         let refractions = through.refractions;
@@ -215,7 +216,8 @@ impl Here<'_> {
         })
     }
 
-    /// What depth cueing leaves of the intensity, and what takes the place of the rest; nothing where there is none.
+    /// Returns the line for the share of the intensity that depth cueing keeps and the colour that replaces the rest;
+    /// none where there is none.
     fn fading_line(self) -> Option<FilledLine> {
         let (product, s0) = (self.fading()?, self.hit.cue?.scale);
         let cueing = &self.scene.depth_cueing;
@@ -262,7 +264,7 @@ impl Here<'_> {
         })
     }
 
-    /// From the sum to the stored pixel: what is above 1, the encoding, the rounding.
+    /// Returns the lines from the sum to the stored pixel: clamping above 1, encoding, rounding.
     fn stored_lines(self) -> Vec<FilledPart> {
         let (hit, display) = (self.hit, &self.scene.display);
         let step =
@@ -312,10 +314,10 @@ impl Here<'_> {
         parts
     }
 
-    /// The terms' parts of the pixel, in the order of the equation.
+    /// Returns the contributions of the terms to the pixel, in the order of the equation.
     pub fn shares(self) -> Vec<Share> {
         let (hit, kt) = (self.hit, self.scene.transparency.kt);
-        // What fades at vertices has no s0 of its own for each term: all have that of their sum.
+        // Intensities that fade at vertices have no separate s0 for each term: all have that of their sum.
         let left = hit.cue.map_or(1.0, |cue| {
             luminance(cue.kept) / luminance(hit.intensity).max(f64::MIN_POSITIVE)
         });
@@ -378,7 +380,7 @@ impl Here<'_> {
         parts
     }
 
-    /// The point and the vectors that belong to no light, each with what it is.
+    /// Returns the point and the vectors that belong to no light, each with its description.
     pub fn vectors(self) -> Vec<(Option<Vector>, &'static str, DVec3)> {
         let hit = self.hit;
         let mut rows = vec![
@@ -391,7 +393,7 @@ impl Here<'_> {
         rows
     }
 
-    /// Where the equation is evaluated, if not at the pixel.
+    /// Describes the points at which the equation is evaluated, if not the pixel.
     pub fn places(self) -> Option<&'static str> {
         match (self.scene.shading.mode, self.scene.shading.flat_at) {
             (ShadingMode::Phong | ShadingMode::Exact, _) => None,
@@ -402,7 +404,7 @@ impl Here<'_> {
     }
 }
 
-/// The angle between a vector and the normal's line, radians: 0 to a right angle.
+/// Returns the angle between a vector and the normal's line, radians: 0 to a right angle.
 fn to_line(normal: DVec3, vector: DVec3) -> f64 {
     let angle = vector.angle_between(normal);
     angle.min(std::f64::consts::PI - angle)

@@ -1,30 +1,30 @@
 //! The equation in letters.
 //!
-//! A formula is a string with its letters in braces: `{Kd}` is a letter, `{n}` a raised one, `{^40}` raises a number and
-//! `{=0.61}` is a result.
+//! A formula is a string with its letters in braces: `{Kd}` is a letter, `{n}` a superscript one, `{^40}` makes a
+//! number a superscript and `{=0.61}` is a result.
 
 use crate::figure::palette::Vector;
 use crate::figure::short;
 use crate::scene::{Attenuation, CuedBy, Light, Reflectance, ReflectionModel, Rgb, Scene};
 use crate::text;
 
-/// How something is coloured.
+/// The colour of a piece of text.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Tone {
-    /// As text.
+    /// The colour of text.
     Plain,
-    /// As remarks.
+    /// The colour of remarks.
     Weak,
-    /// As headings.
+    /// The colour of headings.
     Strong,
-    /// The colour of a vector, and of the term that it makes.
+    /// The colour of a vector, and of the term that it determines.
     Of(Vector),
 }
 
-/// A part of the equation: its formula, its colour, and whether the scene leaves out what it stands for.
+/// A part of the equation: its formula, its colour, and whether the scene omits it.
 pub type Letters = (String, Tone, bool);
 
-/// The equation with the factors that a scene has, in the parts that stay on one line.
+/// Returns the equation with the factors that a scene has, in parts that stay on one line.
 pub fn equation_letters(scene: &Scene) -> Vec<Vec<Letters>> {
     let Scene {
         material,
@@ -96,7 +96,7 @@ pub fn equation_letters(scene: &Scene) -> Vec<Vec<Letters>> {
     parts
 }
 
-/// A formula as plain text, with a dot between letters that stand side by side.
+/// Returns a formula as plain text, with a dot between adjacent letters.
 pub fn plain_formula(formula: &str) -> String {
     let text = formula
         .replace("}(θ) ", "(θ)}")
@@ -111,7 +111,7 @@ pub fn plain_formula(formula: &str) -> String {
         .replace(['{', '}'], "")
 }
 
-/// The law by which a light is attenuated, with its constants in it.
+/// Returns the law by which a light is attenuated, with its constants filled in.
 pub fn attenuation_law(light: &Light) -> String {
     let [k, c1, c2, c3] = [light.k, light.c1, light.c2, light.c3].map(short);
     let to = |law: String| text!("point-law", law = law);
@@ -125,7 +125,7 @@ pub fn attenuation_law(light: &Light) -> String {
     }
 }
 
-/// The vector whose colour the specular term has.
+/// Returns the vector whose colour the specular term has.
 pub fn specular_vector(model: ReflectionModel) -> Vector {
     if model == ReflectionModel::Blinn {
         Vector::H
@@ -134,7 +134,7 @@ pub fn specular_vector(model: ReflectionModel) -> Vector {
     }
 }
 
-/// n, a whole one without decimals.
+/// Formats n, without decimals if it is whole.
 pub fn exponent(n: f64) -> String {
     match n {
         f64::INFINITY => "∞".into(),

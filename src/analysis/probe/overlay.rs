@@ -1,7 +1,7 @@
 //! The vectors of the illumination equation at a probed point, over a picture.
 //!
-//! A probe and its scene come in; out goes an [`Overlay`]: arrows, arcs, handles and labels with their places in pixels,
-//! which can be read, tested or drawn.
+//! Input is a probe and its scene, output an [`Overlay`]: arrows, arcs, handles and labels with their positions in
+//! pixels, which can be read, tested or drawn.
 
 mod equation;
 mod lights;
@@ -28,7 +28,7 @@ const UNIT_LENGTH: f64 = 0.19;
 ///
 /// # Guarantees
 ///
-/// Labels lie inside the picture and do not overlap; one that finds no room is left out. All coordinates are finite.
+/// Labels lie inside the picture and do not overlap; one that does not fit is left out. All coordinates are finite.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Overlay {
     /// The vectors at the point.
@@ -39,14 +39,14 @@ pub struct Overlay {
     pub lights: Vec<LightHandle>,
     /// The letters of vectors and angles.
     pub labels: Vec<Label>,
-    /// Each with its own halos, the later over the earlier.
+    /// Drawings with their own halos, the later over the earlier.
     drawings: Vec<Drawing>,
     style: Style,
 }
 
-/// Draws the overlay of `probe` on `pixmap`, which holds a picture of `scene` or nothing yet. The camera is fitted to the
-/// pixmap's size, so a picture may be drawn larger or smaller than the scene says. Where the probe met nothing only the
-/// lights are drawn.
+/// Draws the overlay of `probe` on `pixmap`, which holds a picture of `scene` or nothing yet. The camera is fitted to
+/// the pixmap's size, so that a picture may be larger or smaller than the scene specifies. Where the probe hit
+/// nothing, only the lights are drawn.
 pub fn draw_overlay(
     pixmap: &mut PixmapMut<'_>,
     scene: &Scene,
@@ -95,7 +95,7 @@ impl Overlay {
             .as_ref()
             .and_then(|equation| equation.side_view(picture, &sketch, options));
         if let Some(equation) = equation {
-            // Below everything else, and no obstacle to letters: the lobe fills the middle of the drawing.
+            // Below everything else, and no obstacle to letters, since the lobe fills the middle of the drawing.
             overlay
                 .drawings
                 .push(style.drawing(equation.lobe(&sketch, scene, &options.layers)));

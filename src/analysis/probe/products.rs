@@ -1,8 +1,8 @@
-//! The terms of the equation as products of numbers: which factors stand in each, and what they are at this pixel.
+//! The terms of the equation as products of numbers: their factors, and the values of these at this pixel.
 //!
 //! Where the equation is evaluated at the pixel, every factor is known. Where a term is a sum, over the vertices of a
-//! polygon or over the points of an area light, the factors that differ from one summand to the next are taken together:
-//! what is shown for them is their mean, by which the product is exact again.
+//! polygon or over the points of an area light, the factors that differ from one summand to the next are combined:
+//! their displayed value is their mean, which makes the product exact again.
 
 use super::digits::triple;
 use super::{LightTerms, ProbeHit};
@@ -13,16 +13,16 @@ use crate::scene::{
 };
 use crate::text;
 
-/// Some factors with their product, per channel.
+/// Factors with their product, per channel.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TermColumn {
     /// Formulas with the letters in braces; see [`plain_formula`](super::plain_formula).
     pub factors: Vec<&'static str>,
     /// Their product, linear.
     pub values: Rgb,
-    /// Whether it is a mean over several evaluations.
+    /// True if it is a mean over several evaluations.
     pub mean: bool,
-    /// Whether it is added to what stands before, not multiplied.
+    /// True if it is added to the preceding columns instead of multiplied.
     pub added: bool,
 }
 
@@ -36,12 +36,12 @@ impl TermColumn {
         }
     }
 
-    /// The factors in letters, side by side.
+    /// Returns the factors in letters, side by side.
     pub fn formula(&self) -> String {
         self.factors.concat()
     }
 
-    /// What they come to, in a sentence.
+    /// Describes the values in a sentence.
     pub fn words(&self) -> String {
         let values = triple(self.values);
         match (self.factors.len() == 1, self.mean) {
@@ -53,39 +53,39 @@ impl TermColumn {
     }
 }
 
-/// A term: columns that make its value.
+/// A term as columns whose product is its value.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Product {
-    /// From left to right.
+    /// The columns from left to right.
     pub columns: Vec<TermColumn>,
     /// The product of the columns, linear.
     pub value: Rgb,
 }
 
-/// The scene and what its probe has hit.
+/// The scene and its probe's hit.
 #[derive(Clone, Copy, Debug)]
 pub struct Here<'a> {
     /// The scene.
     pub scene: &'a Scene,
-    /// What the probe's pixel shows.
+    /// The hit that the probe's pixel shows.
     pub hit: &'a ProbeHit,
 }
 
 /// One light of [`Here`].
 #[derive(Clone, Copy, Debug)]
 pub struct LightHere<'a> {
-    /// The point that it shines on.
+    /// The point that the light shines on.
     pub here: Here<'a>,
-    /// Its place in the scene's list.
+    /// Index in the scene's list.
     pub index: usize,
     /// The light.
     pub source: &'a Light,
-    /// What it does there.
+    /// The light's terms there.
     pub terms: &'a LightTerms,
 }
 
 impl<'a> Here<'a> {
-    /// Whether the equation is evaluated at the pixel itself.
+    /// Returns whether the equation is evaluated at the pixel itself.
     pub fn at_pixel(self) -> bool {
         matches!(
             self.scene.shading.mode,
@@ -93,12 +93,12 @@ impl<'a> Here<'a> {
         )
     }
 
-    /// Whether intensities fade where the equation is evaluated, which is not at the pixel.
+    /// Returns whether intensities fade at the points where the equation is evaluated instead of at the pixel.
     pub fn fades_at_points(self) -> bool {
         self.scene.depth_cueing.by == CuedBy::Vertex && !self.at_pixel()
     }
 
-    /// The lights in their order.
+    /// Returns the lights in their order.
     pub fn lights(self) -> impl Iterator<Item = LightHere<'a>> {
         let pairs = self.scene.lights.iter().zip(&self.hit.lights).enumerate();
         pairs.map(move |(index, (source, terms))| LightHere {
@@ -109,7 +109,7 @@ impl<'a> Here<'a> {
         })
     }
 
-    /// Od, where it is one colour for all evaluations.
+    /// Returns Od, if it is one colour for all evaluations.
     fn od(self) -> Option<Rgb> {
         if self.scene.pattern.kind == PatternKind::None {
             Some(self.scene.material.color)
@@ -119,7 +119,7 @@ impl<'a> Here<'a> {
         }
     }
 
-    /// `Ka·Od·Ia`.
+    /// Returns the ambient term, `Ka·Od·Ia`.
     pub fn ambient(self) -> Product {
         let (ka, ia) = (self.scene.material.ka, self.scene.ambient.color);
         let od = TermColumn {
@@ -137,7 +137,7 @@ impl<'a> Here<'a> {
         }
     }
 
-    /// `(1 − Kt)·Irefl + Kt·Itrans`, where light comes through the surface.
+    /// Returns `(1 − Kt)·Irefl + Kt·Itrans`, where light comes through the surface.
     pub fn mixture(self) -> Option<Product> {
         let (through, kt) = (self.hit.transmission?, self.scene.transparency.kt);
         let columns = vec![
@@ -155,7 +155,7 @@ impl<'a> Here<'a> {
         })
     }
 
-    /// `s0·I + (1 − s0)·Idc`, where the depth is cued.
+    /// Returns `s0·I + (1 − s0)·Idc`, where the depth is cued.
     pub fn fading(self) -> Option<Product> {
         let (cue, intensity, mean) = (self.hit.cue?, self.hit.intensity, self.fades_at_points());
         let kept = if mean {
@@ -184,12 +184,12 @@ impl<'a> Here<'a> {
 }
 
 impl LightHere<'_> {
-    /// Whether the light's terms are products at the pixel, and no sums.
+    /// Returns whether the light's terms are products at the pixel instead of sums.
     pub fn is_one_product(self) -> bool {
         self.here.at_pixel() && self.source.kind != LightKind::Area
     }
 
-    /// Whether f can differ from 1.
+    /// Returns whether f can differ from 1.
     pub fn attenuates(self) -> bool {
         match self.source.attenuation {
             Attenuation::None => false,
@@ -200,7 +200,7 @@ impl LightHere<'_> {
         }
     }
 
-    /// N·L after the policy for surfaces turned away.
+    /// Returns N·L according to the policy for surfaces turned away.
     pub fn facing(self) -> f64 {
         match self.here.scene.reflection.backfacing {
             Backfacing::Clamp => self.terms.n_dot_l.max(0.0),
@@ -208,12 +208,12 @@ impl LightHere<'_> {
         }
     }
 
-    /// Whether N has been turned about towards the light.
+    /// Returns whether N has been flipped towards the light.
     pub fn turned(self) -> bool {
         self.terms.n_dot_l < 0.0 && self.here.scene.reflection.backfacing == Backfacing::Flip
     }
 
-    /// S in letters.
+    /// Returns S in letters.
     pub fn lobe_letters(self) -> &'static str {
         match self.here.scene.reflection.model {
             ReflectionModel::Phong => "({R}·{V}){n}",
@@ -222,7 +222,7 @@ impl LightHere<'_> {
         }
     }
 
-    /// The factors besides the coefficients, which no channel has for itself, and their product.
+    /// Returns the factors besides the coefficients, which are common to all channels, and their product.
     fn strength(self) -> (Vec<&'static str>, f64) {
         let factors = [
             (self.attenuates(), "{f}", self.terms.attenuation),
@@ -240,7 +240,7 @@ impl LightHere<'_> {
         )
     }
 
-    /// `f·Ip·Kd·Od·(N·L)`.
+    /// Returns the diffuse term, `f·Ip·Kd·Od·(N·L)`.
     pub fn diffuse(self) -> Product {
         let (ip, kd, value) = (
             self.source.color,
@@ -272,7 +272,7 @@ impl LightHere<'_> {
         Product { columns, value }
     }
 
-    /// `f·Ip·Ks·Os·W·S`.
+    /// Returns the specular term, `f·Ip·Ks·Os·W·S`.
     pub fn specular(self) -> Product {
         let (material, value) = (&self.here.scene.material, self.terms.specular);
         let (mut factors, strength) = self.strength();
@@ -290,7 +290,7 @@ impl LightHere<'_> {
                 columns.push(TermColumn::new("{W}", self.terms.reflectance));
                 known *= self.terms.reflectance;
             }
-            // Not the product with f: where no light arrives that says nothing.
+            // Not the product with f, which says nothing where no light arrives.
             Rgb::splat(common(value, known * strength) * strength)
         } else if by_angle {
             factors.insert(0, "{W}");
@@ -307,7 +307,7 @@ impl LightHere<'_> {
         Product { columns, value }
     }
 
-    /// S, where the terms are products at the pixel.
+    /// Returns S, where the terms are products at the pixel.
     pub fn lobe(self) -> f64 {
         let material = &self.here.scene.material;
         let known =
@@ -315,7 +315,7 @@ impl LightHere<'_> {
         common(self.terms.specular, known * self.strength().1)
     }
 
-    /// `R·V` or `N·H`, the cosine in S.
+    /// Returns `R·V` or `N·H`, the cosine in S.
     pub fn lobe_cosine(self) -> f64 {
         let hit = self.here.hit;
         match self.here.scene.reflection.model {
@@ -326,7 +326,7 @@ impl LightHere<'_> {
     }
 }
 
-/// What each channel of `product` has besides `factors`; 0 where those are 0.
+/// Returns the quotient of `product` and `factors` for each channel; 0 where the factors are 0.
 fn quotient(product: Rgb, factors: Rgb) -> Rgb {
     Rgb::from_array([0, 1, 2].map(|c| {
         if factors[c] > 0.0 {
@@ -337,7 +337,8 @@ fn quotient(product: Rgb, factors: Rgb) -> Rgb {
     }))
 }
 
-/// What all channels of `product` have besides `factors`, from the channel that has it most precisely; 0 where none has.
+/// Returns the quotient of `product` and `factors` that all channels share, from the channel that has it most
+/// precisely; 0 where none has.
 fn common(product: Rgb, factors: Rgb) -> f64 {
     let best = (0..3)
         .max_by(|&a, &b| factors[a].total_cmp(&factors[b]))

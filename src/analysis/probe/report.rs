@@ -1,4 +1,4 @@
-//! What the probe says, and how it is asked.
+//! The probe's question and report.
 
 use super::digits::digits;
 use super::filled::FilledPart;
@@ -17,19 +17,19 @@ use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
-/// The equation at one pixel.
+/// The question for the equation at one pixel.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct ProbeQuestion {
-    /// (0, 0) top left; inside the picture.
+    /// The pixel inside the picture, with (0, 0) top left.
     pub pixel: [u32; 2],
 }
 
 /// The probe, with the error of each area light's points over the picture.
 #[derive(Clone, Debug)]
 pub struct Probed {
-    /// What the probe found.
+    /// The result of the probe.
     pub probe: Probe,
-    /// One for each light; none where it is no area light that shines.
+    /// Sampling error for each light; none unless it is an area light that shines.
     pub sampling: Vec<Option<SamplingError>>,
 }
 
@@ -51,7 +51,7 @@ impl Question for ProbeQuestion {
     }
 }
 
-/// The channels of a colour.
+/// Returns the names of the channels of a colour.
 pub fn channels() -> [&'static str; 3] {
     [
         text!("point-red"),
@@ -174,7 +174,7 @@ fn light_title(light: LightHere<'_>) -> String {
     )
 }
 
-/// The vectors and angles of a light that shines.
+/// Adds the vectors and angles of a light that shines.
 fn light_rows(section: &mut Section, light: LightHere<'_>) {
     if light.source.shines(light.here.scene.soloing()) {
         vectors(section, &light.vectors());
@@ -214,7 +214,7 @@ fn say(section: &mut Section, part: FilledPart) {
     }
 }
 
-/// A term's factors for each channel, and what they make.
+/// Returns the table of a term's factors and their product for each channel.
 fn product_table(product: &Product) -> Table {
     let mut columns = vec![Column::shown("", number)];
     for (index, column) in product.columns.iter().enumerate() {
@@ -283,7 +283,7 @@ fn vectors(section: &mut Section, rows: &[(Option<Vector>, &str, DVec3)]) {
     section.push(Part::Table(table));
 }
 
-/// Four decimals, or the scientific form where those say too little.
+/// Formats a number with four decimals, or in scientific form where those say too little.
 fn number(value: f64) -> String {
     let size = value.abs();
     if value == 0.0 || (1e-3..1e5).contains(&size) || !size.is_finite() {

@@ -1,4 +1,5 @@
-//! Why a light adds nothing at a pixel, found for each of its points and at each place where the equation is evaluated.
+//! Reasons why a light adds nothing at a pixel, found for each of its points and at each place where the equation is
+//! evaluated.
 
 use crate::illumination::{Equation, V3};
 use crate::render::Evaluation;
@@ -7,7 +8,7 @@ use crate::text;
 use glam::DVec3;
 use serde::{Serialize, Serializer};
 
-/// What makes a term 0. The first that holds everywhere is the one that is shown.
+/// A reason why a term is 0. The first that holds everywhere is the one shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ZeroCause {
@@ -33,7 +34,7 @@ pub enum ZeroCause {
     TooFaint,
 }
 
-/// Every cause in its order.
+/// All causes in their order.
 const CAUSES: [ZeroCause; 10] = [
     ZeroCause::Muted,
     ZeroCause::NotSoloed,
@@ -48,7 +49,7 @@ const CAUSES: [ZeroCause; 10] = [
 ];
 
 impl ZeroCause {
-    /// In a word or two.
+    /// Returns the cause in a word or two.
     fn short(self) -> &'static str {
         match self {
             Self::Muted => text!("point-zero-muted"),
@@ -63,7 +64,7 @@ impl ZeroCause {
         }
     }
 
-    /// In a clause, for a term whose coefficient is called `c`.
+    /// Returns the cause in a clause, for a term whose coefficient is called `c`.
     fn clause(self, c: &str) -> String {
         match self {
             Self::Muted => text!("point-zero-muted.why").to_owned(),
@@ -80,8 +81,8 @@ impl ZeroCause {
     }
 }
 
-/// Causes in their order: none where a term adds something, one that holds at all places where the equation is evaluated
-/// and for all points of the light, or several that hold at some each.
+/// Causes in their order: none where a term adds something, one that holds for all points of the light wherever the
+/// equation is evaluated, or several that each hold at some.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ZeroCauses(u16);
 
@@ -89,18 +90,18 @@ impl ZeroCauses {
     const NONE: Self = Self(0);
     const ALL: Self = Self(u16::MAX);
 
-    /// Those that hold, in their order.
+    /// Returns the causes that hold, in their order.
     pub fn iter(self) -> impl Iterator<Item = ZeroCause> {
         let holds = move |cause: &ZeroCause| self.0 & Self::from(*cause).0 != 0;
         CAUSES.into_iter().filter(holds)
     }
 
-    /// Whether none holds.
+    /// Returns whether no cause holds.
     pub fn is_empty(self) -> bool {
         self == Self::NONE
     }
 
-    /// The first alone.
+    /// Returns the first cause alone.
     pub(super) fn first(self) -> Self {
         Self(self.0 & self.0.wrapping_neg())
     }
@@ -111,12 +112,12 @@ impl ZeroCauses {
         }
     }
 
-    /// The first in a word or two.
+    /// Returns the first cause in a word or two.
     pub(super) fn short(self) -> Option<&'static str> {
         self.iter().map(ZeroCause::short).next()
     }
 
-    /// In a clause, for a term whose coefficient is called `coefficient`; nothing where there are none.
+    /// Returns the causes in a clause, for a term whose coefficient is called `coefficient`; none if there are none.
     pub(super) fn clauses(self, coefficient: &str) -> Option<String> {
         let clauses: Vec<_> = self.iter().map(|cause| cause.clause(coefficient)).collect();
         match &clauses[..] {
@@ -144,8 +145,8 @@ impl Serialize for ZeroCauses {
     }
 }
 
-/// Why the diffuse and the specular term of a light are 0, where they are; `values` are the terms. `all` has the sources of
-/// every light, `shining` those that the picture is shaded with, whose shadows are known.
+/// Finds why the diffuse and the specular term of a light are 0, where they are; `values` are the terms. `all` has
+/// the sources of every light, `shining` those that the picture is shaded with, whose shadows are known.
 pub(super) fn zero_causes(
     scene: &Scene,
     [all, shining]: [&Equation<f64>; 2],
@@ -197,7 +198,7 @@ pub(super) fn zero_causes(
     })
 }
 
-/// Why the diffuse and the specular term of a source of a light are 0 at a point with its normal.
+/// Finds why the diffuse and the specular term of a source of a light are 0 at a point with its normal.
 fn causes_at(
     scene: &Scene,
     equation: &Equation<f64>,
@@ -256,7 +257,7 @@ fn causes_at(
     })
 }
 
-/// Whether the highlight points away from the viewer, so that S is 0.
+/// Returns whether the highlight points away from the viewer, so that S is 0.
 fn misses_the_viewer(scene: &Scene, normal: DVec3, l: DVec3, v: DVec3) -> bool {
     let flips = scene.reflection.backfacing == Backfacing::Flip && normal.dot(l) < 0.0;
     let n = if flips { -normal } else { normal };

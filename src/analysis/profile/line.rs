@@ -1,5 +1,5 @@
-//! The places of a profile, equally spaced along the line and past its ends as far as an eye's surround reaches; and one mode's
-//! intensity at any of them.
+//! The places of a profile, equally spaced along the line and past its ends as far as an eye's surround reaches; and
+//! one mode's intensity at any of them.
 
 use crate::analysis::perception::{luminance, pixel_luminance};
 use crate::illumination::Equation;
@@ -9,17 +9,17 @@ use glam::DVec2;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-/// Samples to a pixel along the longer side of the line, and the length from which on there is one.
+/// Samples per pixel along the longer side of the line, and the length from which on there is one.
 const FINENESS: f64 = 4.0;
 const LONG: f64 = 4096.0;
-/// How far past its ends the line is followed, in widths of the surround.
+/// Distance past its ends to which the line is followed, in widths of the surround.
 const REACH: f64 = 6.0;
-/// Samples nearer to an end of the line than this share of their distance are that end.
+/// Share of their distance within which a sample counts as an end of the line.
 const SAME: f64 = 1e-9;
-/// Half the distance over which slopes are taken, pixels: short beside any polygon that is seen as one, long beside the
-/// roundings of double precision.
+/// Half the distance over which slopes are taken, pixels: short compared with any visible polygon, long compared with
+/// the rounding errors of double precision.
 const DELTA: f64 = 1.0 / 64.0;
-/// Ends of pieces nearer to each other than this share of the line are one place.
+/// Share of the line within which ends of pieces count as one place.
 const TOGETHER: f64 = 1e-9;
 
 /// A place of the line.
@@ -29,23 +29,24 @@ pub struct Sample {
     pub x: f64,
     /// Pixels from the picture's top.
     pub y: f64,
-    /// 0 at the line's beginning, 1 at its end.
+    /// Parameter along the line, 0 at its start and 1 at its end.
     pub t: f64,
 }
 
-/// A line through the picture. `t` runs from 0 to 1 between the ends asked for, and below and beyond them where it is followed
+/// A line through the picture. `t` runs from 0 to 1 between its ends, and below and beyond them where it is followed
 /// further.
 #[derive(Clone, Debug)]
 pub struct Line {
     ends: [DVec2; 2],
-    /// t of the first place that is followed, the step to the next, and how many there are.
+    /// t of the first place, the step to the next, and the number of places.
     first: f64,
     step: f64,
     count: usize,
 }
 
 impl Line {
-    /// The line between two places of a picture of `size`, followed for a surround of width `surround` pixels.
+    /// Creates the line between two places of a picture of `size`, followed for a surround of width `surround`
+    /// pixels.
     pub fn new(from: DVec2, to: DVec2, size: [u32; 2], surround: f64) -> Option<Self> {
         let along = to - from;
         let axis = usize::from(along.x.abs() < along.y.abs());
@@ -65,7 +66,7 @@ impl Line {
         let count = (last - first + 1.0).max(0.0) as usize;
         let ends = [from, to];
         if count == 0 {
-            // Shorter than a step: its ends alone.
+            // Shorter than a step: only its ends.
             return Some(Self {
                 ends,
                 first: 0.0,
@@ -81,17 +82,17 @@ impl Line {
         })
     }
 
-    /// Length between the ends, pixels.
+    /// Returns the length between the ends, pixels.
     fn length(&self) -> f64 {
         self.ends[0].distance(self.ends[1])
     }
 
-    /// Distance between samples, pixels.
+    /// Returns the distance between samples, pixels.
     pub fn spacing(&self) -> f64 {
         self.step * self.length()
     }
 
-    /// t between which the picture is followed.
+    /// Returns the range of t in which the picture is followed.
     #[expect(clippy::cast_precision_loss, reason = "fewer samples than 2⁵³")]
     fn span(&self) -> [f64; 2] {
         [
@@ -100,19 +101,19 @@ impl Line {
         ]
     }
 
-    /// The place at t, without a rounding at the ends.
+    /// Returns the place at t, without rounding errors at the ends.
     pub fn place(&self, t: f64) -> DVec2 {
         let [from, to] = self.ends;
         if t == 1.0 { to } else { from + (to - from) * t }
     }
 
-    /// t of all places that are followed.
+    /// Returns t of all places that are followed.
     #[expect(clippy::cast_precision_loss, reason = "fewer samples than 2⁵³")]
     fn followed(&self) -> impl Iterator<Item = f64> {
         (0..self.count).map(|k| self.first + self.step * k as f64)
     }
 
-    /// The samples between the ends, these included.
+    /// Returns the samples between the ends, inclusive.
     pub fn samples(&self) -> Vec<Sample> {
         let inner = self.followed().filter(|t| self.is_inner(*t));
         let all = std::iter::once(0.0).chain(inner).chain([1.0]);
@@ -126,8 +127,8 @@ impl Line {
         t > least && t < 1.0 - least
     }
 
-    /// Of values at all places that are followed those of [`Line::samples`]; an end's own where it is given, otherwise linear
-    /// between its neighbours.
+    /// Selects from values at all places those at [`Line::samples`]; the value of an end itself where given,
+    /// otherwise linear between its neighbours.
     pub fn within(&self, values: &[f64], ends: [Option<f64>; 2]) -> Vec<f64> {
         let between = |t: f64| {
             let at = ((t - self.first) / self.step).clamp(0.0, (self.count - 1) as f64);
@@ -152,7 +153,7 @@ impl Line {
     }
 }
 
-/// t between which the line is inside a picture.
+/// Returns the range of t in which the line is inside a picture.
 fn in_picture(from: DVec2, along: DVec2, size: DVec2) -> (f64, f64) {
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
     for axis in 0..2 {
@@ -174,10 +175,10 @@ pub struct Source<'a> {
     equation: Equation<f64>,
     background: f64,
     size: [u32; 2],
-    /// What the line sees, by t.
+    /// Pieces that the line sees, by t.
     pieces: Vec<Piece>,
     true_surface: bool,
-    /// Luminance of the pixels, where more than the equation makes them up.
+    /// Luminance of the pixels, if contributions beyond the equation enter them.
     pixels: Option<Vec<f64>>,
 }
 
@@ -214,13 +215,13 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// The values wherever the line is followed.
+    /// Returns the values at all places of the line.
     pub fn values(&self) -> Vec<(f64, f64)> {
         let places: Vec<f64> = self.line.followed().collect();
         places.into_par_iter().map(|t| self.value(t)).collect()
     }
 
-    /// The value at t; at a joint that of the piece after it.
+    /// Returns the value at t; at a joint that of the piece after it.
     pub fn value(&self, t: f64) -> (f64, f64) {
         let after = self.pieces.partition_point(|piece| piece.from <= t);
         let piece = after
@@ -232,7 +233,7 @@ impl<'a> Source<'a> {
         if let (Some(piece), None) = (piece, &self.pixels) {
             (from, to) = (from.max(piece.from), to.min(piece.to));
         } else if self.true_surface && self.pixels.is_none() {
-            // A difference that crosses the outline would be no slope.
+            // A difference across the outline would not be a slope.
             let sees = |t: f64| self.renderer.evaluation_at(self.place(t), None).is_some();
             let seen = sees(t);
             (from, to) = (
@@ -252,7 +253,7 @@ impl<'a> Source<'a> {
         )
     }
 
-    /// Where, between the line's ends, one piece ends and another or the background begins.
+    /// Returns the joints between the line's ends, where one piece ends and another or the background begins.
     pub fn joints(&self) -> Vec<(f64, [Option<&Piece>; 2])> {
         let before = std::iter::once(None).chain(self.pieces.iter().map(Some));
         let after = self.pieces.iter().map(Some).chain([None]);
@@ -264,13 +265,13 @@ impl<'a> Source<'a> {
                 left.into_iter().chain(right).collect()
             }
         });
-        // Where what is followed begins or ends on the object there is no border.
+        // Where the followed line begins or ends on the object there is no border.
         let [low, high] = self.line.span();
         let inside = (low + TOGETHER).max(0.0)..=(high - TOGETHER).min(1.0);
         joints.filter(|(t, _)| inside.contains(t)).collect()
     }
 
-    /// The values on both sides of a joint at t.
+    /// Returns the values on both sides of a joint at t.
     pub fn sides(&self, t: f64, sides: [Option<&Piece>; 2]) -> [(f64, f64); 2] {
         let delta = DELTA / self.line.length();
         let side = |piece: Option<&Piece>, way: f64| {
@@ -287,7 +288,7 @@ impl<'a> Source<'a> {
         [side(sides[0], -1.0), side(sides[1], 1.0)]
     }
 
-    /// The place at t, kept inside the picture.
+    /// Returns the place at t, clamped to the picture.
     fn place(&self, t: f64) -> DVec2 {
         self.line.place(t).clamp(
             DVec2::ZERO,
@@ -306,7 +307,7 @@ impl<'a> Source<'a> {
     }
 }
 
-/// Linear between the centres of pixels; beyond the outermost ones their value goes on.
+/// Interpolates linearly between the centres of pixels; beyond the outermost ones their value continues.
 fn bilinear(pixels: &[f64], [width, height]: [u32; 2], place: DVec2) -> f64 {
     let split = |at: f64, side: u32| {
         let at = (at - 0.5).clamp(0.0, f64::from(side.saturating_sub(1)));

@@ -1,5 +1,5 @@
-//! A profile over its own picture: the line, ticks where polygons meet, and the intensity as a curve above the line. And a
-//! picture of what is perceived.
+//! A profile over its own picture: the line, ticks at the edges between polygons, and the intensity as a curve above
+//! the line. Also a picture of the perceived brightness.
 
 use super::{Profile, Trace};
 use crate::analysis::overlay::{OverlayOptions, Style};
@@ -11,15 +11,15 @@ use crate::scene::{Rgb, Scene};
 use glam::DVec2;
 use tiny_skia::PixmapMut;
 
-/// Greatest width of the surround in pixels for a whole picture: beyond, its time would grow without bound.
+/// Maximum width of the surround in pixels for a whole picture: beyond, the time would grow without bound.
 pub const PERCEIVED_WIDTH: f64 = 256.0;
 /// Height of an intensity of 1 above the line, in the picture's shorter side.
 const HEIGHT: f64 = 0.3;
 /// Length of a tick to either side of the line, in letters.
 const TICK: f64 = 0.3;
-/// Ticks nearer to each other than this are left out, in letters.
+/// Minimum distance between ticks, in letters; ticks nearer to each other are left out.
 const GAP: f64 = 0.25;
-/// Of the perceived response, in widths.
+/// Dashes of the perceived response, in widths.
 const DASHES: &[f32] = &[3.5, 2.2];
 
 /// A profile laid out over its picture, pixels.
@@ -27,7 +27,7 @@ const DASHES: &[f32] = &[3.5, 2.2];
 pub struct ProfileCurves {
     /// Ends of the line.
     pub ends: [DVec2; 2],
-    /// Where polygons meet on it, from one side to the other.
+    /// Ticks at the edges between polygons, each from one side of the line to the other.
     pub ticks: Vec<[DVec2; 2]>,
     /// The intensity, above the line.
     pub intensity: Vec<DVec2>,
@@ -35,9 +35,9 @@ pub struct ProfileCurves {
     pub perceived: Vec<DVec2>,
 }
 
-/// Lays the profile of one mode out over a picture whose shorter side has `side` pixels and whose letters are `em` pixels
-/// large. The curves stand on the line's left as one goes along it from right to left, so that they are above a level line;
-/// an intensity of 1 is three tenths of the shorter side.
+/// Lays out the profile of one mode over a picture whose shorter side has `side` pixels and whose letters are `em`
+/// pixels large. The curves lie to the left of the line traversed from right to left, so that they are above a
+/// horizontal line; an intensity of 1 is three tenths of the shorter side.
 pub fn lay_out_profile(
     profile: &Profile,
     trace: &Trace,
@@ -47,7 +47,7 @@ pub fn lay_out_profile(
     let ends =
         [profile.samples.first()?, profile.samples.last()?].map(|end| DVec2::new(end.x, end.y));
     let along = (ends[1] - ends[0]).normalize_or(DVec2::X);
-    // Above the line whichever way it is gone along.
+    // Above the line in either direction of travel.
     let across = if along.x < 0.0 {
         along.perp()
     } else {
@@ -108,14 +108,14 @@ pub fn draw_profile(
     marks.extend(ends.map(|end| Shape::disc(end, 1.6 * style.line, style.neutral)));
     marks.push(Shape::line(intensity, style.line, colour));
     let seen = thin(perceived).dashed(DASHES);
-    // Below, so that it shows where it departs.
+    // Drawn below, so that it shows where it departs.
     style.drawing(vec![seen]).draw(pixmap);
     style.drawing(marks).draw(pixmap);
 }
 
-/// The response over the whole picture, as a picture: each pixel's colour is multiplied by the ratio of the response to its
-/// luminance. A black pixel has no colour and becomes a grey; what is negative is black. Beyond the picture's edge its last
-/// pixels go on.
+/// Computes a picture of the response over the whole picture: each pixel's colour is multiplied by the ratio of the
+/// response to its luminance. A black pixel has no colour and becomes grey; negative values become black. Beyond the
+/// picture's edge its last pixels continue.
 pub fn perceived_picture(
     renderer: &mut Renderer,
     scene: &Scene,

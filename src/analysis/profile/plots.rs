@@ -1,4 +1,5 @@
-//! A profile as plots: intensity with perceived brightness, the slope, and the difference of perceived and actual.
+//! A profile as plots: intensity with perceived brightness, the slope, and the difference between perceived and
+//! actual brightness.
 
 use super::{Border, Profile, ProfileQuestion, Sample, Trace};
 use crate::analysis::perception::ResponseModel;
@@ -6,27 +7,28 @@ use crate::figure::{Axis, Curve, Dash, Ink, Plot, PlotKind};
 use crate::scene::{Choice, ShadingMode};
 use crate::text::text;
 
-/// Room below and above the curves, in their height.
+/// Padding below and above the curves, in their height.
 const PADDING: f64 = 0.06;
-/// Slopes below this, per pixel, are 0: over a thousand pixels they make less than a code value.
+/// Slope per pixel below which it counts as 0: over a thousand pixels it makes less than a code value.
 const CONSTANT: f64 = 1e-6;
-/// How far from the object's outline values set the scale of a plot: at the outline the intensity jumps, which would hide all
-/// the rest. For slopes in pixels; for the perceived brightness in widths of the surround.
+/// Minimum distance from the object's outline of values that set the scale of a plot: at the outline the intensity
+/// jumps, which would flatten the rest. For slopes in pixels; for the perceived brightness in widths of the surround.
 const CLEAR: [f64; 2] = [2.0, 4.0];
-/// Without polygons no outline is known. Slopes grow beyond all bounds there, and this share of them may lie off the plot.
+/// Share of the slopes that may lie off the plot where no outline is known, since there are no polygons: there slopes
+/// grow without bound.
 const OFF: f64 = 0.02;
 
-/// What the axis of x measures.
+/// The quantity on the x axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Abscissa {
     /// The distance along the line, pixels.
     Distance,
-    /// x in the picture between two places, pixels. It is for lines that are level.
+    /// x in the picture between two places, pixels, for horizontal lines.
     PictureX([f64; 2]),
 }
 
 impl Abscissa {
-    /// Where a share t of the line lies on the axis.
+    /// Returns the axis value at parameter t of the line.
     pub fn at(self, profile: &Profile, t: f64) -> f64 {
         match self {
             Self::Distance => t * profile.length,
@@ -37,7 +39,7 @@ impl Abscissa {
         }
     }
 
-    /// Which share t of the line lies at x.
+    /// Returns the parameter t of the line at axis value x.
     pub fn share(self, profile: &Profile, x: f64) -> f64 {
         match self {
             Self::Distance => x / profile.length,
@@ -48,21 +50,21 @@ impl Abscissa {
         }
     }
 
-    /// Whether the axis runs against the line.
+    /// Returns whether the axis runs against the line.
     fn reversed(self, profile: &Profile) -> bool {
         let [from, to] = ends(profile);
         self != Self::Distance && to < from
     }
 }
 
-/// x of the line's ends.
+/// Returns x of the line's ends.
 fn ends(profile: &Profile) -> [f64; 2] {
     let x = |sample: Option<&Sample>| sample.map_or(0.0, |sample| sample.x);
     [x(profile.samples.first()), x(profile.samples.last())]
 }
 
-/// The plots of a report: for each mode its intensity with the perceived brightness, on the same scale for all; then the
-/// slopes, and perceived minus actual, of all modes together.
+/// Returns the plots of a report: for each mode its intensity with the perceived brightness, on the same scale for
+/// all; then the slopes, and perceived minus actual, of all modes together.
 pub fn profile_plots(profile: &Profile, request: &ProfileQuestion) -> Vec<Plot> {
     let sheet = Sheet::new(profile, Abscissa::Distance, true);
     let y = sheet.intensity_axis(&profile.traces.iter().collect::<Vec<_>>());
@@ -81,20 +83,20 @@ pub fn profile_plots(profile: &Profile, request: &ProfileQuestion) -> Vec<Plot> 
     panels.chain(others).collect()
 }
 
-/// A view that is about one mode.
+/// A view of one mode among others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Compared {
-    /// The mode whose curve stands out from the others.
+    /// The mode whose curve is emphasised.
     pub own: ShadingMode,
-    /// What the plot's x is.
+    /// The quantity on the x axis.
     pub abscissa: Abscissa,
-    /// Whether it is marked where polygons meet.
+    /// True to mark the edges between polygons.
     pub edges: bool,
-    /// Whether the mode's perceived brightness is beside its intensity.
+    /// True to show the mode's perceived brightness beside its intensity.
     pub perceived: bool,
 }
 
-/// The plots of such a view: intensity, slope, and perceived minus actual, each with the curves of all modes.
+/// Returns the plots of such a view: intensity, slope, and perceived minus actual, each with the curves of all modes.
 pub fn compared_plots(profile: &Profile, request: &ProfileQuestion, view: Compared) -> [Plot; 3] {
     let sheet = Sheet::new(profile, view.abscissa, view.edges);
     let own = Some(view.own);
@@ -114,7 +116,7 @@ pub fn compared_plots(profile: &Profile, request: &ProfileQuestion, view: Compar
 struct Sheet<'a> {
     profile: &'a Profile,
     abscissa: Abscissa,
-    /// Where polygons meet on the line; not the diagonals within polygons.
+    /// Edges between polygons on the line, without the diagonals within polygons.
     edges: Vec<&'a Border>,
     marked: bool,
 }
@@ -132,7 +134,7 @@ impl<'a> Sheet<'a> {
         }
     }
 
-    /// The range of all intensities, and of what is perceived of those of `seen`.
+    /// Returns the axis for the range of all intensities, and of the perceived brightness of those of `seen`.
     fn intensity_axis(&self, seen: &[&Trace]) -> Axis {
         let actual = self
             .profile
@@ -165,7 +167,7 @@ impl<'a> Sheet<'a> {
         plot
     }
 
-    /// Where slopes are 0 within polygons: by how much the intensity jumps between them.
+    /// Plots the jumps of intensity between polygons, where slopes are 0 within them.
     fn jumps(&self, own: Option<ShadingMode>) -> Plot {
         let traces = self.profile.traces.iter();
         let sign = if self.abscissa.reversed(self.profile) {
@@ -235,8 +237,8 @@ impl<'a> Sheet<'a> {
         plot
     }
 
-    /// The values of curves at least so many pixels away from where the line enters or leaves the object; all where nothing is
-    /// that far away.
+    /// Returns the values of curves at least so many pixels away from where the line enters or leaves the object; all
+    /// if nothing is that far away.
     fn away_from_outline(&self, pixels: f64, curves: &[Curve]) -> Vec<f64> {
         let outline: Vec<f64> = self
             .edges
@@ -273,7 +275,7 @@ impl<'a> Sheet<'a> {
         }
     }
 
-    /// A curve for each mode; that of `own` stands out, or all do.
+    /// Returns a curve for each mode; that of `own` is emphasised, or all are.
     fn curves(&self, own: Option<ShadingMode>, values: impl Fn(&Trace) -> Vec<f64>) -> Vec<Curve> {
         let traces = self.profile.traces.iter();
         traces
@@ -311,7 +313,7 @@ impl<'a> Sheet<'a> {
         }
     }
 
-    /// Points in the order of the axis.
+    /// Returns points in the order of the axis.
     fn ordered(&self, mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
         if self.abscissa.reversed(self.profile) {
             points.reverse();
@@ -320,7 +322,7 @@ impl<'a> Sheet<'a> {
     }
 }
 
-/// How a mode's curve is broken, so that it is known without its colour; the one that stands out is solid.
+/// Returns the dash pattern of a mode's curve, which identifies it without colour; the emphasised one is solid.
 pub fn mode_dash(mode: ShadingMode, stands_out: bool) -> Dash {
     match mode {
         _ if stands_out => Dash::Solid,
@@ -336,7 +338,7 @@ fn axis(name: &str, [low, high]: [f64; 2]) -> Axis {
     Axis::new(name, low - PADDING * (high - low), high)
 }
 
-/// Least and greatest value but for the share `off` at either end. Equal ones get room on both sides.
+/// Returns the minimum and maximum without the share `off` at either end. Equal ones are padded on both sides.
 fn bounds(mut values: Vec<f64>, off: f64) -> [f64; 2] {
     values.retain(|value| value.is_finite());
     values.sort_by(f64::total_cmp);

@@ -1,13 +1,14 @@
-//! Fields of CSV (RFC 4180) with text that anybody may have written: other programs read it back, and a spreadsheet takes none of it for
+//! Fields of CSV (RFC 4180) for arbitrary text: other programs can read it back, and no spreadsheet interprets it as
 //! a formula.
 
 use crate::text::turns;
 
-/// What begins a formula; East Asian keyboards have the wide ones, which spreadsheets take as well.
+/// Characters that begin a formula; spreadsheets also accept the wide ones of East Asian keyboards.
 const FORMULA: [char; 8] = ['=', '+', '-', '@', '＝', '＋', '－', '＠'];
 
-/// What separates cells for some spreadsheet beside the comma, which a field's quotation marks are for: in countries that write 0,5 the
-/// semicolon. Such a spreadsheet knows no quotation mark in the middle of what it takes for a cell.
+/// Separators of cells for some spreadsheets other than the comma, against which a field's quotation marks protect:
+/// in countries that write 0,5 the semicolon. Such a spreadsheet does not recognise a quotation mark in the middle of
+/// what it considers a cell.
 const SEPARATORS: [char; 4] = [';', '\t', '\r', '\n'];
 
 /// Returns a text as a field.
@@ -24,7 +25,7 @@ pub fn field(text: &str) -> String {
     }
 }
 
-/// Returns what may be a cell, with an apostrophe before what a spreadsheet would take for a formula.
+/// Returns a possible cell, with an apostrophe before anything that a spreadsheet would interpret as a formula.
 fn without_formula(cell: &str) -> String {
     let unseen = |c: char| {
         c.is_whitespace()
@@ -33,7 +34,7 @@ fn without_formula(cell: &str) -> String {
             || matches!(c, '\u{ad}' | '\u{180e}' | '\u{200b}'..='\u{200d}' | '\u{2060}'..='\u{2064}' | '\u{feff}')
     };
     let formula = cell.trim_start_matches(unseen).starts_with(FORMULA) && !is_numbers(cell);
-    // Some take a tab or a carriage return at the start for the start of a formula.
+    // Some spreadsheets take a leading tab or carriage return for the start of a formula.
     if formula || cell.starts_with(['\t', '\r']) {
         format!("'{cell}")
     } else {
@@ -41,7 +42,7 @@ fn without_formula(cell: &str) -> String {
     }
 }
 
-/// Returns whether a cell is a number or several, each of which may be missing: `-`.
+/// Returns whether a cell is one or more numbers, each of which may be missing: `-`.
 fn is_numbers(cell: &str) -> bool {
     cell.split_whitespace()
         .all(|word| word == "-" || word.parse::<f64>().is_ok())

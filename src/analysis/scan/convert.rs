@@ -1,5 +1,5 @@
-//! The conversion itself: the polygon with what its corners carry, the edge table, active edges, crossings, spans and their
-//! pixels.
+//! The conversion itself: the polygon with the values at its corners, the edge table, active edges, crossings, spans
+//! and their pixels.
 
 use super::{
     Carried, Crossing, Rule, Scan, ScanCorner, ScanEdge, ScanError, ScanLine, ScanPixel, ScanSpan,
@@ -13,15 +13,16 @@ use serde::Serialize;
 
 /// Rows and columns left free on each side of the polygon.
 const MARGIN: f64 = 1.0;
-/// Widths of polygons in their heights that are shown as they are. Others are stretched to the nearest of them, along with
-/// their pixels, which changes neither α nor any value.
+/// Bounds of the ratio of width to height at which polygons are shown undistorted. Others are stretched to the nearer
+/// bound, along with their pixels, which changes neither α nor any value.
 const SHAPES: [f64; 2] = [0.5, 1.6];
-/// Polygons whose area is less than this part of the square of their extent are lines but for roundings.
+/// Ratio of a polygon's area to the square of its extent below which it is a line up to rounding.
 const EDGE_ON: f64 = 1e-10;
 
-/// Scans face `face` of `scene`, drawing the scene first if it is not the picture last drawn, in a grid of `rows` rows.
+/// Scans face `face` of `scene`, drawing the scene first if it is not the picture last drawn, in a grid of `rows`
+/// rows.
 ///
-/// Light that rays bring to pixels is left out: the intensity is the equation's own, at corners with their shadows.
+/// Light that rays bring to pixels is omitted: the intensity is the equation's own, at corners with their shadows.
 pub fn scan(
     renderer: &mut Renderer,
     scene: &Scene,
@@ -32,7 +33,7 @@ pub fn scan(
     scan_drawn(renderer, scene, face, rows)
 }
 
-/// The same as [`scan`] for the picture last drawn, which is `scene`'s.
+/// Scans like [`scan`] in the picture last drawn, which is `scene`'s.
 pub(crate) fn scan_drawn(
     renderer: &Renderer,
     scene: &Scene,
@@ -56,7 +57,7 @@ pub(crate) fn scan_drawn(
     }
 }
 
-/// The same in any grid, which need not be about the face.
+/// Scans like [`scan`] in any grid, which need not be about the face.
 pub fn scan_in_grid(
     renderer: &Renderer,
     scene: &Scene,
@@ -67,21 +68,22 @@ pub fn scan_in_grid(
     Ok(convert(polygon, &shading, grid))
 }
 
-/// Enlarged pixels: (0, 0) is the top left one, the centre of (x, y) is (x + 0.5, y + 0.5).
+/// A grid of enlarged pixels: (0, 0) is the top left one, the centre of (x, y) is (x + 0.5, y + 0.5).
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Grid {
-    /// Pixels in a row.
+    /// Number of pixels in a row.
     pub columns: u32,
-    /// Rows.
+    /// Number of rows.
     pub rows: u32,
-    /// Pixels of the grid to one of the picture, across and down; the same unless the polygon is very long.
+    /// Pixels of the grid per pixel of the picture, across and down; equal unless the polygon is very long.
     pub scale: DVec2,
-    /// The place of the picture that is the grid's corner, pixels.
+    /// Position of the grid's corner in the picture, pixels.
     pub origin: DVec2,
 }
 
 impl Grid {
-    /// A grid of `rows` rows in whose middle a polygon is as large as fits; nothing for one that is seen edge-on.
+    /// Returns a grid of `rows` rows in whose middle a polygon is as large as fits; none for one that is seen
+    /// edge-on.
     fn around(corners: &[ScanCorner], rows: u32) -> Option<Self> {
         let places = || corners.iter().map(|corner| corner.place);
         let (min, max) = places().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(a, b), p| {
@@ -110,36 +112,37 @@ impl Grid {
         })
     }
 
-    /// Columns and rows.
+    /// Returns the number of columns and rows.
     pub fn size(&self) -> DVec2 {
         DVec2::new(f64::from(self.columns), f64::from(self.rows))
     }
 
-    /// A place of the grid in the picture, pixels.
+    /// Converts a place of the grid to one of the picture, pixels.
     pub fn to_picture(&self, place: DVec2) -> DVec2 {
         place / self.scale + self.origin
     }
 
-    /// A place of the picture in the grid.
+    /// Converts a place of the picture to one of the grid.
     pub fn from_picture(&self, pixel: DVec2) -> DVec2 {
         (pixel - self.origin) * self.scale
     }
 }
 
-/// What gives the polygon's pixels their intensities.
+/// Data for the intensities of the polygon's pixels.
 struct Shading {
     /// The corners, world.
     points: Vec<DVec3>,
-    /// The triangles that the polygon is drawn as, by the numbers of its corners.
+    /// The triangles as which the polygon is drawn, by the numbers of its corners.
     triangles: Vec<[usize; 3]>,
     orthographic: bool,
     equation: Equation<f64>,
     encoding: Encoding,
-    /// What the display divides intensities by.
+    /// Divisor of the display for intensities.
     divisor: f64,
 }
 
-/// Face `face` of `scene`, which `renderer` has drawn last, before it is converted: its corners lie in the picture itself.
+/// Returns face `face` of `scene`, which `renderer` has drawn last, before conversion: its corners are in picture
+/// coordinates.
 fn seen(renderer: &Renderer, scene: &Scene, face: u32) -> Result<(Scan, Shading), ScanError> {
     let polygon = renderer
         .polygon(face)
@@ -161,7 +164,7 @@ fn seen(renderer: &Renderer, scene: &Scene, face: u32) -> Result<(Scan, Shading)
         ShadingMode::Interpolated | ShadingMode::Gouraud => Carried::Intensity,
         ShadingMode::Phong | ShadingMode::Exact => Carried::Normal,
     };
-    // Intensities at points fade where they are found.
+    // Intensities at points fade where they are computed.
     let cued = renderer
         .plan()
         .is_some_and(|plan| plan.cued == Cued::AtPoints);
@@ -228,7 +231,7 @@ fn seen(renderer: &Renderer, scene: &Scene, face: u32) -> Result<(Scan, Shading)
 }
 
 impl Shading {
-    /// The intensity of a pixel that was given `value` and sees the point `position`.
+    /// Returns the intensity of a pixel that was given `value` and sees the point `position`.
     fn intensity(&self, scan: &Scan, value: DVec3, position: DVec3) -> Rgb {
         if scan.carried != Carried::Normal {
             return value;
@@ -241,18 +244,18 @@ impl Shading {
         self.equation.illuminate_world(position, normal, None)
     }
 
-    /// The stored value of an intensity.
+    /// Returns the stored value of an intensity.
     fn stored(&self, intensity: Rgb) -> [u8; 3] {
         let [r, g, b, _] = stored_pixel(intensity / self.divisor, self.encoding);
         [r, g, b]
     }
 
-    /// The point seen at a place of the grid, world, and the value there by barycentric weights: on the polygon's triangle that
-    /// holds the place; of a place on the border beside all of them on the one that it leaves least. Nothing for a polygon
-    /// without area.
+    /// Returns the point seen at a place of the grid, world, and the value there by barycentric weights: on the
+    /// polygon's triangle that contains the place; for a place on the border outside all of them, on the triangle
+    /// that it is least outside of. Returns none for a polygon without area.
     ///
-    /// Weights in space are those in the picture over the depths, made to add up to 1 again (Blinn 1992). The depths of an
-    /// orthographic picture do not enter.
+    /// Weights in space are those in the picture over the depths, normalised to add up to 1 again (Blinn 1992). The
+    /// depths of an orthographic picture do not enter.
     fn barycentric(&self, scan: &Scan, place: DVec2) -> Option<[DVec3; 2]> {
         let corners = &scan.corners;
         let weighted = self.triangles.iter().filter_map(|&triangle| {
@@ -325,14 +328,14 @@ fn convert(mut scan: Scan, shading: &Shading, grid: Grid) -> Scan {
     scan
 }
 
-/// The first of `count` pixels whose centre is not before `place`.
+/// Returns the first of `count` pixels whose centre is not before `place`.
 fn first_centre(place: f64, count: u32) -> u32 {
-    // The cast is of a number within 0 and `count`; what is none becomes 0.
+    // The number cast is between 0 and `count`; NaN becomes 0.
     (place - 0.5).ceil().clamp(0.0, f64::from(count)) as u32
 }
 
-/// Edges by their upper ends, those of one height from left to right. Level ones are not among them: no scan line crosses
-/// them.
+/// Returns the edges sorted by their upper ends, those of one height from left to right. Horizontal edges are
+/// omitted, since no scan line crosses them.
 fn edge_table(corners: &[ScanCorner]) -> Vec<ScanEdge> {
     let count = corners.len();
     let mut edges: Vec<ScanEdge> = (0..count)
@@ -418,7 +421,7 @@ fn scan_line(scan: &Scan, shading: &Shading, y: u32) -> ScanLine {
     }
 }
 
-/// `(1 − α)·a + α·b`; of what is the same everywhere just that.
+/// Computes `(1 − α)·a + α·b`; a value that is constant is returned unchanged.
 fn mix(alpha: f64, a: DVec3, b: DVec3, carried: Carried) -> DVec3 {
     if carried == Carried::Constant {
         a

@@ -1,7 +1,8 @@
-//! The scan line in slow motion, drawn: enlarged pixels, the polygon's outline, P and Q with their shares of the edges.
+//! Drawing of the scan line in slow motion: enlarged pixels, the polygon's outline, P and Q with their shares of the
+//! edges.
 //!
-//! A scan and one of its steps come in, a [`Drawing`] comes out. The part α of an edge or of a span, from its first end to
-//! what is found on it, is thick and yellow; the rest, 1−α, is thick in the colour of text.
+//! Input is a scan and one of its steps, output a [`Drawing`]. The part α of an edge or of a span, from its first end
+//! to the point found on it, is thick and yellow; the rest, 1−α, is thick in the colour of text.
 
 use super::{Crossing, Scan, ScanLevel, ScanPoint, corner_name};
 use crate::figure::palette::{ALPHA, Rgb8, readable};
@@ -10,20 +11,21 @@ use crate::scene::{Choice, ShadingMode};
 use crate::text::text;
 use glam::DVec2;
 
-/// Room for letters about the outermost corners, in ems: for α at the sides, for the corners' names above and below.
+/// Margins for letters about the outermost corners, in ems: for α at the sides, for the corners' names above and
+/// below.
 const LETTERED: DVec2 = DVec2::new(2.5, 1.9);
-/// Polygons of more corners have letters at their active edges only.
+/// Number of corners beyond which only a polygon's active edges are lettered.
 const MOST_LETTERS: usize = 12;
 /// Width of the column beside a wide figure, in ems, and height of the formulas below a narrow one.
 const COLUMN: DVec2 = DVec2::new(19.5, 33.0);
-/// Of the scan line, in widths.
+/// Dashes of the scan line, in widths.
 const LINE_DASHES: &[f32] = &[4.0, 3.0];
-/// Least length of a part of an edge that is lettered, in ems.
+/// Minimum length of a lettered part of an edge, in ems.
 const LETTERED_PART: f64 = 1.5;
-/// Pixels larger than this, in ems, leave room for every share.
+/// Size of pixels, in ems, above which every share fits.
 const ROOMY: f64 = 1.2;
 
-/// The room that the picture of `scan` takes in a width, no higher than `tallest`.
+/// Returns the size of the picture of `scan` in a width, no taller than `tallest`.
 pub fn scan_room(scan: &Scan, width: f64, tallest: f64, style: &PlotStyle) -> DVec2 {
     let grid = scan.grid.size();
     let cell = (width - 2.0 * pad(width / grid.x, style.text).x) / grid.x;
@@ -33,13 +35,14 @@ pub fn scan_room(scan: &Scan, width: f64, tallest: f64, style: &PlotStyle) -> DV
     )
 }
 
-/// Room beside and above a grid whose pixels are so large: its free rows and columns hold a part of the letters.
+/// Returns the margins beside and above a grid with pixels of that size: its free rows and columns hold a part of the
+/// letters.
 fn pad(cell: f64, em: f64) -> DVec2 {
     (LETTERED * em - cell).max(DVec2::splat(0.3 * em))
 }
 
-/// Draws `scan` at step `step` in a room of `size`. With a title there is also a column beside or below the picture with the
-/// formulas filled in.
+/// Draws `scan` at step `step` in an area of `size`. With a title there is also a column beside or below the picture
+/// with the formulas filled in.
 pub fn lay_out_scan(scan: &Scan, step: usize, size: DVec2, style: &PlotStyle) -> Drawing {
     let mut drawing = Drawing::new(size, style.paper.ground);
     let mut room = Area {
@@ -87,7 +90,7 @@ pub fn lay_out_scan(scan: &Scan, step: usize, size: DVec2, style: &PlotStyle) ->
     sheet.drawing
 }
 
-/// Title, and the column of what has been found; returns the room that is left for the picture.
+/// Draws the title and the column of results so far; returns the area left for the picture.
 fn draw_column(
     drawing: &mut Drawing,
     scan: &Scan,
@@ -147,7 +150,7 @@ fn draw_column(
         drawing.texts.push(heading);
         for line in lines {
             at.y += 1.28 * em;
-            // What stands behind a tabulator begins at the same place in every line.
+            // Text after a tabulator begins at the same place in every line.
             for (text, indent) in line.split('\t').zip([0.0, em]) {
                 drawing.texts.push(Text::new(
                     text,
@@ -190,7 +193,7 @@ fn draw_column(
     rest
 }
 
-/// The picture while it is drawn: where the grid lies on it, and where labels stand.
+/// The picture being drawn: the position of the grid, and the areas of the labels.
 struct Sheet<'a> {
     scan: &'a Scan,
     point: ScanPoint<'a>,
@@ -201,24 +204,24 @@ struct Sheet<'a> {
     room: Area,
     em: f64,
     paper: Paper,
-    /// The colour of the share α.
+    /// Colour of the share α.
     alpha: Rgb8,
     drawing: Drawing,
     taken: Vec<Area>,
 }
 
 impl Sheet<'_> {
-    /// Where a place of the grid is drawn.
+    /// Returns the position of a place of the grid in the drawing.
     fn at(&self, place: DVec2) -> DVec2 {
         self.origin + place * self.cell
     }
 
-    /// Where a place of the scan line is drawn.
+    /// Returns the position of a place of the scan line in the drawing.
     fn on_line(&self, x: f64) -> DVec2 {
         self.at(DVec2::new(x, self.point.line.at()))
     }
 
-    /// The square of a pixel.
+    /// Returns the square of a pixel.
     fn square(&self, [x, y]: [u32; 2]) -> Area {
         let min = self.at(DVec2::new(f64::from(x), f64::from(y)));
         Area {
@@ -227,27 +230,27 @@ impl Sheet<'_> {
         }
     }
 
-    /// The ends of an edge, the upper one first.
+    /// Returns the ends of an edge, the upper one first.
     fn ends(&self, edge: usize) -> [DVec2; 2] {
         self.scan.edges[edge]
             .corners
             .map(|corner| self.at(self.scan.corners[corner].place))
     }
 
-    /// A line, its width in ems.
+    /// Draws a line, its width in ems.
     fn line(&mut self, points: Vec<DVec2>, width: f64, colour: Rgb8) {
         self.drawing
             .shapes
             .push(Shape::line(points, width * self.em, colour));
     }
 
-    /// A line set off from what it crosses.
+    /// Draws a line set off from the lines that it crosses.
     fn cased(&mut self, points: Vec<DVec2>, width: f64, colour: Rgb8) {
         self.line(points.clone(), width + 0.16, self.paper.ground);
         self.line(points, width, colour);
     }
 
-    /// A dot set off from what it lies on, its radii in ems.
+    /// Draws a dot set off from its background, its radii in ems.
     fn dot(&mut self, at: DVec2, [outer, inner]: [f64; 2], colour: Rgb8) {
         for (radius, colour) in [(outer, self.paper.ground), (inner, colour)] {
             self.drawing
@@ -256,8 +259,9 @@ impl Sheet<'_> {
         }
     }
 
-    /// Text, its size in ems, with its middle at the first of `places` where it stands clear of other labels, on a patch of the
-    /// ground and inside the room; at none where there is no such place, or at the first one all the same if it `must`.
+    /// Draws text, its size in ems, centred at the first of `places` where it overlaps no other label, on a patch of
+    /// the background and inside the area. If there is no such place it is omitted, or at the first place if it
+    /// `must` appear.
     fn label(&mut self, text: String, colour: Rgb8, size: f64, places: &[DVec2], must: bool) {
         let size = size * self.em;
         let text = Text::new(text, DVec2::ZERO, size, colour).bold();
@@ -295,7 +299,7 @@ impl Sheet<'_> {
         }
     }
 
-    /// The line through the centres of its pixels, with a dot at each centre.
+    /// Draws the line through the centres of its pixels, with a dot at each centre.
     fn scan_line(&mut self) {
         let columns = self.scan.grid.columns;
         let ends = [0.0, f64::from(columns)].map(|x| self.on_line(x)).to_vec();
@@ -319,7 +323,7 @@ impl Sheet<'_> {
         }
     }
 
-    /// The edges that the line crosses, those of the present span divided in the ratio α : 1−α.
+    /// Draws the edges that the line crosses, those of the current span divided in the ratio α : 1−α.
     fn active_edges(&mut self) {
         let point = self.point;
         for &edge in &point.line.active {
@@ -335,7 +339,7 @@ impl Sheet<'_> {
         }
     }
 
-    /// The way from P to the present pixel and on to Q, and the pixel.
+    /// Draws the line from P to the current pixel and on to Q, and the pixel.
     fn span(&mut self) {
         let ScanPoint {
             p: Some(p),
@@ -358,7 +362,7 @@ impl Sheet<'_> {
         self.dot(here, [0.3, 0.2], self.alpha);
     }
 
-    /// P and Q, the corners, and α beside what it divides, in the order in which they take their places.
+    /// Letters P and Q, the corners, and α beside the parts that it divides, in the order in which they are placed.
     fn letters(&mut self) {
         let point = self.point;
         if let Some(pixel) = point.pixel {
@@ -373,7 +377,7 @@ impl Sheet<'_> {
         for (letter, side, crossing) in found() {
             let at = self.on_line(crossing.x);
             self.dot(at, [0.42, 0.3], self.alpha);
-            // Clear of the edge's upper part, which is the one that matters.
+            // Clear of the edge's upper part, which is the important one.
             let leans = side * (self.scan.edges[crossing.edge].x_top - crossing.x) > 0.0;
             let rise = if leans { 0.85 } else { -0.85 };
             let beside =
@@ -431,22 +435,23 @@ impl Sheet<'_> {
         }
     }
 
-    /// α and 1−α beside the two parts of an edge.
+    /// Letters α and 1−α beside the two parts of an edge.
     fn edge_shares(&mut self, crossing: &Crossing, side: f64) {
         let [top, bottom] = self.ends(crossing.edge);
         let at = self.on_line(crossing.x);
         let along = (bottom - top).normalize_or_zero();
-        // Outwards, as far as the label's own extent asks.
+        // Outwards, as far as the label's own extent requires.
         let outwards = DVec2::new(side * along.y, -side * along.x);
         let aside = outwards * (1.75 * outwards.x.abs() + 0.95 * outwards.y.abs()) * self.em;
         self.share([top, at], aside, crossing.alpha, true);
-        // Once pixels are shaded, small pictures have no room for more than α.
+        // Once pixels are shaded, small pictures have space for α only.
         if self.point.pixel.is_none() || self.cell > ROOMY * self.em {
             self.share([at, bottom], aside, 1.0 - crossing.alpha, false);
         }
     }
 
-    /// The number of a part, beside its middle or on its other side, where it is long enough and nothing else is there.
+    /// Draws the number of a part, beside its middle or on its other side, if the part is long enough and the place
+    /// is free.
     fn share(&mut self, [from, to]: [DVec2; 2], aside: DVec2, value: f64, alpha: bool) {
         if from.distance(to) < LETTERED_PART * self.em {
             return;

@@ -1,4 +1,4 @@
-//! The scan of one polygon: how it is asked, and what it says in words and numbers, with its formulas filled in.
+//! The question for the scan of one polygon, and its report in words and numbers with the formulas filled in.
 
 use super::{
     Carried, Crossing, Rule, Scan, ScanLine, ScanPixel, ScanSpan, corner_name, face_at,
@@ -15,39 +15,39 @@ use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
-/// Ems to the width and to the height of a figure: its column of formulas must fit.
+/// Width and height of a figure in ems: its column of formulas must fit.
 const EMS: DVec2 = DVec2::new(48.0, 37.0);
-/// Of polygons with more edges the table holds the active ones alone.
+/// Number of edges beyond which a polygon's table holds only the active ones.
 const MOST_EDGES: usize = 64;
 
-/// One polygon, step by step.
+/// The question for one polygon, step by step.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct ScanQuestion {
-    /// By its index in the mesh; otherwise the polygon at the pixel.
+    /// Index of the polygon in the mesh; without one, the polygon at the pixel.
     pub face: Option<u32>,
-    /// Otherwise the clearest one.
+    /// The pixel; without one, the clearest pixel.
     pub pixel: Option<[u32; 2]>,
     /// Rows of enlarged pixels.
     pub rows: u32,
-    /// Where it is looked at.
+    /// The stop at which the scan is shown.
     pub stop: Stop,
 }
 
-/// Where the scan is looked at.
+/// The stop at which a scan is shown.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Stop {
-    /// At the pixel asked for, or one in the middle.
+    /// The requested pixel, or one in the middle.
     #[default]
     Pixel,
-    /// At the step of this number, from 0.
+    /// The step of this number, from 0.
     Step(usize),
-    /// At the end of a row of the grid.
+    /// The end of a row of the grid.
     Line(u32),
-    /// At the end of the conversion.
+    /// The end of the conversion.
     Last,
 }
 
-/// A scan, and the step that is looked at.
+/// A scan, and the step that is shown.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ScanStop {
     /// The step, from 0.
@@ -102,7 +102,7 @@ impl Question for ScanQuestion {
 }
 
 impl Answer for ScanStop {
-    /// The edge table, and the scan line of the step with all its pixels.
+    /// Returns the edge table, and the scan line of the step with all its pixels.
     fn report(&self, _: &About<'_>) -> Report {
         let scan = &self.scan;
         let line = scan.at(self.step).line;
@@ -136,7 +136,7 @@ impl Answer for ScanStop {
         report
     }
 
-    /// The pixels, a row each.
+    /// Returns the table of pixels, one per row.
     fn table(&self) -> Option<Table> {
         let columns = "y,x,p_x,q_x,alpha_p,alpha_q,alpha,value_r,value_g,value_b,barycentric_r,barycentric_g,barycentric_b";
         let mut table = Table::new(columns.split(',').map(Column::key));
@@ -191,33 +191,33 @@ impl Answer for ScanStop {
     }
 }
 
-/// How P, Q or a pixel is found: one linear interpolation, with its numbers.
+/// The computation of P, Q or a pixel: one linear interpolation, with its numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mix<'a> {
-    /// `P on P₁P₂`, `Pixel (3, 4)`.
+    /// Name, such as `P on P₁P₂` or `Pixel (3, 4)`.
     pub name: String,
-    /// `P`, `Q`, or nothing for the pixel.
+    /// The point in the formula: `P`, `Q`, or nothing for the pixel.
     pub of: &'static str,
-    /// The two points between which it lies, α = 0 first.
+    /// Names of the two points between which it lies, α = 0 first.
     pub ends: [String; 2],
-    /// Coordinates of the first point, of what is found, and of the second one: y on an edge, x on the scan line.
+    /// Coordinates of the first point, of the result, and of the second point: y on an edge, x on the scan line.
     pub places: [f64; 3],
-    /// x of what is found, pixels of the grid.
+    /// x of the result, pixels of the grid.
     pub x: f64,
-    /// The part of the way from the first point to the second, 0 to 1.
+    /// The share of the distance from the first point to the second, 0 to 1.
     pub alpha: f64,
-    /// What is interpolated, at the two points.
+    /// The interpolated values at the two points.
     pub values: [DVec3; 2],
-    /// What comes of it.
+    /// The result.
     pub value: DVec3,
-    /// As stored in a picture, where it is an intensity.
+    /// The result as stored in a picture, if it is an intensity.
     pub stored: Option<[u8; 3]>,
     /// The pixel that it is for; none for P and Q.
     pub pixel: Option<&'a ScanPixel>,
 }
 
 impl Mix<'_> {
-    /// What it is, and what α says there.
+    /// Describes the point and the meaning of α there.
     pub fn definition(&self) -> String {
         let [from, to] = &self.ends;
         match self.of {
@@ -227,7 +227,7 @@ impl Mix<'_> {
         }
     }
 
-    /// `α = (y − y₁) / (y₂ − y₁)`: y on an edge, x on the scan line.
+    /// Formats the formula of α, `α = (y − y₁) / (y₂ − y₁)`: y on an edge, x on the scan line.
     pub fn alpha_formula(&self) -> String {
         if self.of.is_empty() {
             return "α = (x − x(P)) / (x(Q) − x(P))".to_owned();
@@ -236,7 +236,7 @@ impl Mix<'_> {
         format!("α = (y − y({from})) / (y({to}) − y({from}))")
     }
 
-    /// `α = (7.50 − 2.00) / (14.00 − 2.00) = 0.458`.
+    /// Formats α with its numbers, `α = (7.50 − 2.00) / (14.00 − 2.00) = 0.458`.
     pub fn alpha_text(&self) -> String {
         let [from, here, to] = self.places.map(|place| number(place, 2));
         format!(
@@ -245,7 +245,7 @@ impl Mix<'_> {
         )
     }
 
-    /// `I(P) = (1−α)·I(P₁) + α·I(P₂)`.
+    /// Formats the interpolation, `I(P) = (1−α)·I(P₁) + α·I(P₂)`.
     pub fn formula(&self, letter: &str) -> String {
         let [a, b] = &self.ends;
         let of = if self.of.is_empty() {
@@ -256,7 +256,7 @@ impl Mix<'_> {
         format!("{letter}{of} = (1−α)·{letter}({a}) + α·{letter}({b})")
     }
 
-    /// The formula with the numbers of one component.
+    /// Formats the interpolation with the numbers of one component.
     pub fn row(&self, component: usize) -> String {
         let bracketed = |value: f64| {
             let text = number(value, 4);
@@ -274,7 +274,7 @@ impl Mix<'_> {
         )
     }
 
-    /// Everything that is said of it, a line each; a component's name ends at a tabulator.
+    /// Returns all of its lines; a component's name ends at a tabulator.
     pub fn lines(&self, scan: &Scan) -> Vec<String> {
         let mut lines = vec![self.alpha_text()];
         if scan.carried == Carried::Constant {
@@ -301,7 +301,7 @@ impl Mix<'_> {
 }
 
 impl Carried {
-    /// What is interpolated, in words.
+    /// Describes the interpolated quantity.
     pub fn words(self) -> &'static str {
         match self {
             Self::Constant => text!("line-scan-constant"),
@@ -310,7 +310,7 @@ impl Carried {
         }
     }
 
-    /// The letter of what is carried.
+    /// Returns the letter of the interpolated quantity.
     pub const fn letter(self) -> &'static str {
         if matches!(self, Self::Normal) {
             "N"
@@ -319,7 +319,7 @@ impl Carried {
         }
     }
 
-    /// What its three components are called.
+    /// Returns the names of its three components.
     pub const fn components(self) -> [&'static str; 3] {
         if matches!(self, Self::Normal) {
             ["x", "y", "z"]
@@ -330,7 +330,7 @@ impl Carried {
 }
 
 impl Rule {
-    /// In words.
+    /// Returns its name.
     pub fn name(self) -> &'static str {
         match self {
             Self::Affine => text!("line-scan-affine"),
@@ -340,12 +340,12 @@ impl Rule {
 }
 
 impl Scan {
-    /// The name of an edge by its corners, the upper one first.
+    /// Returns the name of an edge by its corners, the upper one first.
     pub fn edge_name(&self, edge: usize) -> String {
         self.edges[edge].corners.map(corner_name).concat()
     }
 
-    /// The names of the edges that a line crosses.
+    /// Returns the names of the edges that a line crosses.
     pub fn active_edges(&self, line: &ScanLine) -> String {
         line.active
             .iter()
@@ -354,7 +354,7 @@ impl Scan {
             .join(", ")
     }
 
-    /// What has been found up to a step on its scan line: P, Q and the pixel.
+    /// Returns the results up to a step on its scan line: P, Q and the pixel.
     pub fn found(&self, step: usize) -> Vec<Mix<'_>> {
         let point = self.at(step);
         let crossings = [("P", point.p), ("Q", point.q)].into_iter();
@@ -399,7 +399,7 @@ impl Scan {
         }
     }
 
-    /// What stands at a step, in a phrase.
+    /// Describes a step in a phrase.
     pub fn caption(&self, step: usize) -> String {
         let line = self.at(step).line;
         match self.found(step).pop() {
@@ -413,7 +413,8 @@ impl Scan {
         }
     }
 
-    /// How a pixel comes to its intensity from an interpolated normal, a line each; nothing where intensities are interpolated.
+    /// Returns the lines that explain how a pixel gets its intensity from an interpolated normal; none where
+    /// intensities are interpolated.
     pub fn intensity_words(&self, pixel: &ScanPixel) -> Vec<String> {
         if self.carried != Carried::Normal {
             return Vec::new();
@@ -429,7 +430,7 @@ impl Scan {
         ]
     }
 
-    /// What has been found up to a step, with what barycentric interpolation gives the pixel.
+    /// Returns the table of results up to a step, with the pixel's value by barycentric interpolation.
     pub fn found_table(&self, step: usize) -> Table {
         let [a, b, c] = self.carried.components();
         let value = |head| Column::shown(head, |value| number(value, 3));
@@ -465,7 +466,7 @@ impl Scan {
         table
     }
 
-    /// The edges, those that are active at a step marked.
+    /// Returns the table of edges, those that are active at a step marked.
     pub fn edge_table(&self, step: usize) -> Table {
         let active = &self.at(step).line.active;
         let columns = [
@@ -498,10 +499,10 @@ impl Scan {
     }
 }
 
-/// A number with so many decimals and a true minus sign.
+/// Formats a number with a fixed number of decimals and a true minus sign.
 fn number(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
-    // What rounds to nothing has no sign.
+    // A number that rounds to zero has no sign.
     let zero = text
         .trim_start_matches('-')
         .chars()

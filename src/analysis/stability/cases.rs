@@ -1,5 +1,5 @@
-//! The catalogue: stiff and extreme cases, each a scene that the naive renderer, the engine and the reference all draw.
-//! What they are called and what goes wrong in them is in the catalogue of text, by their names.
+//! The catalogue of stiff and extreme cases, each a scene that the naive renderer, the engine and the reference all
+//! draw. Their titles and explanations are in the catalogue of text, keyed by their names.
 
 use super::precise::{Precise, precise};
 use super::reference::Truth;
@@ -13,7 +13,7 @@ use crate::scene::{
 use Topic::{Cosines, Geometry, Highlight, Lights, Vectors};
 use glam::{DVec3, Vec2};
 
-/// Sides of the pictures, pixels: odd, so that one pixel's centre is the picture's.
+/// Side of the pictures, pixels: odd, so that one pixel's centre is the picture's.
 pub const SIDE: u32 = 129;
 
 /// All cases, by topic.
@@ -53,7 +53,7 @@ pub const CASES: &[Case] = &[
         .with(|scene| {
             scene.reflection.model = ReflectionModel::CookTorrance;
             scene.material.roughness = 1e-3;
-            // The peak is as 1/m².
+            // The peak is proportional to 1/m².
             scene.lights[0].color = Rgb::splat(5e-6);
         }),
     case("light-in-the-plane", Cosines).draws(|| {
@@ -136,7 +136,7 @@ pub const CASES: &[Case] = &[
     case("slivers", Geometry)
         .condition(1e8, "engine-condition-sliver")
         .draws(|| {
-            // In the planes of the polygons beside them.
+            // In the planes of the adjacent polygons.
             let (width, slope) = (1e-8, 0.25);
             let tip = |x: f64| [x * (0.875 + width), 0.0, -width * slope];
             let corners = [
@@ -201,7 +201,7 @@ pub const CASES: &[Case] = &[
         .pictures(critical),
 ];
 
-/// A scene of one light and polygons that the eye sees from (0, 0, 4).
+/// Returns a scene of one light and polygons that the eye sees from (0, 0, 4).
 fn polygons(vertices: &[[f64; 3]], faces: &[&[u32]]) -> Scene {
     let mut scene = sphere();
     scene.object.kind = ObjectKind::Polygons;
@@ -214,7 +214,7 @@ fn polygons(vertices: &[[f64; 3]], faces: &[&[u32]]) -> Scene {
     scene
 }
 
-/// The unit sphere itself, of a material that makes nothing brighter than the display's white.
+/// Returns the unit sphere itself, of a material that makes nothing brighter than the display's white.
 fn sphere() -> Scene {
     let mut scene = Scene::default();
     scene.image.size = [SIDE; 2];
@@ -226,7 +226,7 @@ fn sphere() -> Scene {
     scene
 }
 
-/// The square −1 ≤ x, y ≤ 1 in the plane z = 0, facing the eye.
+/// Returns the square −1 ≤ x, y ≤ 1 in the plane z = 0, facing the eye.
 fn square() -> Scene {
     polygons(
         &[
@@ -239,7 +239,7 @@ fn square() -> Scene {
     )
 }
 
-/// A point light.
+/// Returns a point light.
 fn lamp(x: f64, y: f64, z: f64) -> Light {
     Light {
         position: DVec3::new(x, y, z),
@@ -247,7 +247,7 @@ fn lamp(x: f64, y: f64, z: f64) -> Light {
     }
 }
 
-/// A plane seen where the lobe is, which is about half as high as the picture whatever `n`.
+/// Returns a plane seen where the lobe is, which is about half as high as the picture whatever `n`.
 fn lobe(n: f64) -> Scene {
     let mut scene = square();
     scene.material.n = n;
@@ -258,7 +258,7 @@ fn lobe(n: f64) -> Scene {
     scene
 }
 
-/// The square with a vertex normal at each corner, given as a function of x and y.
+/// Returns the square with a vertex normal at each corner, given as a function of x and y.
 fn with_normals(normal: fn(f64, f64) -> DVec3) -> Scene {
     let mut scene = square();
     scene.object.vertex_normals = scene
@@ -271,14 +271,14 @@ fn with_normals(normal: fn(f64, f64) -> DVec3) -> Scene {
     scene
 }
 
-/// The square with a light near it.
+/// Returns the square with a light near it.
 fn near() -> Scene {
     let mut scene = square();
     scene.lights = vec![lamp(0.4, 0.3, 0.7)];
     scene
 }
 
-/// A floor and a wall at right angles, seen so that the picture's centre looks at the origin, on the floor.
+/// Returns a floor and a wall at right angles, seen so that the picture's centre shows the origin, on the floor.
 fn corner() -> Scene {
     let floor = [
         [-1.0, 0.0, 1.0],
@@ -297,7 +297,8 @@ fn corner() -> Scene {
     scene
 }
 
-/// A wall at z = −3 before an eye at (0, 0, 2), and a floor `floor` units above the eye, from z = −3 to `to`.
+/// Returns a wall at z = −3 in front of an eye at (0, 0, 2), and a floor `floor` units above the eye, from z = −3 to
+/// `to`.
 fn room(floor: f64, to: f64) -> Scene {
     let wall = [
         [-1.5, -0.7, -3.0],
@@ -318,7 +319,7 @@ fn room(floor: f64, to: f64) -> Scene {
     scene
 }
 
-/// A pyramid over a square, its point towards the eye.
+/// Returns a pyramid over a square, its apex towards the eye.
 fn pyramid() -> Scene {
     let corners = [
         [-1.0, -1.0, 0.0],
@@ -357,7 +358,7 @@ const CORNERS: [([f64; 2], f64); 6] = [
     ([92.5, 40.5], 1.0),
 ];
 
-/// The polygon as a scene whose pixels are world units and whose intensities are the normals' z.
+/// Returns the polygon as a scene whose pixels are world units and whose intensities are the normals' z.
 fn polygon() -> Scene {
     let half = f64::from(SIDE) / 2.0;
     let corners = CORNERS.map(|([x, y], _)| [x - half, half - y, 0.0]);
@@ -422,7 +423,7 @@ fn true_spans(background: [f64; 3]) -> Vec<Truth> {
             continue;
         };
         let (p, q) = if p[0] <= q[0] { (p, q) } else { (q, p) };
-        // Crossings at a pixel's centre come out of the division with a last bit that no longer says so.
+        // After the division, crossings at a pixel's centre have a wrong last bit.
         let ends = [p[0], q[0]].map(f64::from);
         for x in 0..SIDE {
             let centre = f64::from(x) + 0.5;
@@ -472,9 +473,9 @@ fn naive_spans(background: [f64; 3]) -> Vec<[f64; 3]> {
     pixels
 }
 
-/// Radians on either side of the critical angle, across the picture; η grows upwards.
+/// Radians on either side of the critical angle, across the picture; η increases upwards.
 const ANGLES: f64 = 2e-6;
-/// What cos θ₂ is multiplied by, to be seen.
+/// Factor that makes cos θ₂ visible.
 const GAIN: f64 = 300.0;
 
 fn critical(_: &mut Renderer) -> Pictures {
@@ -503,7 +504,7 @@ fn critical(_: &mut Renderer) -> Pictures {
     pictures
 }
 
-/// cos θ₂ by Snell's law, 0 where nothing is transmitted.
+/// Returns cos θ₂ by Snell's law, 0 where nothing is transmitted.
 fn true_cosine(angle: f64, eta: f64) -> f64 {
     let sine = precise(angle).sin_cos().0 / precise(eta);
     let rest = precise(1.0) - sine * sine;

@@ -1,4 +1,4 @@
-//! The results of cases as bytes: a case by its name, its pictures and its scene with it.
+//! Serialization of the results of cases: the name of the case, its pictures and its scene.
 
 use super::{CaseResult, stability_cases};
 use crate::analysis::{from_bytes, to_bytes};

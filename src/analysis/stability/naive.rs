@@ -1,8 +1,9 @@
-//! The naive way: what a first renderer does that follows the textbook line by line, in single precision.
+//! The naive renderer: a first renderer that follows the textbook line by line, in single precision.
 //!
-//! World coordinates go through one matrix, are divided by w without being clipped, and fill triangles by edge functions;
-//! normals are interpolated and divided by their length, the power is taken of the cosine, the intensity times 255 is cast
-//! to a byte. No line of it is wrong on an ordinary scene, where it agrees with the reference to about a code value.
+//! World coordinates go through one matrix, are divided by w without clipping, and fill triangles by edge functions;
+//! normals are interpolated and divided by their length, the power is taken of the cosine, and the intensity times
+//! 255 is cast to a byte. No line of it is wrong on an ordinary scene, where it agrees with the reference to about a
+//! code value.
 
 use crate::scene::{
     Attenuation, Light, LightKind, NormalSource, ObjectKind, Projection, ReflectionModel, Scene,
@@ -10,12 +11,12 @@ use crate::scene::{
 };
 use glam::{Vec2, Vec3, Vec4};
 
-/// Planes between which depths are kept, camera distances.
+/// Near and far plane of the depths that are kept, camera distances.
 const NEAR: f32 = 1e-3;
 const FAR: f32 = 1e3;
 
-/// Draws `scene`, whose object is polygons or, in exact mode, the sphere: linear intensities row by row from the top, which
-/// may be infinite or no number.
+/// Draws `scene`, whose object is polygons or, in exact mode, the sphere: linear intensities row by row from the top,
+/// which may be infinite or NaN.
 pub fn draw(scene: &Scene) -> Vec<[f32; 3]> {
     let [width, height] = scene.image.size;
     let background = scene.image.background.as_vec3().to_array();
@@ -49,7 +50,7 @@ struct Camera {
     /// World to clip coordinates, row by row.
     matrix: [Vec4; 4],
     size: Vec2,
-    /// Pixels to a unit of the picture's plane.
+    /// Pixels per unit of the picture's plane.
     scale: f32,
     perspective: bool,
 }
@@ -207,7 +208,7 @@ fn fill(
         let place = Vec2::new(x as f32 + 0.5, y as f32 + 0.5);
         let weight = |k: usize| (at[(k + 1) % 3] - place).perp_dot(at[(k + 2) % 3] - place) / area;
         let weights = [weight(0), weight(1), weight(2)];
-        // A weight that is no number is not below 0.
+        // A weight that is NaN is not below 0.
         if weights.iter().any(|w| *w < 0.0) {
             continue;
         }
@@ -236,7 +237,7 @@ fn fill(
     }
 }
 
-/// The nearest point of the unit sphere about the origin, by the school's formula.
+/// Returns the nearest point of the unit sphere about the origin, by the quadratic formula of school.
 fn sphere(origin: Vec3, direction: Vec3) -> Option<Vec3> {
     let (a, b, c) = (
         direction.dot(direction),
@@ -248,7 +249,7 @@ fn sphere(origin: Vec3, direction: Vec3) -> Option<Vec3> {
     (t > 0.0).then(|| origin + direction * t)
 }
 
-/// The equation at a point, N of any length.
+/// Evaluates the equation at a point, N of any length.
 fn illuminate(scene: &Scene, camera: &Camera, point: Vec3, normal: Vec3) -> [f32; 3] {
     let material = &scene.material;
     let n = unit(normal);
@@ -276,7 +277,7 @@ fn illuminate(scene: &Scene, camera: &Camera, point: Vec3, normal: Vec3) -> [f32
     sum.to_array()
 }
 
-/// `max(x, 0)` as a comparison makes it: what is no number stays so.
+/// Returns `max(x, 0)` by a comparison, which keeps NaN.
 fn positive(x: f32) -> f32 {
     if x < 0.0 { 0.0 } else { x }
 }
@@ -305,7 +306,7 @@ fn spot(light: &Light, l: Vec3) -> f32 {
     }
 }
 
-/// S, whether or not the surface faces the light.
+/// Returns S, whether or not the surface faces the light.
 fn factor(scene: &Scene, n: Vec3, l: Vec3, v: Vec3) -> f32 {
     let exponent = scene.material.n as f32;
     let power = |c: f32| if c > 0.0 { c.powf(exponent) } else { 0.0 };

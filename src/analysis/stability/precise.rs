@@ -14,12 +14,12 @@ pub struct Precise {
     lo: f64,
 }
 
-/// A double-double number of an `f64`, exactly.
+/// Converts an `f64` exactly.
 pub const fn precise(value: f64) -> Precise {
     Precise { hi: value, lo: 0.0 }
 }
 
-/// The sum of two numbers and its rounding error, of numbers of which the first is the greater.
+/// Returns the sum of two numbers with its rounding error; the first must be the larger in magnitude.
 fn quick_sum(a: f64, b: f64) -> Precise {
     let hi = a + b;
     Precise {
@@ -28,7 +28,7 @@ fn quick_sum(a: f64, b: f64) -> Precise {
     }
 }
 
-/// The sum of two numbers and its rounding error.
+/// Returns the sum of two numbers with its rounding error.
 fn sum(a: f64, b: f64) -> Precise {
     let hi = a + b;
     let part = hi - a;
@@ -38,7 +38,7 @@ fn sum(a: f64, b: f64) -> Precise {
     }
 }
 
-/// The product of two numbers and its rounding error.
+/// Returns the product of two numbers with its rounding error.
 fn product(a: f64, b: f64) -> Precise {
     let hi = a * b;
     Precise {
@@ -74,7 +74,7 @@ impl Precise {
         if other < self { other } else { self }
     }
 
-    /// eˣ: Taylor's series of x/512 after whole powers of 2 are taken out, squared nine times.
+    /// Computes eˣ: Taylor's series of x/512 after whole powers of 2 are taken out, squared nine times.
     pub fn exp(self) -> Self {
         const SQUARINGS: i32 = 9;
         let power = (self.hi / Self::LN_2.hi).round();
@@ -100,7 +100,8 @@ impl Precise {
         (less_one + precise(1.0)) * scale
     }
 
-    /// The natural logarithm of a positive number, by Newton's iteration; absolute error 10⁻³² times its size or 1.
+    /// Computes the natural logarithm of a positive number, by Newton's iteration; absolute error 10⁻³² times its
+    /// size or 1.
     pub fn ln(self) -> Self {
         let mut x = precise(self.hi.ln());
         for _ in 0..2 {
@@ -109,7 +110,7 @@ impl Precise {
         x
     }
 
-    /// Sine and cosine of an angle of at most a few radians, by Taylor's series.
+    /// Computes sine and cosine of an angle of at most a few radians, by Taylor's series.
     pub fn sin_cos(self) -> (Self, Self) {
         let mut sums = [precise(0.0); 2];
         let mut term = precise(1.0);
@@ -122,7 +123,7 @@ impl Precise {
         (sine, cosine)
     }
 
-    /// Degrees to radians.
+    /// Converts degrees to radians.
     pub fn to_radians(self) -> Self {
         self * Self::PI / precise(180.0)
     }
@@ -215,7 +216,7 @@ impl Precise3 {
         self.dot(self).sqrt()
     }
 
-    /// The unit vector; zero stays zero.
+    /// Returns the unit vector; zero stays zero.
     pub fn unit(self) -> Self {
         let length = self.length();
         if length > precise(0.0) {
@@ -264,7 +265,7 @@ impl Mul<Precise> for Precise3 {
 mod tests {
     use super::*;
 
-    /// Greatest relative error of `found` against `truth` over a few thousand numbers of all sizes.
+    /// Returns the maximum relative error of `found` against `truth` over a few thousand numbers of all sizes.
     fn worst(found: impl Fn(Precise) -> Precise, truth: impl Fn(Precise) -> Precise) -> f64 {
         let number = |i: i32| {
             (precise(f64::from(i)) + precise(0.37) / precise(7.0)) * 2.0_f64.powi(i % 60 - 30)

@@ -1,8 +1,8 @@
 //! The reference: a ray through each pixel's centre and the equation's own formulas, in double-double arithmetic.
 //!
-//! It shares no text with the engine. Cosines and powers are taken as the textbook writes them, which 106 bits afford: the
-//! power's error at n = 10¹² is below 10⁻¹⁸. What has no value by its formula has the value of the limit: a vector of
-//! length zero has no direction and is lit by nothing, and light that grazes the surface counts as none.
+//! It shares no code with the engine. Cosines and powers are computed as the textbook writes them, for which 106 bits
+//! suffice: the power's error at n = 10¹² is below 10⁻¹⁸. Where a formula has no value, the limit is used: a vector
+//! of length zero has no direction and is lit by nothing, and light that grazes the surface counts as none.
 
 use super::precise::{Precise, Precise3, precise};
 use crate::scene::{
@@ -12,17 +12,17 @@ use crate::scene::{
 use glam::DVec2;
 use rayon::prelude::*;
 
-/// What is nearer to the eye than this many camera distances is not seen, as in the engine.
+/// Minimum visible distance from the eye, in camera distances, as in the engine.
 const NEAR: f64 = 1e-3;
 
-/// Half the side of the square about a pixel's centre, pixels, in which the same polygon has to be seen everywhere: places of
-/// vertices are rounded to 1/256 of a pixel.
+/// Half the side of the square about a pixel's centre, pixels, in which the same polygon has to be visible
+/// everywhere: positions of vertices are rounded to 1/256 of a pixel.
 const CLEAR: f64 = 1.0 / 64.0;
 
 /// The vector of length zero.
 const NOTHING: Precise3 = Precise3([precise(0.0); 3]);
 
-/// What 106 bits leave of 0 after all that is done to a point: the height of a light over a tangent plane in camera
+/// Remainder of 0 in 106 bits after all operations on a point: the height of a light over a tangent plane in camera
 /// distances, or N·L of parallel rays.
 const ROUNDING: f64 = 1e-20;
 
@@ -31,7 +31,7 @@ const ROUNDING: f64 = 1e-20;
 pub struct Truth {
     /// Linear intensity before the display.
     pub color: [f64; 3],
-    /// Whether the pixel sees the same polygon all about its centre, so that its value is that of no outline.
+    /// True if the pixel sees the same polygon all about its centre, so that its value does not belong to an outline.
     pub clear: bool,
 }
 
@@ -55,9 +55,9 @@ struct Stage<'a> {
     right: Precise3,
     up: Precise3,
     forward: Precise3,
-    /// |target − eye|.
+    /// Camera distance, |target − eye|.
     distance: Precise,
-    /// Pixels to a unit of the picture's plane.
+    /// Pixels per unit of the picture's plane.
     scale: Precise,
 }
 
@@ -67,10 +67,10 @@ struct Triangle {
     normals: [Precise3; 3],
 }
 
-/// What a ray meets.
+/// A ray's intersection.
 struct Hit {
     face: usize,
-    /// In units of the ray's direction.
+    /// Distance in units of the ray's direction.
     t: Precise,
     normal: Precise3,
 }
@@ -127,7 +127,7 @@ impl<'a> Stage<'a> {
         Truth { color, clear }
     }
 
-    /// The nearest point that is seen at a place in the picture.
+    /// Returns the nearest visible point at a place in the picture.
     fn meet(&self, place: DVec2) -> Option<(Precise3, Hit)> {
         let [width, height] = self.scene.image.size.map(f64::from);
         let across = self.right * (precise(place.x - width / 2.0) / self.scale)
@@ -149,7 +149,7 @@ impl<'a> Stage<'a> {
         Some((origin + direction * hit.t, hit))
     }
 
-    /// `I = ka·Od·Ia + Σ f·Ip·(kd·Od·(N·L) + ks·S)`, per channel.
+    /// Computes `I = ka·Od·Ia + Σ f·Ip·(kd·Od·(N·L) + ks·S)`, per channel.
     fn illuminate(&self, point: Precise3, normal: Precise3) -> [f64; 3] {
         let scene = self.scene;
         let material = &scene.material;
@@ -211,7 +211,7 @@ impl<'a> Stage<'a> {
     }
 }
 
-/// `max(c, 0)^n` with 0⁰ = 1; at n = ∞ nothing but the axis itself remains.
+/// Computes `max(c, 0)^n` with 0⁰ = 1; at n = ∞ only the axis itself remains.
 fn power(c: Precise, n: f64) -> Precise {
     let zero = precise(0.0);
     if n == 0.0 {
@@ -234,7 +234,7 @@ fn power(c: Precise, n: f64) -> Precise {
     }
 }
 
-/// f at `d` world units from a light.
+/// Returns f at `d` world units from a light.
 fn attenuation(light: &Light, d: Precise) -> Precise {
     let one = precise(1.0);
     match light.attenuation {
@@ -248,7 +248,7 @@ fn attenuation(light: &Light, d: Precise) -> Precise {
     }
 }
 
-/// A spot light's part where −L·D is `cosine`: its power e within a hard edge (Warn 1983).
+/// Returns a spot light's factor where −L·D is `cosine`: its power e within a hard edge (Warn 1983).
 fn spot(light: &Light, cosine: Precise) -> Precise {
     let inside = || cosine >= precise(light.cone).to_radians().sin_cos().1;
     match light.kind {
@@ -259,7 +259,7 @@ fn spot(light: &Light, cosine: Precise) -> Precise {
 }
 
 impl Triangle {
-    /// The point of the triangle on a ray, beyond `nearest`; nothing where the ray runs in its plane.
+    /// Returns the point of the triangle on a ray, beyond `nearest`; none where the ray lies in its plane.
     fn meet(&self, origin: Precise3, direction: Precise3, nearest: Precise) -> Option<Hit> {
         let [a, b, c] = self.corners;
         let (e1, e2, from) = (b - a, c - a, origin - a);
@@ -291,7 +291,7 @@ impl Triangle {
     }
 }
 
-/// The nearest point of the unit sphere about the origin on a ray.
+/// Returns the nearest point of the unit sphere about the origin on a ray.
 fn sphere(origin: Precise3, direction: Precise3, nearest: Precise) -> Option<Hit> {
     let (a, b) = (direction.dot(direction), origin.dot(direction));
     let discriminant = b * b - a * (origin.dot(origin) - precise(1.0));
@@ -309,7 +309,7 @@ fn sphere(origin: Precise3, direction: Precise3, nearest: Precise) -> Option<Hit
     })
 }
 
-/// The scene's polygons as triangles with the normals that their corners carry.
+/// Returns the scene's polygons as triangles with the normals at their corners.
 fn triangles(scene: &Scene) -> Vec<Triangle> {
     let polygons = scene.object.polygons();
     let at = |v: u32| Precise3::new(polygons.vertices[v as usize]);

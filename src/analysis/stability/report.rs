@@ -1,4 +1,4 @@
-//! The catalogue of cases: how it is asked for, and what it says.
+//! The question for the catalogue of cases, and its report.
 
 use super::codec;
 use super::{CaseResult, HALF_A_CODE_VALUE, Verdict, case_pictures, stability, stability_cases};
@@ -15,17 +15,17 @@ use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 use std::sync::Arc;
 
-/// The stiff and extreme cases.
+/// The question for the stiff and extreme cases.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct StabilityQuestion {
-    /// Only these, by name; all where there is none.
+    /// Names of the cases to run; empty for all.
     pub cases: Vec<String>,
 }
 
-/// What became of the cases.
+/// The results of the cases.
 #[derive(Clone, Debug, Default)]
 pub struct Catalogue {
-    /// One for each case that has been run, in the catalogue's order.
+    /// One result for each case that has been run, in the catalogue's order.
     pub results: Vec<Arc<CaseResult>>,
 }
 
@@ -57,7 +57,7 @@ impl Question for StabilityQuestion {
 }
 
 impl CaseResult {
-    /// What is said of the case.
+    /// Adds the description of the case.
     pub fn describe(&self, section: &mut Section) {
         let (naive, engine) = (self.case.naive(), self.case.engine());
         section.line(text!("engine-says-naive", text = naive));
@@ -78,12 +78,12 @@ impl CaseResult {
     }
 }
 
-/// An error in code values: two decimals, as far as rounding to a stored pixel leaves any meaning.
+/// Formats an error in code values: two decimals, since rounding to a stored pixel makes more meaningless.
 fn error(value: f64) -> String {
     format!("{value:.2}")
 }
 
-/// A row for each case.
+/// Returns a table with a row for each case.
 fn rows(results: &[Arc<CaseResult>]) -> Table {
     Table::of(
         results,
@@ -152,7 +152,7 @@ impl Answer for Catalogue {
         Some(rows(&self.results))
     }
 
-    /// Each case as the naive renderer, the engine and the reference draw it.
+    /// Draws each case as the naive renderer, the engine and the reference draw it.
     fn figure(&self, _: &About<'_>, _: Option<[u32; 2]>, _: Paper) -> Option<Figure> {
         let results: Vec<CaseResult> = self
             .results
@@ -175,14 +175,14 @@ impl Answer for Catalogue {
     }
 }
 
-/// Pixels of the sheet to one of a picture.
+/// Pixels of the sheet per pixel of a picture.
 const SCALE: u32 = 2;
-/// Pixels between pictures, and about cases.
+/// Pixels between pictures, and around cases.
 const GAP: u32 = 10;
 const MARGIN: u32 = 24;
-/// Letters: pixels an em.
+/// Size of the letters, pixels an em.
 const EM: f64 = 21.0;
-/// Heights of the title above a case and of the words below it, pixels.
+/// Heights of the title above a case and of the text below it, pixels.
 const HEAD: u32 = 38;
 const FOOT: u32 = 32;
 const GROUND: [u8; 4] = [0x1C, 0x1D, 0x21, 255];
@@ -190,7 +190,8 @@ const WORDS: [u8; 3] = [0xF2; 3];
 const WEAK: [u8; 3] = [0xA8, 0xAA, 0xB0];
 const WRONG: [u8; 3] = [0xFF, 0x8A, 0x5C];
 
-/// The cases two to a row, one alone by itself; nothing of nothing, or where the sheet has no room.
+/// Draws the cases two to a row, a single one by itself; none if there are no results, or if the sheet cannot hold
+/// them.
 pub fn stability_sheet(results: &[CaseResult]) -> Option<Frame> {
     let side = results.first()?.pictures[0].width * SCALE;
     let columns = u32::try_from(results.len()).ok()?.min(2);
@@ -239,7 +240,7 @@ pub fn stability_sheet(results: &[CaseResult]) -> Option<Frame> {
     Some(sheet)
 }
 
-/// What stands below the three pictures, and its colour.
+/// Returns the captions of the three pictures with their colours.
 fn captions(result: &CaseResult) -> [(String, [u8; 3]); 3] {
     let of = |name: &str, error: f64| {
         let decimals = if error < 10.0 { 2 } else { 0 };
@@ -269,7 +270,7 @@ fn captions(result: &CaseResult) -> [(String, [u8; 3]); 3] {
     ]
 }
 
-/// Puts a picture on the sheet, each pixel as a square.
+/// Draws a picture on the sheet, each pixel as a square.
 fn enlarge(sheet: &mut Frame, picture: &Frame, [left, top]: [u32; 2]) {
     let columns = sheet.width as usize;
     for y in 0..picture.height * SCALE {

@@ -1,12 +1,12 @@
-//! Two ways to make Phong shading faster, as they were published, and Phong shading beside them in the same kind of text.
+//! Two methods of accelerating Phong shading, as they were published, beside Phong shading in the same kind of code.
 //!
-//! - [`Taylor`]: Bishop and Weimer, "Fast Phong Shading", SIGGRAPH 1986. N·L and the highlight's cosine are functions of the
-//!   picture's x and y over a triangle; their Taylor expansions of the second order about its centre are evaluated by forward
-//!   differences, two additions a pixel each. The error is of the third order in the triangle's size, and where two triangles
-//!   meet their expansions do not.
-//! - [`Angular`]: Kuijk and Blake, "Faster Phong shading via angular interpolation", Computer Graphics Forum 8 (1989). Normals
-//!   turn by equal angles along the edges and then along the span: N(i+1) = 2·cos Δ·N(i) − N(i−1), unit without a root.
-//!   Equal angles are equal steps in the picture, so that this is affine by construction.
+//! - [`Taylor`]: Bishop and Weimer, "Fast Phong Shading", SIGGRAPH 1986. N·L and the highlight's cosine are functions
+//!   of the picture's x and y over a triangle; their Taylor expansions of the second order about its centre are
+//!   evaluated by forward differences, two additions per pixel each. The error is of the third order in the
+//!   triangle's size, and where two triangles meet their expansions do not.
+//! - [`Angular`]: Kuijk and Blake, "Faster Phong shading via angular interpolation", Computer Graphics Forum 8
+//!   (1989). Normals turn by equal angles along the edges and then along the span: N(i+1) = 2·cos Δ·N(i) − N(i−1), of
+//!   unit length without a root. Equal angles are equal steps in the picture, so that this is affine by construction.
 //!
 //! All is scalar code in double precision and in one thread, unlike the engine's kernels. Times are to be compared among the
 //! three of them, or as counts of operations ([`Method::pixel_cost`]), not with the engine's.
@@ -23,16 +23,16 @@ use crate::text::Message;
 use glam::{DVec2, DVec3};
 use std::ops::{Add, Mul, Sub};
 
-/// Places are rounded to this part of a pixel, as the engine's are.
+/// Subdivisions of a pixel to which positions are rounded, as in the engine.
 const SUBPIXELS: f64 = 256.0;
 
-/// What is nearer to the eye than this many camera distances is left out, with its triangles.
+/// Distance from the eye, in camera distances, within which points are omitted, with their triangles.
 const NEAR: f64 = 1e-3;
 
-/// Below this sine two normals are one: the arc between them is its chord to 10⁻¹².
+/// Sine below which two normals count as one: the arc between them is its chord to 10⁻¹².
 const SAME: f64 = 1e-6;
 
-/// Why the scalar code cannot draw a scene by `method`.
+/// Returns the reason why the scalar code cannot draw a scene by `method`, if so.
 pub fn cannot_draw(method: Method, scene: &Scene) -> Option<Message> {
     let rays = scene.shading.shadows
         || scene.ground.visible
@@ -57,18 +57,18 @@ pub fn cannot_draw(method: Method, scene: &Scene) -> Option<Message> {
 /// A picture drawn by one of the methods.
 #[derive(Debug, Default)]
 pub struct Historic {
-    /// As [`crate::render::Renderer::linear`] has it.
+    /// The linear picture, as in [`crate::render::Renderer::linear`].
     pub linear: Vec<[f32; 4]>,
-    /// As it would be shown, so that the time is that of a whole frame.
+    /// The stored picture, so that the time is that of a whole frame.
     stored: Vec<[u8; 3]>,
     keys: Vec<f64>,
     width: usize,
-    /// Evaluations of the equation or, Taylor's, of expansions.
+    /// Number of evaluations of the equation or, for Taylor's, of expansions.
     pub evaluations: u64,
 }
 
 impl Historic {
-    /// Draws `mesh` in `scene` by `method`, which is scalar.
+    /// Draws `mesh` in `scene` by the scalar method `method`.
     pub fn draw(&mut self, method: Method, scene: &Scene, mesh: &VertexMesh) {
         let [width, height] = scene.image.size.map(|side| side as usize);
         let [r, g, b] = scene.image.background.as_vec3().to_array();
@@ -102,7 +102,7 @@ impl Historic {
         );
     }
 
-    /// Projects and draws every triangle; returns the evaluations.
+    /// Projects and draws every triangle; returns the number of evaluations.
     fn run<K: Kernel>(&mut self, kernel: &mut K, shade: &Shade, mesh: &VertexMesh) -> u64 {
         let near = NEAR * shade.unit;
         let corner = |(position, normal): (&glam::Vec3, &glam::Vec3)| {
@@ -191,35 +191,37 @@ impl Historic {
 /// A vertex in the picture.
 #[derive(Clone, Copy, Debug)]
 struct Corner {
-    /// Pixels.
+    /// Position in the picture, pixels.
     at: DVec2,
-    /// Linear in the picture over a flat polygon, the greater the nearer: 1/depth, or −depth without perspective.
+    /// Depth key that is linear in the picture over a flat polygon, larger for nearer points: 1/depth, or −depth
+    /// without perspective.
     key: f64,
-    /// Unit.
+    /// Unit normal.
     normal: DVec3,
 }
 
-/// Where a scan line crosses an edge.
+/// A crossing of a scan line and an edge.
 #[derive(Clone, Copy, Debug)]
 struct Crossing {
-    /// Pixels.
+    /// x of the crossing, pixels.
     x: f64,
     /// The edge's ends, by their numbers in the triangle.
     from: usize,
     to: usize,
-    /// The edge is divided in the ratio α : 1−α there.
+    /// Parameter along the edge, which is divided there in the ratio α : 1−α.
     alpha: f64,
 }
 
 /// The part of a scan line inside a triangle.
 #[derive(Clone, Copy, Debug)]
 struct Span {
-    /// The centre of the first pixel.
+    /// Centre of the first pixel.
     first: DVec2,
     ends: [Crossing; 2],
 }
 
-/// Where the line at `y` enters and leaves a triangle: an edge counts from its upper end up to but without its lower one.
+/// Returns the crossings at which the line at `y` enters and leaves a triangle: an edge counts from its upper end up
+/// to but not including its lower one.
 fn crossings(corners: [DVec2; 3], y: f64) -> Option<[Crossing; 2]> {
     let mut crossed = (0..3).filter_map(|from| {
         let to = (from + 1) % 3;
@@ -245,7 +247,7 @@ struct Linear<T> {
     y: T,
 }
 
-/// The linear function that has its `value` at each corner.
+/// Returns the linear function that has its `value` at each corner.
 fn linear<T>(corners: &[Corner; 3], value: impl Fn(&Corner) -> T) -> Linear<T>
 where
     T: Copy + Sub<Output = T> + Mul<f64, Output = T>,
@@ -270,25 +272,26 @@ impl<T: Copy + Add<Output = T> + Mul<f64, Output = T>> Linear<T> {
     }
 }
 
-/// Normals as a linear function of the picture; only their directions count. Divided by the depth they are linear in space.
+/// Returns normals as a linear function of the picture; only their directions count. Divided by the depth they are
+/// linear in space.
 fn carried(triangle: &[Corner; 3], perspective: bool) -> Linear<DVec3> {
     linear(triangle, |corner| {
         corner.normal * if perspective { corner.key } else { 1.0 }
     })
 }
 
-/// Whether values between vertices are linear in space and not in the picture.
+/// Returns whether values between vertices are linear in space and not in the picture.
 fn carried_in_perspective(scene: &Scene) -> bool {
     scene.camera.projection == Projection::Perspective
         && scene.shading.interpolation == Interpolation::Perspective
 }
 
-/// The equation of a scene where pixels see it.
+/// The equation of a scene at the points that pixels see.
 struct Shade {
     view: View,
     equation: Equation<f64>,
     perspective: bool,
-    /// World units to one of the equation's.
+    /// World units per unit of the equation.
     unit: f64,
 }
 
@@ -302,8 +305,8 @@ impl Shade {
         }
     }
 
-    /// The point seen at a place of the picture, given as offsets from its middle in pixels and a key: in the equation's
-    /// frame, in any number type.
+    /// Returns the point seen at a place of the picture, given as offsets from its middle in pixels and a key: in the
+    /// equation's frame, in any number type.
     fn position<R: Real<Scalar = f64>>(&self, [x, y]: [R; 2], key: R) -> V3<R> {
         let View {
             right,
@@ -324,8 +327,8 @@ impl Shade {
         at.scale(one * (1.0 / self.unit))
     }
 
-    /// I with normal `n` at a pixel.
-    // Compiled once, so that the times of two ways differ by what they do themselves.
+    /// Returns I with normal `n` at a pixel.
+    // Compiled once, so that the times of two methods differ only by their own work.
     #[inline(never)]
     fn illuminate(&self, place: DVec2, key: f64, n: DVec3) -> Rgb {
         let offset = place - self.view.centre;
@@ -335,20 +338,20 @@ impl Shade {
     }
 }
 
-/// A way to find intensities along spans.
+/// A method of finding intensities along spans.
 trait Kernel {
-    /// Whether the equation is evaluated at each pixel, and not once for a triangle.
+    /// True if the equation is evaluated at each pixel instead of once per triangle.
     const PER_PIXEL: bool = true;
 
     fn begin_triangle(&mut self, triangle: &[Corner; 3]);
     fn begin_span(&mut self, span: &Span);
-    /// The intensity at a pixel of the span whose key is `key`.
+    /// Returns the intensity at a pixel of the span whose key is `key`.
     fn pixel(&self, place: DVec2, key: f64) -> Rgb;
-    /// Goes on to the pixel on the right.
+    /// Advances to the pixel on the right.
     fn step(&mut self);
 }
 
-/// Phong shading: normals carried linearly, made unit vectors at each pixel (Phong 1975).
+/// Phong shading: normals interpolated linearly and normalised at each pixel (Phong 1975).
 struct Phong<'a> {
     shade: &'a Shade,
     perspective: bool,
@@ -382,7 +385,7 @@ struct Angular<'a> {
     /// The normals at this pixel and at the one on the left.
     normal: DVec3,
     before: DVec3,
-    /// 2·cos Δ, where Δ is the angle from pixel to pixel.
+    /// `2·cos Δ`, where Δ is the angle from pixel to pixel.
     twice_cosine: f64,
 }
 
@@ -429,12 +432,13 @@ impl Kernel for Angular<'_> {
     }
 }
 
-/// The angle between two unit vectors, accurate for small ones as well.
+/// Returns the angle between two unit vectors, accurate for small angles too.
 fn angle(a: DVec3, b: DVec3) -> f64 {
     a.cross(b).length().atan2(a.dot(b))
 }
 
-/// The unit vector on the great circle from `a` towards `b`, at `t` times the angle between them (Shoemake 1985).
+/// Returns the unit vector on the great circle from `a` towards `b`, at `t` times the angle between them (Shoemake
+/// 1985).
 fn turned(a: DVec3, b: DVec3, t: f64) -> DVec3 {
     let angle = angle(a, b);
     let sine = angle.sin();
@@ -453,9 +457,9 @@ struct Taylor<'a> {
     n: f64,
     /// The triangle's centre in the picture, about which the expansions are.
     centre: DVec2,
-    /// Of each source N·L, the highlight's cosine, and f with a spot light's part.
+    /// N·L, the highlight's cosine, and f with a spot light's factor, for each source.
     expansions: Vec<[Jet; 3]>,
-    /// Values and first differences at this pixel; second differences.
+    /// Values and first differences at this pixel, and second differences.
     state: Vec<[[f64; 3]; 3]>,
 }
 
@@ -559,7 +563,7 @@ mod tests {
     use super::*;
     use crate::scene::{Light, LightKind};
 
-    /// A span across a cylinder: its true normals turn in one plane by equal angles.
+    /// Compares a span across a cylinder: its true normals turn in one plane by equal angles.
     #[test]
     fn on_a_great_circle_angular_normals_are_exact() {
         let shade = Shade::new(&Scene::default());
@@ -606,8 +610,9 @@ mod tests {
         );
     }
 
-    /// Seen straight on without perspective, N = (x, 0, 1)/√(1 + x²) and a light along the view give N·L = 1/√(1 + x²), whose
-    /// expansion about c is known: the kernel's is that, and what it leaves out is f‴·dx³/6.
+    /// Compares the kernel's expansion with the closed form. Seen directly without perspective, N = (x, 0, 1)/√(1 +
+    /// x²) and a light along the view give N·L = 1/√(1 + x²), whose expansion about c is known; the remainder is
+    /// f‴·dx³/6.
     #[test]
     fn taylors_expansion_is_the_closed_form() {
         let mut scene = Scene::default();

@@ -1,7 +1,7 @@
-//! Numbers that know their derivatives: a function of the picture's x and y up to the second order.
+//! Numbers with their derivatives: a function of the picture's x and y up to the second order.
 //!
-//! A [`Jet`] is a number type of the equation, so that L, f and all that is made of them have their Taylor expansion from the
-//! one text of `illumination`.
+//! A [`Jet`] is a number type of the equation, so that L, f and everything computed from them have their Taylor
+//! expansion from the one code of `illumination`.
 
 use crate::illumination::Real;
 use glam::{DVec2, DVec3};
@@ -12,14 +12,14 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Jet {
     pub value: f64,
-    /// ∂/∂x and ∂/∂y.
+    /// First derivatives, ∂/∂x and ∂/∂y.
     pub slope: DVec2,
-    /// ∂²/∂x², ∂²/∂x∂y and ∂²/∂y².
+    /// Second derivatives, ∂²/∂x², ∂²/∂x∂y and ∂²/∂y².
     pub curve: DVec3,
 }
 
 impl Jet {
-    /// A linear function with its value and slopes.
+    /// Creates a linear function with its value and slopes.
     pub fn linear(value: f64, x: f64, y: f64) -> Self {
         Self {
             value,
@@ -28,8 +28,8 @@ impl Jet {
         }
     }
 
-    /// The value `offset` pixels away, its difference to the pixel on the right, and the difference of the differences, which
-    /// is the same everywhere.
+    /// Returns the value `offset` pixels away, its difference to the pixel on the right, and the difference of the
+    /// differences, which is constant.
     pub fn differences(&self, offset: DVec2) -> [f64; 3] {
         let [dx, dy] = offset.to_array();
         let DVec3 {
@@ -44,7 +44,7 @@ impl Jet {
         [value, self.slope.x + xx * (dx + 0.5) + xy * dy, xx]
     }
 
-    /// `f` of it, given f, f′ and f″ at its value.
+    /// Applies `f` by the chain rule, given f, f′ and f″ at its value.
     fn chain(self, [f, f1, f2]: [f64; 3]) -> Self {
         let curve = self.curve * f1 + crossed(self.slope, self.slope) * (0.5 * f2);
         Self {
@@ -55,7 +55,7 @@ impl Jet {
     }
 }
 
-/// What the slopes of two factors add to the second derivatives of their product.
+/// Returns the contribution of two factors' slopes to the second derivatives of their product.
 fn crossed(a: DVec2, b: DVec2) -> DVec3 {
     DVec3::new(2.0 * a.x * b.x, a.x * b.y + a.y * b.x, 2.0 * a.y * b.y)
 }
@@ -206,7 +206,7 @@ impl Real for Jet {
 mod tests {
     use super::*;
 
-    /// Every function against its differences.
+    /// Compares the derivatives of every function with its differences.
     #[test]
     fn derivatives_are_those_of_the_functions() {
         let functions: [fn(Jet, Jet) -> Jet; 6] = [

@@ -1,4 +1,4 @@
-//! Which settings there are, and what they are measured by: the exact picture and the clock.
+//! The settings of a study, and their measurement by the exact picture and the clock.
 
 use super::historic::{Historic, cannot_draw};
 use super::{Method, Omission, Setting, Study, StudyQuestion, StudyRow, median_and_spread};
@@ -10,12 +10,12 @@ use crate::scene::{Interpolation, Object, ObjectKind, Projection, Scene, Shading
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// Where N·V of the true surface is less, pixels see it too obliquely to count as inside: there polygons of any size are off
-/// by the outline's own error.
+/// Value of N·V of the true surface below which pixels see it too obliquely to count as inside: there polygons of any
+/// size have the outline's own error.
 const INSIDE: f64 = 0.2;
 
-/// Measures `scene`, whose object of kind `obj` shows `model`. `clock` gives nanoseconds from any fixed moment. `watch` is
-/// called after each frame; when it stops the work, what is known by then is returned.
+/// Measures `scene`, whose object of kind `obj` shows `model`. `clock` returns nanoseconds since any fixed moment.
+/// `watch` is called after each frame; when it stops the work, the results so far are returned.
 pub fn study(
     scene: &Scene,
     model: Option<Arc<Mesh>>,
@@ -57,7 +57,8 @@ pub fn study(
     study
 }
 
-/// The settings of `request` in `scene`, those of one method together, from coarse to fine; and what is left out.
+/// Returns the settings of `request` in `scene`, those of one method together, from coarse to fine; and the
+/// omissions.
 fn settings(request: &StudyQuestion, scene: &Scene) -> (Vec<Setting>, Vec<Omission>) {
     let (mut settings, mut omissions) = (Vec::new(), Vec::new());
     let divisions = divisions(request, scene);
@@ -100,7 +101,8 @@ fn settings(request: &StudyQuestion, scene: &Scene) -> (Vec<Setting>, Vec<Omissi
     (settings, omissions)
 }
 
-/// The interpolations that make a difference: without perspective, or where nothing is carried, one stands for all.
+/// Returns the interpolations that make a difference: without perspective, or where nothing is interpolated, one
+/// represents all.
 fn interpolations(
     method: Method,
     request: &StudyQuestion,
@@ -112,7 +114,7 @@ fn interpolations(
     let flat = scene.camera.projection == Projection::Orthographic;
     let same = |interpolation: Interpolation| match interpolation {
         Interpolation::Affine if flat => Interpolation::Perspective,
-        // The scalar code carries over triangles, not along the scan lines of polygons.
+        // The scalar code interpolates over triangles, not along the scan lines of polygons.
         Interpolation::Scanline if method.is_scalar() => Interpolation::Affine,
         other => other,
     };
@@ -124,9 +126,9 @@ fn interpolations(
     )
 }
 
-/// Segments and rings, from coarse to fine.
+/// Returns segments and rings, from coarse to fine.
 fn divisions(request: &StudyQuestion, scene: &Scene) -> Vec<[u32; 2]> {
-    /// What every shape can do with.
+    /// Minimum number of rings for every shape.
     const LEAST_RINGS: u32 = 3;
     let object = &scene.object;
     let own = [object.segments, object.rings];
@@ -154,7 +156,7 @@ fn divisions(request: &StudyQuestion, scene: &Scene) -> Vec<[u32; 2]> {
     all
 }
 
-/// Each value once, in their order.
+/// Returns each value once, in order.
 fn unique<T: PartialEq>(values: impl Iterator<Item = T>) -> Vec<T> {
     let mut kept = Vec::new();
     for value in values {
@@ -165,14 +167,14 @@ fn unique<T: PartialEq>(values: impl Iterator<Item = T>) -> Vec<T> {
     kept
 }
 
-/// Draws the settings of one scene.
+/// The state of measuring the settings of one scene.
 struct Measure {
     scene: Scene,
     model: Option<Arc<Mesh>>,
     clock: fn() -> u64,
     renderer: Renderer,
     historic: Historic,
-    /// The mesh last asked for.
+    /// The mesh last requested.
     mesh: Option<(Object, VertexMesh)>,
     /// The exact pictures, by the bits of n.
     exact: HashMap<u64, Exact>,
@@ -207,10 +209,10 @@ impl Measure {
         scene
     }
 
-    /// The row of a setting with its errors and the spacing of its vertices, not yet timed.
+    /// Returns the row of a setting with its errors and the spacing of its vertices, not yet timed.
     fn errors(&mut self, setting: &Setting) -> StudyRow {
         let scene = self.scene(setting);
-        // The true surface is the scene's own whatever it is cut into, and n is all that differs.
+        // The true surface does not depend on the tessellation, and only n differs.
         let renderer = &mut self.renderer;
         let exact = self.exact.entry(setting.n.to_bits()).or_insert_with(|| {
             let mut whole = self.scene.clone();
@@ -255,7 +257,7 @@ impl Measure {
         }
     }
 
-    /// The time of a frame in nanoseconds without the tessellation, and its evaluations.
+    /// Measures the time of a frame in nanoseconds without the tessellation, and its evaluations.
     fn time(&mut self, setting: &Setting) -> (u64, u64) {
         let scene = self.scene(setting);
         if setting.method.is_scalar() {
@@ -269,7 +271,7 @@ impl Measure {
             );
         }
         self.renderer.keep_linear(false);
-        // Once for geometry, buffers and caches, which the setting before has left as it needed them.
+        // One frame for geometry, buffers and caches, which the previous setting has left in its own state.
         self.renderer.render(&scene);
         self.renderer.redraw();
         self.renderer.render(&scene);
@@ -285,8 +287,8 @@ impl Measure {
 }
 
 impl Exact {
-    /// Draws `scene`, whose mode is exact: in double precision where a pixel's value is the equation's alone, rounded to single
-    /// once it is found; as the engine draws it where rays add to it.
+    /// Draws `scene`, whose mode is exact: in double precision where a pixel's value is the equation's alone, rounded
+    /// to single at the end; as the engine draws it where rays contribute.
     fn new(renderer: &mut Renderer, scene: &Scene) -> Self {
         renderer.keep_linear(true);
         renderer.render(scene);
@@ -317,7 +319,7 @@ impl Exact {
     }
 }
 
-/// The mesh of a scene, made anew when the object has changed.
+/// Returns the mesh of a scene, rebuilt when the object has changed.
 fn mesh_of<'a>(
     kept: &'a mut Option<(Object, VertexMesh)>,
     model: Option<&Arc<Mesh>>,
@@ -338,7 +340,7 @@ fn mesh_of<'a>(
     mesh
 }
 
-/// The longest edge of any polygon, world units.
+/// Returns the longest edge of any polygon, world units.
 fn longest_edge(mesh: &VertexMesh) -> f64 {
     let place = |vertex: &u32| mesh.positions[*vertex as usize];
     let edges = (0..mesh.face_count()).flat_map(|face| {

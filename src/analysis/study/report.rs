@@ -13,11 +13,11 @@ use crate::text::text;
 use glam::DVec2;
 use serde_json::{Map, Value, json};
 
-/// Pixels of the plot, and of its letters: the legend has many lines.
+/// Size of the plot and of its letters in pixels: the legend has many lines.
 const SHEET: [u32; 2] = [1600, 1100];
 const LETTERS: f64 = 26.0;
 
-/// The axes reach beyond the points by this part of their extent, and span at least half a decade.
+/// Margin of the axes beyond the points, as a share of their extent; axes span at least half a decade.
 const MARGIN: f64 = 0.08;
 const LEAST: f64 = 0.5;
 
@@ -46,7 +46,7 @@ impl Question for StudyQuestion {
     }
 }
 
-/// A row as an object, the keys of its setting among its own.
+/// Returns a row as an object, with the keys of its setting among its own.
 fn row_object(row: &StudyRow) -> Value {
     let mut object = json!(row);
     let setting = object
@@ -147,12 +147,12 @@ impl Answer for Study {
     }
 }
 
-/// An error in code values.
+/// Formats an error in code values.
 fn codes(error: f64) -> String {
     format!("{:.3}", 255.0 * error)
 }
 
-/// A row for each setting.
+/// Returns a table with a row for each setting.
 fn rows(study: &Study) -> Table {
     Table::of(
         &study.rows,
@@ -246,8 +246,8 @@ fn orders(study: &Study) -> Table {
     )
 }
 
-/// Error over time, both logarithmic: a curve for each method, and the front of Pareto. Nothing as long as no setting has an
-/// error and a time.
+/// Plots error over time, both logarithmic: a curve for each method, and the Pareto front. Returns none while no
+/// setting has an error and a time.
 pub fn study_plot(study: &Study) -> Option<Plot> {
     let known: Vec<(&StudyRow, [f64; 2])> = study
         .rows
@@ -332,7 +332,7 @@ pub fn study_plot(study: &Study) -> Option<Plot> {
     })
 }
 
-/// What the window says of a row.
+/// Returns the window's description of a row.
 fn about_row(row: &StudyRow) -> Vec<String> {
     let setting = &row.setting;
     vec![
@@ -356,7 +356,7 @@ fn about_row(row: &StudyRow) -> Vec<String> {
     ]
 }
 
-/// Where a row stands in the plot: the logarithms to the base 10 of its time in milliseconds and of its error.
+/// Returns the position of a row in the plot: the logarithms to base 10 of its time in milliseconds and of its error.
 pub fn study_point(row: &StudyRow) -> Option<[f64; 2]> {
     let point = [row.time_ms.log10(), row.error_rms.log10()];
     point.iter().all(|value| value.is_finite()).then_some(point)

@@ -1,28 +1,30 @@
-//! Orders of convergence with their confidence, medians, and which points nothing beats.
+//! Orders of convergence with their confidence, medians, and the Pareto front.
 
 use serde::{Deserialize, Serialize};
 
-/// The least number of points that a slope and its confidence are fitted to.
+/// Minimum number of points for fitting a slope with its confidence.
 const LEAST: usize = 3;
 
-/// Errors below this are rounding of single precision and of the places' 1/256 of a pixel, and say nothing of a method.
+/// Error below which rounding to single precision and of positions to 1/256 of a pixel dominates, so that it says
+/// nothing about a method.
 const ROUNDING: f64 = 2e-6;
 
 /// A straight line through points, by least squares: `y = offset + slope·x`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Fit {
-    /// Growth of y with x.
+    /// Change of y per unit of x.
     pub slope: f64,
-    /// y at x = 0.
+    /// Value of y at x = 0.
     pub offset: f64,
-    /// The slope is within ± this with a probability of 95 %, as far as the points scatter independently about a line
-    /// with normally distributed errors: Student's t times the slope's standard error.
+    /// Half-width of the interval about the slope that contains the true one with a probability of 95 %, provided
+    /// that the points scatter independently about a line with normally distributed errors: Student's t times the
+    /// slope's standard error.
     pub confidence: f64,
-    /// How many points there are.
+    /// Number of points.
     pub points: usize,
 }
 
-/// Fits a line to `points`; nothing for fewer than three, or where all have one x.
+/// Fits a line to `points`; none for fewer than three, or where all have the same x.
 pub fn fit_line(points: &[[f64; 2]]) -> Option<Fit> {
     if points.len() < LEAST {
         return None;
@@ -48,7 +50,8 @@ pub fn fit_line(points: &[[f64; 2]]) -> Option<Fit> {
     })
 }
 
-/// The order p of an error that goes as hᵖ, from pairs of h and the error; those at the rounding are left out.
+/// Fits the order p of an error proportional to hᵖ, from pairs of h and the error; those at the level of rounding are
+/// omitted.
 pub fn order_of(errors: impl IntoIterator<Item = (f64, f64)>) -> Option<Fit> {
     let known = errors
         .into_iter()
@@ -59,8 +62,8 @@ pub fn order_of(errors: impl IntoIterator<Item = (f64, f64)>) -> Option<Fit> {
     fit_line(&points)
 }
 
-/// Student's t that ±t holds 95 % of, for so many degrees of freedom, from 1; beyond the table by the first terms of
-/// Cornish and Fisher's expansion, off by less than 10⁻⁴.
+/// Returns Student's t such that ±t holds 95 %, for a number of degrees of freedom, from 1; beyond the table by the
+/// first terms of Cornish and Fisher's expansion, off by less than 10⁻⁴.
 pub fn student(freedom: usize) -> f64 {
     const TABLE: [f64; 30] = [
         12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228, 2.201, 2.179, 2.160,
@@ -77,8 +80,8 @@ pub fn student(freedom: usize) -> f64 {
         + (5.0 * z.powi(5) + 16.0 * z.powi(3) + 3.0 * z) / (96.0 * f * f)
 }
 
-/// For each pair (time, error) whether no other is at least as small in both and smaller in one: the front of Pareto.
-/// Pairs with a value that is no number are not on it; of equal ones all are.
+/// Returns for each pair (time, error) whether no other is at least as small in both and smaller in one: the Pareto
+/// front. Pairs with a NaN are not on it; of equal ones all are.
 pub fn pareto_front(points: &[[f64; 2]]) -> Vec<bool> {
     let beats = |a: &[f64; 2], b: &[f64; 2]| a[0] <= b[0] && a[1] <= b[1] && a != b;
     let on = |point: &[f64; 2]| {
@@ -88,7 +91,7 @@ pub fn pareto_front(points: &[[f64; 2]]) -> Vec<bool> {
     points.iter().map(on).collect()
 }
 
-/// Median and interquartile range of samples in nanoseconds, as milliseconds.
+/// Returns the median and interquartile range of samples in nanoseconds, as milliseconds.
 pub fn median_and_spread(samples: &mut [u64]) -> (f64, f64) {
     samples.sort_unstable();
     let quantile = |share: f64| {

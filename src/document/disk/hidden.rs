@@ -1,15 +1,15 @@
-//! A file that has a hidden name until it is whole, for systems where one without any name cannot be had.
+//! A file that has a hidden name until it is complete, for systems without nameless files.
 
 use std::fs::{self, File, OpenOptions};
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Hidden names that are tried; others are what killed programs have left behind.
+/// Maximum number of hidden names tried; the others are left over from killed programs.
 const MOST_TRIES: u32 = 1000;
 
-/// A file beside its target, which is removed unless it takes the target's place.
+/// A file beside its target, removed unless it replaces the target.
 pub struct HiddenFile {
-    /// Open for writing.
+    /// The file, open for writing.
     pub file: File,
     hidden: PathBuf,
     target: PathBuf,
@@ -17,10 +17,10 @@ pub struct HiddenFile {
 }
 
 impl HiddenFile {
-    /// Makes an empty file with the mode and the owner of its target, where that is there.
+    /// Creates an empty file with the mode and the owner of its target, if that exists.
     ///
     /// # Errors
-    /// A folder in which no file can be made.
+    /// A folder in which no file can be created.
     pub fn open(target: PathBuf) -> io::Result<Self> {
         let (file, hidden) = hidden_file(&target)?;
         let new = Self {
@@ -30,7 +30,7 @@ impl HiddenFile {
             finished: false,
         };
         if let Ok(before) = fs::metadata(&new.target) {
-            // Only the superuser may give files away.
+            // Only the superuser may change the owner.
             #[cfg(unix)]
             {
                 use std::os::unix::fs::{MetadataExt, fchown};
@@ -41,15 +41,15 @@ impl HiddenFile {
         Ok(new)
     }
 
-    /// Puts it in the place of its target.
+    /// Replaces its target.
     ///
     /// # Errors
-    /// What the system says; the target is then as it was.
+    /// An error of the system; the target is then unchanged.
     pub fn finish(mut self) -> io::Result<()> {
         self.file.sync_all()?;
         fs::rename(&self.hidden, &self.target)?;
         self.finished = true;
-        // Not every system lets a folder be synced; the file has its name all the same.
+        // Not every system can sync a folder; the file has its name in any case.
         let _ = File::open(folder_of(&self.target)).and_then(|folder| folder.sync_all());
         Ok(())
     }
@@ -58,13 +58,13 @@ impl HiddenFile {
 impl Drop for HiddenFile {
     fn drop(&mut self) {
         if !self.finished {
-            // It may be gone with its folder.
+            // It may have been removed with its folder.
             let _ = fs::remove_file(&self.hidden);
         }
     }
 }
 
-/// Makes a file beside `target` whose name is eight bytes longer.
+/// Creates a file beside `target` whose name is eight bytes longer.
 fn hidden_file(target: &Path) -> io::Result<(File, PathBuf)> {
     let name = target.file_name().unwrap_or_default();
     let mut taken = io::ErrorKind::AlreadyExists.into();

@@ -1,22 +1,22 @@
-//! Concave polygons of one shade: OpenGL takes the shade of a triangle from one of its vertices, and not all triangles that cover
-//! such a polygon have its first one.
+//! Concave polygons of one shade: OpenGL takes the shade of a triangle from one of its vertices, and not all
+//! triangles that cover such a polygon contain its first one.
 
 use crate::export::text::filled;
 use crate::geometry::VertexMesh;
 
-/// A face that is drawn through the stencil buffer, as a fan about its first vertex, which comes last.
+/// A face drawn through the stencil buffer, as a fan about its first vertex, which comes last.
 struct Fan {
     face: usize,
-    /// Those that turn as the polygon does, and those that turn the other way.
+    /// Triangles with the polygon's orientation, and those with the opposite one.
     triangles: [Vec<[u32; 3]>; 2],
 }
 
-/// The faces that their fan does not cover.
+/// The faces that their fans do not cover.
 #[derive(Default)]
 pub struct Concave(Vec<Fan>);
 
 impl Concave {
-    /// Finds the faces of `mesh` that their fan does not cover.
+    /// Finds the faces of `mesh` that their fans do not cover.
     pub fn of(mesh: &VertexMesh) -> Self {
         let runs = mesh.cut.chunk_by(|a, b| a.0 == b.0);
         let fan = |run: &[(u32, [u32; 3])]| {
@@ -37,7 +37,7 @@ impl Concave {
         Self(runs.map(fan).collect())
     }
 
-    /// Whether face `f` is among them.
+    /// Returns whether face `f` is among them.
     pub fn has(&self, f: usize) -> bool {
         self.0.binary_search_by_key(&f, |fan| fan.face).is_ok()
     }
@@ -78,7 +78,7 @@ impl Concave {
         }
     }
 
-    /// Returns what the picture needs for it.
+    /// Returns the stencil buffer that the picture needs for it.
     pub fn stencil(&self) -> &'static str {
         if self.0.is_empty() {
             ""

@@ -1,4 +1,4 @@
-//! The lights of fixed-function OpenGL, and what these cannot do.
+//! The lights of fixed-function OpenGL, and their limitations.
 
 use crate::export::limit::{Limit, holding, limit};
 use crate::export::sources::{Emitter, Place, emitters};
@@ -7,13 +7,13 @@ use crate::geometry::VertexMesh;
 use crate::scene::{Attenuation, Backfacing, Light, LightKind, Scene, Viewer};
 use glam::DVec3;
 
-/// The greatest `GL_SHININESS` and `GL_SPOT_EXPONENT`.
+/// Maximum of `GL_SHININESS` and `GL_SPOT_EXPONENT`.
 pub const GREATEST_EXPONENT: f64 = 128.0;
 
-/// Lights that every OpenGL has.
+/// Number of lights that every OpenGL has.
 const MOST_LIGHTS: usize = 8;
 
-/// What fixed-function OpenGL cannot say of the scene's lights.
+/// Returns the features of the scene's lights that fixed-function OpenGL cannot express.
 pub fn light_limits(scene: &Scene, mesh: &VertexMesh) -> Vec<Limit> {
     let emitters = emitters(scene);
     let whole = fits(&emitters);
@@ -75,7 +75,7 @@ fn emitter_limits(emitter: &Emitter<'_>, mesh: &VertexMesh, whole: bool) -> Vec<
     ])
 }
 
-/// Whether all points of all area lights are among the lights that OpenGL has.
+/// Returns whether all points of all area lights fit among the lights that OpenGL has.
 fn fits(emitters: &[Emitter<'_>]) -> bool {
     let count = |emitter: &Emitter<'_>| {
         if let Place::Among(points) = &emitter.place {
@@ -87,8 +87,8 @@ fn fits(emitters: &[Emitter<'_>]) -> bool {
     emitters.iter().map(count).sum::<usize>() <= MOST_LIGHTS
 }
 
-/// `set_up_lights()`: `glLight*` and `glLightModel*`. An area light is its sample points where all of them fit, otherwise the
-/// point in its middle.
+/// Writes `set_up_lights()`: `glLight*` and `glLightModel*`. An area light becomes its sample points if all of them
+/// fit, otherwise the point in its middle.
 pub fn lights(scene: &Scene, mesh: &VertexMesh) -> String {
     let emitters = emitters(scene);
     let whole = fits(&emitters);
@@ -132,9 +132,9 @@ struct Lamp<'a> {
     emitter: &'a Emitter<'a>,
     title: String,
     place: DVec3,
-    /// `place` is L, not where the light stands.
+    /// True if `place` is L instead of the light's position.
     parallel: bool,
-    /// Its part of the emitter's intensity.
+    /// Share of the emitter's intensity.
     share: f64,
 }
 
@@ -168,7 +168,7 @@ fn lamps<'a>(emitter: &'a Emitter<'a>, whole: bool) -> Vec<Lamp<'a>> {
     }
 }
 
-/// One `GL_LIGHTi`.
+/// Writes one `GL_LIGHTi`.
 fn light(index: usize, lamp: &Lamp<'_>, scene: &Scene, mesh: &VertexMesh) -> String {
     let Lamp {
         emitter,
@@ -225,7 +225,7 @@ fn light(index: usize, lamp: &Lamp<'_>, scene: &Scene, mesh: &VertexMesh) -> Str
     )
 }
 
-/// A constant factor, and OpenGL's three coefficients of `f = 1/(c1 + c2·d + c3·d²)`.
+/// Returns a constant factor, and OpenGL's three coefficients of `f = 1/(c1 + c2·d + c3·d²)`.
 fn falloff(
     emitter: &Emitter<'_>,
     scene: &Scene,
@@ -239,7 +239,7 @@ fn falloff(
         return (f, NONE);
     }
     match light.attenuation {
-        // OpenGL knows no distance to the viewer: that of the target stands for all.
+        // OpenGL has no distance to the viewer: that of the target represents all.
         Attenuation::Viewer => (1.0 / (scene.camera.distance() + light.k), NONE),
         _ if parallel => (1.0, NONE),
         Attenuation::Light => (1.0, [light.k, 1.0, 0.0]),
@@ -251,8 +251,8 @@ fn falloff(
     }
 }
 
-/// Whether there are vertices within, and beyond, the distance from a light at `place` at which `min(1, …)` of its quadratic
-/// attenuation ends to matter.
+/// Returns whether there are vertices within, and beyond, the distance from a light at `place` up to which the
+/// `min(1, …)` of its quadratic attenuation applies.
 fn sides(light: &Light, place: DVec3, mesh: &VertexMesh) -> [bool; 2] {
     let mut sides = [false; 2];
     for p in &mesh.positions {

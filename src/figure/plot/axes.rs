@@ -7,11 +7,11 @@ use crate::text::{fixed, with_minus};
 /// Steps of degrees that divide a right angle.
 const DEGREES: [f64; 6] = [5.0, 10.0, 15.0, 30.0, 45.0, 90.0];
 
-/// Most ticks that an axis has room for.
+/// Maximum number of ticks that fit on an axis.
 const MOST: f64 = 40.0;
 
-/// About as many round numbers on `axis` as there is room for, at most twice `MOST` or those of three to a decade, and how they are
-/// written. An axis that [`Axis::can_span`] refuses has none.
+/// Returns round numbers on `axis` with their texts: about as many as fit, at most twice `MOST` or those of three to
+/// a decade. An axis that [`Axis::can_span`] refuses has none.
 pub fn ticks(axis: &Axis, room: f64) -> Vec<(f64, String)> {
     if room.is_nan() || !Axis::can_span(axis.low, axis.high) {
         return vec![];
@@ -41,13 +41,14 @@ pub fn ticks(axis: &Axis, room: f64) -> Vec<(f64, String)> {
         .collect()
 }
 
-/// No number in double precision has a logarithm as far from 0.
+/// Absolute value of a logarithm that no number in double precision reaches.
 const WIDEST: f64 = 400.0;
 
-/// What a decade is divided at, by how many ticks it has room for.
+/// Subdivisions of a decade, by the number of ticks that fit.
 const MANTISSAS: [&[u8]; 3] = [&[1, 2, 5], &[1, 3], &[1]];
 
-/// Ticks of an axis of logarithms: 1, 2, 5 of each decade, or 1 and 3, or 1 alone, or that of every so many decades.
+/// Returns the ticks of an axis of logarithms: 1, 2, 5 of each decade, or 1 and 3, or 1 alone, or that of every few
+/// decades.
 fn decades(axis: &Axis, room: f64) -> Vec<(f64, String)> {
     let span = axis.high - axis.low;
     #[expect(clippy::cast_precision_loss, reason = "three at most")]
@@ -62,14 +63,14 @@ fn decades(axis: &Axis, room: f64) -> Vec<(f64, String)> {
         exponents.flat_map(|exponent| mantissas.iter().map(move |mantissa| (exponent, *mantissa)));
     let value = |(exponent, mantissa): (i32, u8)| f64::from(exponent) + f64::from(mantissa).log10();
     let inside = |tick: &(i32, u8)| (axis.low - 1e-9..=axis.high + 1e-9).contains(&value(*tick));
-    // Where decades stand alone, all are written alike.
+    // Where only whole decades have ticks, all are written alike.
     let alone = mantissas.len() == 1 && (axis.low < -1.5 || axis.high > 3.5);
     all.filter(inside)
         .map(|tick| (value(tick), power(tick, alone)))
         .collect()
 }
 
-/// A mantissa times a power of ten: in figures as long as these are short, or as a power.
+/// Formats a mantissa times a power of ten: in digits as long as these are short, or as a power.
 fn power((exponent, mantissa): (i32, u8), alone: bool) -> String {
     match exponent {
         0 | 1 if alone => 10u32.pow(exponent.unsigned_abs()).to_string(),
@@ -87,7 +88,7 @@ fn power((exponent, mantissa): (i32, u8), alone: bool) -> String {
     }
 }
 
-/// The least of 1, 2, 5, 10, 20 … that is not less than `value`, which is positive.
+/// Returns the smallest of 1, 2, 5, 10, 20 … that is not less than `value`, which is positive.
 pub fn round_up(value: f64) -> f64 {
     let magnitude = 10f64.powf(value.log10().floor());
     let times = [1.0, 2.0, 5.0, 10.0]
@@ -102,7 +103,7 @@ fn written(value: f64, step: f64, degrees: bool) -> String {
     number(value, decimals, (1e-4..1e6).contains(&step)) + unit
 }
 
-/// A number with three significant digits, a true minus sign, and no more zeros than it needs.
+/// Formats a number with three significant digits, a true minus sign, and no more zeros than it needs.
 pub fn short(value: f64) -> String {
     let size = value.abs();
     let decimals = 2i32.saturating_sub(size.log10().floor() as i32).clamp(0, 5) as usize;
@@ -117,7 +118,8 @@ fn number(value: f64, decimals: usize, plain: bool) -> String {
     }
 }
 
-/// A number with two significant digits at most, from 10 on and below 1 with its power of ten: 3, 6.6×10⁵, 10⁻⁷.
+/// Formats a number with at most two significant digits, from 10 on and below 1 with its power of ten: 3, 6.6×10⁵,
+/// 10⁻⁷.
 pub fn magnitude(value: f64) -> String {
     let text = scientific(value).replace(".0", "");
     match text.strip_suffix("×10⁰") {
@@ -126,7 +128,7 @@ pub fn magnitude(value: f64) -> String {
     }
 }
 
-/// Writes a number as the textbooks write very small and very large ones: 1.2×10⁻⁷.
+/// Formats very small and very large numbers as in textbooks: 1.2×10⁻⁷.
 pub fn scientific(value: f64) -> String {
     let text = format!("{value:.1e}");
     let Some((mantissa, exponent)) = text.split_once('e') else {
@@ -143,7 +145,7 @@ pub fn scientific(value: f64) -> String {
 mod tests {
     use super::*;
 
-    /// Numbers that are hard, with their neighbours.
+    /// Difficult numbers, with their neighbours.
     const HARD: [f64; 15] = [
         0.0,
         5e-324,

@@ -9,29 +9,29 @@ use crate::figure::text::width_of;
 use crate::text::text;
 use glam::DVec2;
 
-/// The axis of y reaches beyond its greatest value by this factor, so that a curve's top is seen.
+/// Factor by which the y axis reaches beyond its largest value, so that a curve's top is visible.
 const HEADROOM: f64 = 1.05;
 /// Height of a row of labels above the plot, in ems.
 const ROW: f64 = 1.35;
-/// Least room for the curves, in ems.
+/// Minimum size of the area for the curves, in ems.
 const LEAST: f64 = 3.0;
-/// Least width of a plot whose curves carry names, in ems.
+/// Minimum width of a plot with names on its curves, in ems.
 const TAGGED: f64 = 20.0;
-/// Least mean distance between borders that are ticked, in ems.
+/// Minimum mean distance between borders with ticks, in ems.
 const BORDER_GAP: f64 = 0.25;
-/// Least mean distance between borders that have lines of their own.
+/// Minimum mean distance between borders with lines of their own, in ems.
 const LINE_GAP: f64 = 0.8;
-/// Of those lines, in widths.
+/// Dashes of those lines, in widths.
 const BORDER_DASHES: &[f32] = &[2.0, 4.0];
-/// Of the lines that mark values of x, in widths.
+/// Dashes of the lines that mark values of x, in widths.
 const MARK_DASHES: &[f32] = &[3.0, 3.0];
 /// Radius of a point and of the hole in a ring, and the gap to its name, in ems.
 const RADIUS: [f64; 2] = [0.3, 0.15];
 const GAP: f64 = 0.2;
-/// Size of the names of points, in that of other letters.
+/// Size of the names of points, relative to other letters.
 const LETTERS: f64 = 0.85;
 
-/// Draws axes, marks and curves in `room`; the axis of x over `span`, where one is given.
+/// Draws axes, marks and curves in `room`; the x axis over `span`, if given.
 pub fn draw(sheet: &mut Sheet<'_>, room: Area, span: Option<[f64; 2]>) {
     let (em, plot) = (sheet.em, sheet.plot);
     let y = Axis {
@@ -47,7 +47,7 @@ pub fn draw(sheet: &mut Sheet<'_>, room: Area, span: Option<[f64; 2]>) {
         min: room.min + DVec2::new(widest + 0.6 * em, 0.0),
         max: room.max - DVec2::new(0.9 * em, 3.0 * em),
     };
-    // Where there is no room beside the axis, its numbers stand inside.
+    // If there is no space beside the axis, its numbers are inside.
     let inside = span.is_some_and(|[from, _]| from < area.min.x);
     let mut left = room.min.x;
     if let Some([from, to]) = span {
@@ -86,7 +86,7 @@ pub fn draw(sheet: &mut Sheet<'_>, room: Area, span: Option<[f64; 2]>) {
     let marks: Vec<_> = marks.collect();
     for (mark, label, colour) in &marks {
         let foot = scale.place([mark.x, y.low]);
-        // The line of one stops for the labels of others that it would cross out.
+        // A mark's line ends at the labels of others that it would cross.
         let crossed = marks.iter().filter_map(|(other, at, _)| {
             let (from, to) = label_span(other, plot, &area, em);
             (at.y > label.y && from < foot.x && foot.x < to).then_some(at.y)
@@ -110,7 +110,7 @@ pub fn draw(sheet: &mut Sheet<'_>, room: Area, span: Option<[f64; 2]>) {
             .strong = mark.probe;
     }
     borders(sheet, &scale, &area);
-    // The scene's own curve over the others.
+    // The scene's own curve is drawn over the others.
     for emphasised in [false, true] {
         for curve in plot
             .curves
@@ -151,7 +151,8 @@ pub fn draw(sheet: &mut Sheet<'_>, room: Area, span: Option<[f64; 2]>) {
     sheet.drawing.scales.push(scale);
 }
 
-/// The row above the plot, 0 the lowest, in which each mark's label stands clear of the others and of y's name.
+/// Returns the row above the plot, 0 the lowest, in which each mark's label overlaps neither the others nor the name
+/// of the y axis.
 fn label_rows(plot: &Plot, area: &Area, left: f64, em: f64) -> Vec<f64> {
     let mut taken: Vec<(u32, f64, f64)> = vec![(0, left, left + width_of(&plot.y.name, em) + em)];
     for mark in &plot.marks {
@@ -170,7 +171,7 @@ fn label_rows(plot: &Plot, area: &Area, left: f64, em: f64) -> Vec<f64> {
         .collect()
 }
 
-/// Where a mark's label begins and ends: about its line, inside the plot.
+/// Returns the extent of a mark's label: about its line, inside the plot.
 fn label_span(mark: &Mark, plot: &Plot, area: &Area, em: f64) -> (f64, f64) {
     let share = (mark.x - plot.x.low) / (plot.x.high - plot.x.low);
     let width = width_of(&mark.label, em);
@@ -214,8 +215,8 @@ fn axes(
     sheet.text(&plot.x.name, middle, 1.0, paper.text, 0.5);
 }
 
-/// Where polygons meet: a faint line through the plot and a tick on the axis, or ticks alone; a word where there are too many
-/// to be told apart.
+/// Draws the edges between polygons: a faint line through the plot and a tick on the axis, or ticks alone; a word
+/// where there are too many to distinguish.
 fn borders(sheet: &mut Sheet<'_>, scale: &Scale, area: &Area) {
     let (em, weak, plot) = (sheet.em, sheet.paper.weak, sheet.plot);
     let places = plot.borders.iter().map(|x| scale.place([*x, plot.y.low]).x);
@@ -239,7 +240,7 @@ fn borders(sheet: &mut Sheet<'_>, scale: &Scale, area: &Area) {
     }
 }
 
-/// Draws single points, then the names that find a place where nothing else stands, those of the strong ones first.
+/// Draws single points, then the names for which there is a free place, those of the strong ones first.
 fn points(sheet: &mut Sheet<'_>, scale: &Scale, area: &Area) {
     let (em, paper) = (sheet.em, sheet.paper);
     let places = sheet

@@ -1,28 +1,28 @@
-//! A plot as plain data: sampled curves, what they are called, and where the scene itself stands on them.
+//! A plot as plain data: sampled curves with their names, and marks at the scene's own values.
 
 use crate::scene::ShadingMode;
 use serde::{Deserialize, Serialize};
 
-/// The curves of local illumination.
+/// Kind of a plot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum PlotKind {
     /// The family cosⁿ φ.
     Exponent,
-    /// f(d), the attenuation of a light by distance.
+    /// f(d), the attenuation of a light with distance.
     Attenuation,
-    /// W(θ), what a surface reflects by angle of incidence.
+    /// W(θ), the reflectance by angle of incidence.
     Reflectance,
-    /// What one point reflects to every side, as a polar plot.
+    /// Light that one point reflects in every direction, as a polar plot.
     Lobe,
     /// The intensity along a line through the picture.
     Profile,
-    /// Its slope.
+    /// Slope of the intensity along that line.
     ProfileSlope,
-    /// What the eye adds to it.
+    /// Difference between the perceived brightness and the intensity.
     ProfileAdded,
-    /// The intensity at a point while the picture turns.
+    /// The intensity at a point while the picture is rotated.
     Orientation,
     /// The intensity on both sides of an edge.
     SharedEdge,
@@ -31,7 +31,8 @@ pub enum PlotKind {
 }
 
 impl PlotKind {
-    /// Every kind that belongs to a point, in the order of the equation: the lobe last, because it is all of them together.
+    /// All kinds that belong to a point, in the order of the equation: the lobe last, because it combines all of
+    /// them.
     pub const ALL: [Self; 4] = [
         Self::Attenuation,
         Self::Exponent,
@@ -39,7 +40,7 @@ impl PlotKind {
         Self::Lobe,
     ];
 
-    /// Whether x is an angle from the vertical, in degrees clockwise, and y the distance from the middle.
+    /// Returns whether x is an angle from the vertical, in degrees clockwise, and y the distance from the middle.
     pub fn is_polar(self) -> bool {
         self == Self::Lobe
     }
@@ -67,11 +68,11 @@ impl PlotKind {
 /// ```
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Plot {
-    /// Which plot it is.
+    /// Kind of the plot.
     pub kind: PlotKind,
-    /// What is plotted, in a few words.
+    /// Title, a few words.
     pub title: String,
-    /// The formula, and what else the reader must know.
+    /// The formula, and other necessary explanations.
     pub note: String,
     /// The horizontal axis; of a polar plot, the angle.
     pub x: Axis,
@@ -79,21 +80,21 @@ pub struct Plot {
     pub y: Axis,
     /// The curves, the later over the earlier.
     pub curves: Vec<Curve>,
-    /// What each of the curves' notes says.
+    /// Descriptions of the columns of the curves' notes.
     pub legend: Vec<String>,
-    /// Where the scene itself stands.
+    /// Marks at the scene's own values.
     pub marks: Vec<Mark>,
     /// The arrows of a polar plot; others have none.
     pub directions: Vec<Direction>,
-    /// Values of x where polygons meet, ticked without a name.
+    /// Values of x at the edges between polygons, ticked without a name.
     pub borders: Vec<f64>,
-    /// Single points, named where there is room.
+    /// Single points, named where space allows.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub points: Vec<Point>,
 }
 
 impl Plot {
-    /// A plot without marks, over the axes of x and y.
+    /// Creates a plot without marks, over the axes of x and y.
     pub fn new(
         kind: PlotKind,
         title: impl Into<String>,
@@ -118,30 +119,30 @@ impl Plot {
         }
     }
 
-    /// The curve of that name.
+    /// Returns the curve of that name.
     pub fn curve(&self, name: &str) -> Option<&Curve> {
         self.curves.iter().find(|curve| curve.name == name)
     }
 }
 
-/// One axis: what it measures, and the part of it that is worth showing.
+/// An axis: its quantity, and the range to show.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Axis {
-    /// What it measures, with its unit.
+    /// Name of the quantity, with its unit.
     pub name: String,
-    /// Its lower end.
+    /// Lower end.
     pub low: f64,
-    /// Its upper end.
+    /// Upper end.
     pub high: f64,
-    /// Whether it measures degrees, whose round numbers are multiples of 15.
+    /// True for degrees, whose round numbers are multiples of 15.
     pub degrees: bool,
-    /// Whether values are logarithms to the base 10 of what it measures, which is what its ticks say.
+    /// True if values are logarithms to base 10 of the quantity, whose own values the ticks show.
     #[serde(skip_serializing_if = "std::ops::Not::not")]
     pub decades: bool,
 }
 
 impl Axis {
-    /// An axis of an angle.
+    /// Creates an axis of an angle.
     pub fn degrees(name: impl Into<String>, low: f64, high: f64) -> Self {
         Self {
             name: name.into(),
@@ -152,7 +153,7 @@ impl Axis {
         }
     }
 
-    /// An axis of any other quantity.
+    /// Creates an axis of any other quantity.
     pub fn new(name: impl Into<String>, low: f64, high: f64) -> Self {
         Self {
             name: name.into(),
@@ -163,20 +164,20 @@ impl Axis {
         }
     }
 
-    /// Whether an axis can reach from `low` to `high`: finite numbers, the smaller one first, so far apart that double precision has
-    /// numbers between them, all with their full digits.
+    /// Returns whether an axis can reach from `low` to `high`: finite numbers, the smaller one first, so far apart
+    /// that double precision has numbers between them, all with their full digits.
     pub fn can_span(low: f64, high: f64) -> bool {
-        /// Of the larger end: ticks and points between the ends keep six digits and more.
+        /// Minimum span relative to the larger end: ticks and points between the ends keep six digits and more.
         const THINNEST: f64 = 1e-9;
-        /// Parts of a shorter span would be subnormal numbers.
+        /// Minimum span whose parts are not subnormal numbers.
         const SHORTEST: f64 = f64::MIN_POSITIVE / f64::EPSILON;
         let span = high - low;
         let least = (THINNEST * low.abs().max(high.abs())).max(SHORTEST);
-        // A round number above it is a number too.
+        // A round number above it must be finite too.
         (10.0 * span).is_finite() && span >= least
     }
 
-    /// An axis of the logarithms to the base 10 of a quantity.
+    /// Creates an axis of the logarithms to base 10 of a quantity.
     pub fn decades(name: impl Into<String>, low: f64, high: f64) -> Self {
         Self {
             decades: true,
@@ -188,27 +189,27 @@ impl Axis {
 /// A sampled curve.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Curve {
-    /// What the legend calls it.
+    /// Name in the legend.
     pub name: String,
-    /// What it is called in files, where that is not its name.
+    /// Name in files, if different.
     #[serde(skip)]
     pub key: String,
-    /// What the legend says besides the name, in columns.
+    /// Additional columns in the legend.
     pub notes: Vec<String>,
-    /// x and y; x never decreases, unless the curve is read nowhere.
+    /// Values of x and y; x never decreases, unless the curve is never interpolated.
     pub points: Vec<[f64; 2]>,
-    /// What its colour means.
+    /// Meaning of its colour.
     pub ink: Ink,
-    /// How its line is broken.
+    /// Dash pattern of its line.
     pub dash: Dash,
-    /// The curve that the scene itself has, against which the others are measured.
+    /// True for the scene's own curve, with which the others are compared.
     pub emphasised: bool,
-    /// A name on the curve itself.
+    /// Name on the curve itself.
     pub tag: Option<Tag>,
 }
 
 impl Curve {
-    /// A curve of the scene's own.
+    /// Creates a curve of the scene's own.
     pub fn new(name: impl Into<String>, points: Vec<[f64; 2]>, ink: Ink) -> Self {
         let (name, notes, dash) = (name.into(), Vec::new(), Dash::Solid);
         Self {
@@ -223,7 +224,7 @@ impl Curve {
         }
     }
 
-    /// y at `x`, linear between the samples; nothing outside them.
+    /// Returns y at `x`, linear between the samples; none outside them.
     pub fn at(&self, x: f64) -> Option<f64> {
         let after = self.points.partition_point(|[at, _]| *at < x);
         let [x1, y1] = *self.points.get(after)?;
@@ -238,62 +239,62 @@ impl Curve {
 /// A name beside a curve, its right edge at `at`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Tag {
-    /// What it says.
+    /// The name.
     pub text: String,
-    /// x and y.
+    /// Position as x and y.
     pub at: [f64; 2],
 }
 
 /// A point with a name.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Point {
-    /// x and y.
+    /// Position as x and y.
     pub at: [f64; 2],
-    /// What it is called.
+    /// Name of the point.
     pub name: String,
-    /// What its colour means.
+    /// Meaning of its colour.
     pub ink: Ink,
-    /// A ring and not a disc.
+    /// True for a ring, false for a disc.
     pub hollow: bool,
-    /// Named before the others.
+    /// True if it is named before the others.
     pub strong: bool,
-    /// What the window says of it, a few lines.
+    /// Description in the window, a few lines.
     #[serde(skip)]
     pub about: Vec<String>,
 }
 
-/// A value of x, a line across the plot.
+/// A marked value of x, as a line across the plot.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Mark {
-    /// Where the line is.
+    /// Value of x.
     pub x: f64,
-    /// What it is called.
+    /// Label of the mark.
     pub label: String,
-    /// The values there: a curve's index and y.
+    /// Values there: a curve's index and y.
     pub values: Vec<(usize, f64)>,
-    /// Whether it is the probe's.
+    /// True if the value is the probe's.
     pub probe: bool,
 }
 
 /// An arrow from the middle of a polar plot.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Direction {
-    /// N, L, R, V or H.
+    /// Letter of the vector: N, L, R, V or H.
     pub letter: &'static str,
-    /// Degrees clockwise from the vertical.
+    /// Angle in degrees clockwise from the vertical.
     pub angle: f64,
-    /// 1 in the plot's plane, less where the vector leaves it.
+    /// Length: 1 in the plot's plane, less where the vector leaves it.
     pub length: f64,
-    /// What its colour means.
+    /// Meaning of its colour.
     pub ink: Ink,
 }
 
-/// What a curve's colour means; which colour that is depends on the paper.
+/// Meaning of a curve's colour; the paper determines the colour itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Ink {
-    /// The colours of the vectors, and of the terms that they make.
+    /// The colour of N. Each vector's colour is also that of the term that it determines.
     N,
     /// The colour of L.
     L,
@@ -303,31 +304,31 @@ pub enum Ink {
     V,
     /// The colour of H.
     H,
-    /// Red, green or blue.
+    /// The colour of a channel: red, green or blue.
     Channel(u8),
-    /// A way of shading.
+    /// The colour of a shading mode.
     Shading(ShadingMode),
-    /// What is seen and not there.
+    /// The colour of perceived brightness that is not there.
     Perceived,
-    /// Of no meaning in the scene.
+    /// The colour of curves without a meaning in the scene.
     Reference,
-    /// A historic way of shading, by its number from 0 to 2.
+    /// The colour of a historic shading method, by its number from 0 to 2.
     Historic(u8),
 }
 
-/// How a line is broken, so that curves are told apart without colour.
+/// Dash pattern of a line, which distinguishes curves without colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Dash {
-    /// Not at all.
+    /// A solid line.
     Solid,
-    /// In long dashes.
+    /// Long dashes.
     Long,
-    /// In dashes.
+    /// Medium dashes.
     Dashed,
-    /// In dashes and dots by turns.
+    /// Alternating dashes and dots.
     DashDot,
-    /// In dots.
+    /// Dots.
     Dotted,
 }

@@ -1,4 +1,4 @@
-//! The legend: a line a curve, beside the plot or below it.
+//! The legend: one line per curve, beside the plot or below it.
 
 use super::sheet::Sheet;
 use crate::figure::area::Area;
@@ -6,26 +6,26 @@ use crate::figure::palette::Rgb8;
 use crate::figure::text::width_of;
 use glam::DVec2;
 
-/// Length of a line's sample, and the gaps after it and before the notes, in ems.
+/// Length of a line's sample, and gaps after it and before the notes, in ems.
 const SAMPLE: f64 = 2.9;
 const GAPS: [f64; 2] = [0.6, 1.4];
-/// The least gap before notes, in ems.
+/// Minimum gap before notes, in ems.
 const LEAST_GAP: f64 = 0.5;
 /// Height of a line, in ems.
 const LINE: f64 = 1.4;
-/// The share of the width that a legend beside the plot may take, and the least ratio of width to height for it.
+/// Maximum share of the width for a legend beside the plot, and minimum ratio of width to height for it.
 const BESIDE: [f64; 2] = [0.4, 1.2];
 
-/// Where the legend is.
+/// Layout of the legend.
 pub struct Legend {
     min: DVec2,
-    /// The right edges of the columns of notes, from the left edge of the legend.
+    /// Right edges of the columns of notes, from the left edge of the legend.
     columns: Vec<f64>,
     shown: bool,
 }
 
 impl Legend {
-    /// Finds room for the legend of a plot in `room`; returns the rest.
+    /// Reserves space for the legend of a plot in `room`; returns the rest.
     pub fn new(sheet: &Sheet<'_>, room: Area) -> (Self, Area) {
         let (plot, em) = (sheet.plot, sheet.em);
         let widest = |texts: &mut dyn Iterator<Item = &str>| {
@@ -43,7 +43,7 @@ impl Legend {
                 widest(&mut notes.chain([head.as_str()]))
             })
             .collect();
-        // Where there is little room, columns move together.
+        // Where space is short, columns move together.
         #[expect(clippy::cast_precision_loss, reason = "a plot has few columns")]
         let gap = (room.max.x - room.min.x - width - widths.iter().sum::<f64>())
             / widths.len().max(1) as f64;
@@ -53,7 +53,7 @@ impl Legend {
             width += gap + column;
             columns.push(width);
         }
-        // One curve alone is what the axis says.
+        // A single curve is named by the axis.
         if plot.curves.len() < 2 && columns.is_empty() {
             return (
                 Self {
@@ -90,7 +90,7 @@ impl Legend {
         )
     }
 
-    /// Draws it.
+    /// Draws the legend.
     pub fn draw(&self, sheet: &mut Sheet<'_>) {
         if !self.shown {
             return;

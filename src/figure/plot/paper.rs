@@ -1,28 +1,28 @@
-//! The paper a plot is drawn on: its greys, the colours of curves on it, and their dashes.
+//! The paper of a plot: its greys, the colours of curves on it, and their dashes.
 
 use super::data::{Dash, Ink};
 use crate::figure::palette::{Rgb8, Vector, readable, shading};
 use glam::DVec2;
 
-/// Contrast that WCAG 2.2 asks of lines (1.4.11) and of text (1.4.3).
+/// Minimum contrast of lines (1.4.11) and of text (1.4.3) by WCAG 2.2.
 const CONTRAST: [f64; 2] = [3.0, 4.5];
 
-/// Red, green and blue, apart in lightness as well, before they are fitted to the paper.
+/// Red, green and blue of different lightness, before they are adapted to the paper.
 const CHANNELS: [Rgb8; 3] = [[0xD4, 0x2A, 0x2A], [0x12, 0x8A, 0x3E], [0x3A, 0x5F, 0xE0]];
 
-/// Historic ways of shading: two more of those colours, and a violet.
+/// Colours of the historic shading methods: two more of that palette, and a violet.
 const HISTORIC: [Rgb8; 3] = [[0x7A, 0x4F, 0xB5], [0xE6, 0x9F, 0x00], [0x56, 0xB4, 0xE9]];
 
 /// The greys of a plot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Paper {
-    /// What the plot stands on.
+    /// Background of the plot.
     pub ground: Rgb8,
-    /// Of titles and emphasised texts.
+    /// Titles and emphasised texts.
     pub text: Rgb8,
-    /// Of what explains: axes, notes, marks.
+    /// Explanations: axes, notes, marks.
     pub weak: Rgb8,
-    /// Of the grid's lines.
+    /// Lines of the grid.
     pub grid: Rgb8,
 }
 
@@ -42,12 +42,12 @@ impl Paper {
         grid: [50, 54, 62],
     };
 
-    /// The colour of a line.
+    /// Returns the colour of a line.
     pub fn line(&self, ink: Ink) -> Rgb8 {
         readable(self.colour(ink), self.ground, CONTRAST[0])
     }
 
-    /// The colour of letters.
+    /// Returns the colour of letters.
     pub fn letters(&self, ink: Ink) -> Rgb8 {
         readable(self.colour(ink), self.ground, CONTRAST[1])
     }
@@ -68,19 +68,19 @@ impl Paper {
     }
 }
 
-/// How plots are drawn.
+/// Appearance of plots.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlotStyle {
     /// The greys.
     pub paper: Paper,
-    /// Size of the letters, in units of the drawing an em. All else goes by it.
+    /// Size of the letters, in units of the drawing an em. All other sizes follow from it.
     pub text: f64,
-    /// Whether the plot has its title and a margin; one under a heading of its own needs neither.
+    /// True if the plot has its title and a margin; one under its own heading needs neither.
     pub titled: bool,
 }
 
 impl PlotStyle {
-    /// The style of a sheet of `size` that holds so many plots, for one that fills a screen or a page.
+    /// Returns the style of a sheet of `size` with that many plots, for one that fills a screen or a page.
     pub fn of(size: [u32; 2], plots: usize, paper: Paper) -> Self {
         let room = DVec2::from_array(size.map(f64::from)) / grid(plots, size[0] > size[1]);
         let text = (room.x / 38.0).min(room.y / 27.0).max(7.0);
@@ -92,7 +92,7 @@ impl PlotStyle {
     }
 }
 
-/// Lengths of dashes and gaps in turn, in widths of the line.
+/// Returns the lengths of alternating dashes and gaps, in widths of the line.
 pub fn dashes(dash: Dash) -> &'static [f32] {
     match dash {
         Dash::Solid => &[],
@@ -103,7 +103,8 @@ pub fn dashes(dash: Dash) -> &'static [f32] {
     }
 }
 
-/// Columns and rows of a sheet of so many plots: two side by side where it is wide, and in any case from three on.
+/// Returns the columns and rows of a sheet with that many plots: two side by side where it is wide, and in any case
+/// from three on.
 pub fn grid(plots: usize, wide: bool) -> DVec2 {
     match plots {
         0 | 1 => DVec2::ONE,

@@ -10,15 +10,15 @@ use glam::DVec2;
 
 /// Degrees between the spokes.
 const SPOKES: [i32; 7] = [-90, -60, -30, 0, 30, 60, 90];
-/// Rings, at least.
+/// Minimum number of rings.
 const RINGS: f64 = 4.0;
-/// Least radius, in ems.
+/// Minimum radius, in ems.
 const LEAST: f64 = 3.0;
-/// How far an arrow reaches, in the outermost ring's radius.
+/// Length of an arrow, in the outermost ring's radius.
 const REACH: f64 = 0.94;
-/// The lobe's area, and the body below the surface, are so opaque.
+/// Opacity of the lobe's area, and of the body below the surface.
 const OPAQUE: [f64; 2] = [0.2, 0.5];
-/// Half the angle that an arrow's letter must have to itself, degrees.
+/// Half the angle that an arrow's letter must keep free, degrees.
 const APART: f64 = 12.0;
 
 /// Draws rings, the lobe and the vectors in `room`.
@@ -63,7 +63,7 @@ pub fn draw(sheet: &mut Sheet<'_>, room: Area) {
     sheet.drawing.scales.push(scale);
 }
 
-/// The body below the surface, rings with their values, spokes with their angles.
+/// Draws the body below the surface, rings with their values, spokes with their angles.
 fn ground(sheet: &mut Sheet<'_>, scale: &Scale, rings: u32, step: f64) {
     let (em, paper) = (sheet.em, sheet.paper);
     let high = f64::from(rings) * step;
@@ -88,7 +88,7 @@ fn ground(sheet: &mut Sheet<'_>, scale: &Scale, rings: u32, step: f64) {
             0.5,
         );
     }
-    // Values that would crowd are left out, the last never.
+    // Values that would crowd are omitted, but never the last.
     let apart = (2.6 * em / (at(90.0, step).x - at(90.0, 0.0).x))
         .ceil()
         .max(1.0) as u32;
@@ -127,7 +127,7 @@ fn arrow(sheet: &mut Sheet<'_>, direction: &Direction, centre: DVec2, radius: f6
         .dashes = vector.map_or(&[], Vector::dashes);
     let (base, side) = (tip - along * head, along.perp() * 0.38 * head);
     sheet.push(Shape::area(vec![tip, base + side, base - side], colour));
-    // Where another arrow is close, the letter stands on the side away from it.
+    // Where another arrow is close, the letter is placed on the opposite side.
     let close = sheet.plot.directions.iter().find(|other| {
         other.letter != direction.letter
             && (other.angle - direction.angle).abs() < APART

@@ -1,4 +1,4 @@
-//! What the parts of a plot are drawn with.
+//! Tools for drawing the parts of a plot.
 
 use super::data::{Curve, Plot};
 use super::paper::{Paper, PlotStyle, dashes};
@@ -8,12 +8,12 @@ use crate::figure::palette::Rgb8;
 use crate::figure::text::width_of;
 use glam::DVec2;
 
-/// Breadth of the halo of a text that may stand on lines, in its size.
+/// Width of the halo of a text that may be over lines, in its size.
 const TEXT_HALO: f64 = 0.14;
-/// Samples nearer to the last one drawn than this are left out.
+/// Minimum distance of a sample from the last one drawn; nearer ones are omitted.
 const THINNER: f64 = 0.4;
 
-/// A plot while it is drawn. Sizes and widths are in ems.
+/// A plot being drawn. Sizes and widths are in ems.
 pub struct Sheet<'a> {
     pub drawing: &'a mut Drawing,
     pub plot: &'a Plot,
@@ -37,12 +37,12 @@ impl<'a> Sheet<'a> {
         self.push(Shape::line(points, width * self.em, colour))
     }
 
-    /// A thin line of the plot's frame.
+    /// Draws a thin line of the plot's frame.
     pub fn axis(&mut self, from: DVec2, to: DVec2, colour: Rgb8) -> &mut Shape {
         self.line(vec![from, to], 0.08, colour)
     }
 
-    /// A curve, or the sample of one, without the points that nobody could see.
+    /// Draws a curve, or the sample of one, without the points too close to be seen.
     pub fn curve(&mut self, curve: &Curve, points: &[DVec2]) {
         let mut kept: Vec<DVec2> = Vec::new();
         for (index, point) in points.iter().enumerate() {
@@ -67,7 +67,7 @@ impl<'a> Sheet<'a> {
         self.drawing.shapes.push_mut(shape)
     }
 
-    /// Text whose part `align` lies left of `at`.
+    /// Draws text whose share `align` lies to the left of `at`.
     pub fn text(
         &mut self,
         text: impl Into<String>,
@@ -81,7 +81,7 @@ impl<'a> Sheet<'a> {
             .push_mut(Text::new(text, at, size * self.em, colour).aligned(align))
     }
 
-    /// The same with a halo, since it may stand on lines.
+    /// Draws text with a halo, since it may be over lines.
     pub fn over_lines(
         &mut self,
         text: &str,
@@ -95,7 +95,7 @@ impl<'a> Sheet<'a> {
         text
     }
 
-    /// Title and note; returns the room below them, with a margin on all sides.
+    /// Draws title and note; returns the area below them, with a margin on all sides.
     pub fn heading(&mut self, room: Area) -> Area {
         let (em, paper, plot) = (self.em, self.paper, self.plot);
         let margin = if self.style.titled { em } else { 0.0 };
@@ -119,7 +119,8 @@ impl<'a> Sheet<'a> {
     }
 }
 
-/// `text` in lines no wider than `width`, broken at spaces, and between Chinese characters but for punctuation.
+/// Wraps `text` to lines no wider than `width`, broken at spaces, and between Chinese characters except before
+/// punctuation.
 fn wrapped(text: &str, width: f64, size: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for piece in pieces(text) {
@@ -138,7 +139,7 @@ fn wrapped(text: &str, width: f64, size: f64) -> Vec<String> {
         .collect()
 }
 
-/// The pieces of a text that stay in one line: words with the space after them, and Chinese characters.
+/// Returns the pieces of a text that stay in one line: words with the space after them, and Chinese characters.
 fn pieces(text: &str) -> Vec<&str> {
     let chinese = |c: char| ('\u{2E80}'..='\u{9FFF}').contains(&c);
     let ends = |c: char| "，。；：、）」』？！".contains(c);

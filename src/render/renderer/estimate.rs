@@ -11,8 +11,8 @@ use crate::text::text;
 const PIXEL: u64 = 96;
 /// The bytes for each triangle and each vertex while the arrays of a mesh are made from its polygons, which is when they
 /// take the most. `tests/cli/scripts/memory.rs` checks that this much is enough.
-const TRIANGLE: u64 = 64;
-const VERTEX: u64 = 76;
+const TRIANGLE: u64 = 96;
+const VERTEX: u64 = 108;
 /// The bytes for each triangle where rays are followed: their hierarchy of boxes while it is sorted.
 const BOXED: u64 = 144;
 /// The bytes for everything else in a process that draws, even a picture in strips.

@@ -1,4 +1,4 @@
-//! What one light adds to the filled-in equation.
+//! The contribution of one light to the filled-in equation.
 
 use super::{FilledLine, FilledPart, LineValue, Share, line, to_line};
 use crate::analysis::probe::digits::{coordinates, digits, percent};
@@ -13,11 +13,11 @@ use crate::text;
 use crate::text::fixed;
 use glam::DVec3;
 
-/// A normal whose length differs from 1 by more than this has not been made a unit vector.
+/// Tolerance for the length of a unit vector; a normal that differs by more has not been normalised.
 const UNIT: f64 = 1e-6;
 
 impl LightHere<'_> {
-    /// The light's part of the sum.
+    /// Returns the light's part of the sum.
     pub(super) fn line(self, shares: &[Share]) -> FilledLine {
         let (terms, name) = (self.terms, self.source.name.trim());
         let number = self.index + 1;
@@ -112,7 +112,7 @@ impl LightHere<'_> {
         parts
     }
 
-    /// What the letters of the formulas are here, for those that no column has.
+    /// Returns the values of those letters of the formulas that no column has.
     pub fn values(self) -> Vec<(&'static str, String)> {
         let vectors = self.vectors().into_iter().chain(self.here.vectors());
         let mut values: Vec<_> = vectors
@@ -131,7 +131,7 @@ impl LightHere<'_> {
         values
     }
 
-    /// The vectors of the light, each with what it is.
+    /// Returns the vectors of the light, each with its description.
     pub fn vectors(self) -> [(Option<Vector>, &'static str, DVec3); 3] {
         let LightTerms { l, r, h, .. } = *self.terms;
         [
@@ -141,7 +141,7 @@ impl LightHere<'_> {
         ]
     }
 
-    /// The angles and the factors that come from them: names and values.
+    /// Returns the angles and the factors that follow from them: names and values.
     pub fn angles(self) -> Vec<(String, String)> {
         let (scene, hit, terms) = (self.here.scene, self.here.hit, self.terms);
         let material = &scene.material;
@@ -186,7 +186,7 @@ impl LightHere<'_> {
         rows
     }
 
-    /// The distance that f counts, world units.
+    /// Returns the distance that f depends on, world units.
     fn distance(self) -> f64 {
         let by_viewer = self.source.attenuation == Attenuation::Viewer;
         let from = if by_viewer {
@@ -197,7 +197,7 @@ impl LightHere<'_> {
         (from - self.here.hit.position).length()
     }
 
-    /// f, with the distance put in.
+    /// Formats f with the distance filled in.
     fn attenuation_formula(self) -> String {
         let (light, d) = (self.source, self.distance());
         let formula = match light.attenuation {
@@ -216,7 +216,7 @@ impl LightHere<'_> {
         format!("{{f}}{formula}{}", result(self.terms.attenuation))
     }
 
-    /// N·L as the cosine of θ.
+    /// Formats N·L as the cosine of θ.
     fn facing_formula(self) -> String {
         let theta = self.terms.theta.to_degrees();
         let sign = if self.turned() { "−" } else { "" };
@@ -233,7 +233,7 @@ impl LightHere<'_> {
         )
     }
 
-    /// S from the cosine of φ or α.
+    /// Formats S from the cosine of φ or α.
     fn lobe_formula(self) -> String {
         let model = self.here.scene.reflection.model;
         if model == ReflectionModel::CookTorrance {

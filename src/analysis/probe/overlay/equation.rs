@@ -1,5 +1,4 @@
-//! The equation at a point as arrows, arcs and the construction of R: of all lights, and of the one that is looked at in
-//! full.
+//! The equation at a point as arrows, arcs and the construction of R: for all lights, and in full for the chosen one.
 
 use super::lights::LETTERED;
 use super::{lobe, side};
@@ -10,68 +9,68 @@ use crate::figure::{Area, Shape, lowered};
 use crate::scene::{Backfacing, ReflectionModel, Scene};
 use glam::{DVec2, DVec3};
 
-/// Within this sine of the line of sight (ten degrees) an arrow has no length to speak of and shows its head from the
-/// front or from behind.
+/// Sine of the angle to the line of sight (ten degrees) below which an arrow is too short to draw and shows its head
+/// from the front or from behind.
 const HEAD_ON: f64 = 0.17;
 /// Width of the arrows of lights that are not emphasised.
 const SUBORDINATE: f64 = 0.55;
-/// Chords in an arc, and the radius of θ's arcs, of φ's and of α's, in unit vectors.
+/// Number of chords in an arc, and the radii of the arcs of θ, φ and α, in unit vectors.
 const CHORDS: u32 = 48;
 const RADIUS: [f64; 3] = [0.42, 0.64, 0.53];
 /// Side of the square that marks a right angle, in unit vectors.
 const SQUARE: f64 = 0.07;
-/// Of the lines that complete the parallelogram.
+/// Dashes of the lines that complete the parallelogram.
 const DASHES: &[f32] = &[4.0, 3.0];
 
-/// How an arrow ends.
+/// The end of an arrow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ArrowHead {
-    /// In a triangle.
+    /// A triangle.
     Plain,
-    /// In a dot within a circle: it points at the eye.
+    /// A dot within a circle: the arrow points at the eye.
     Towards,
-    /// In a cross within a circle: it points away from the eye.
+    /// A cross within a circle: the arrow points away from the eye.
     Away,
 }
 
 /// A vector of the equation in the picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Arrow {
-    /// Which vector it is.
+    /// The vector that the arrow stands for.
     pub vector: Vector,
     /// The light that it belongs to; none for N and V.
     pub light: Option<usize>,
-    /// Where the probe's point appears, pixels.
+    /// Position of the probed point in the picture, pixels.
     pub tail: DVec2,
-    /// Where the vector's end appears, which may be outside the picture.
+    /// Position of the vector's end, pixels; it may be outside the picture.
     pub tip: DVec2,
-    /// What it ends in.
+    /// The end of the arrow.
     pub head: ArrowHead,
-    /// False for the lights that are not chosen.
+    /// False for lights that are not chosen.
     pub emphasised: bool,
 }
 
-/// What an arc measures.
+/// The angle that an arc measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Angle {
-    /// Between N and L.
+    /// The angle between N and L.
     Theta,
-    /// Between N and R, which equals θ.
+    /// The angle between N and R, which equals θ.
     Mirror,
-    /// Between R and V.
+    /// The angle between R and V.
     Phi,
-    /// Between N and H.
+    /// The angle between N and H.
     Alpha,
 }
 
 /// An arc between two vectors in the picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Arc {
-    /// Which angle it is.
+    /// The angle that it measures.
     pub angle: Angle,
     /// Points along it, pixels.
     pub points: Vec<DVec2>,
-    /// Seen from its edge: only its label is drawn.
+    /// True if the arc is seen edge-on; only its label is then drawn.
     pub edge_on: bool,
 }
 
@@ -83,20 +82,20 @@ pub(super) struct Equation<'a> {
     pub(super) focus: Option<Focus<'a>>,
 }
 
-/// The light that is looked at.
+/// The chosen light.
 pub(super) struct Focus<'a> {
     index: usize,
     pub terms: &'a LightTerms,
-    /// N, unit, turned towards the light where surfaces have two sides.
+    /// N, a unit vector, turned towards the light where surfaces have two sides.
     pub n: DVec3,
-    /// Whether N·L > 0, without which there is no reflection to draw.
+    /// True if N·L > 0, without which there is no reflection to draw.
     pub lit: bool,
     /// The vectors whose angle the specular term depends on.
     pub lobe_between: (DVec3, DVec3),
 }
 
 impl<'a> Equation<'a> {
-    /// The equation at `hit`, looking at the light that `options` choose.
+    /// Returns the equation at `hit` for the light that `options` choose.
     pub fn new(hit: &'a ProbeHit, scene: &Scene, options: &OverlayOptions) -> Self {
         let phong = scene.reflection.model == ReflectionModel::Phong;
         let n = hit.normal.normalize_or_zero();
@@ -133,7 +132,7 @@ impl<'a> Equation<'a> {
         }
     }
 
-    /// The lobe of the light that is looked at, if it is asked for.
+    /// Returns the lobe of the chosen light, if requested.
     pub fn lobe(&self, sketch: &Sketch, scene: &Scene, layers: &[OverlayLayer]) -> Vec<Shape> {
         let focus = self
             .focus
@@ -143,7 +142,7 @@ impl<'a> Equation<'a> {
         lobe.map_or_else(Vec::new, |lobe| lobe::draw(sketch, &lobe, scene))
     }
 
-    /// The side view in a corner of `picture`, if it is asked for and has room: vectors and angles of one light.
+    /// Draws the side view in a corner of `picture`, if it is requested and fits: vectors and angles of one light.
     pub fn side_view(
         &self,
         picture: Area,
@@ -173,7 +172,7 @@ impl<'a> Equation<'a> {
         Some(side)
     }
 
-    /// Draws layers in the order in which the letters want places: what is lettered first gets the best. `every_light` adds
+    /// Draws layers in the order in which their letters are placed: the first get the best places. `every_light` adds
     /// L of the other lights.
     pub fn draw(
         &self,
@@ -210,7 +209,7 @@ impl<'a> Equation<'a> {
         (arrows, arcs)
     }
 
-    /// Draws those vectors that are `shown` from the probe's point with their letters.
+    /// Draws the vectors that are `shown` from the probed point, with their letters.
     pub fn draw_vectors(
         &self,
         sketch: &mut Sketch,
@@ -299,7 +298,7 @@ impl<'a> Equation<'a> {
         arrows
     }
 
-    /// Draws arcs of angles and asks for their labels.
+    /// Draws arcs of angles and requests their labels.
     pub fn draw_angles(&self, sketch: &mut Sketch, focus: &Focus<'_>, shown: &[Angle]) -> Vec<Arc> {
         let Focus { terms, n, .. } = focus;
         let subscript = self.subscript(Some(focus.index));
@@ -331,7 +330,7 @@ impl<'a> Equation<'a> {
         arcs
     }
 
-    /// The light's number below the line, where there are several lights.
+    /// Returns the light's number as a subscript, where there are several lights.
     fn subscript(&self, light: Option<usize>) -> String {
         light
             .filter(|_| self.hit.lights.len() > 1)
@@ -339,8 +338,8 @@ impl<'a> Equation<'a> {
     }
 }
 
-/// Draws an arrow; returns how far its letter keeps from its tip besides. One seen along its shaft shows its point as a
-/// dot, or its fletching as a cross, in a circle; circles about one place nest.
+/// Draws an arrow and returns the additional distance of its letter from its tip. An arrow seen along its shaft shows
+/// its point as a dot, or its fletching as a cross, in a circle; circles about one place nest.
 fn draw_arrow(sketch: &mut Sketch, arrow: &Arrow, circles: &mut Vec<(DVec2, f64)>) -> f64 {
     let style = sketch.style;
     let (colour, dashes) = (arrow.vector.colour(), arrow.vector.dashes());
@@ -374,7 +373,7 @@ fn draw_arrow(sketch: &mut Sketch, arrow: &Arrow, circles: &mut Vec<(DVec2, f64)
     radius
 }
 
-/// Draws a circle's arc about the probed point in the plane of two vectors; nothing where one has no direction.
+/// Draws a circle's arc about the probed point in the plane of two vectors; none if one has no direction.
 fn draw_arc(sketch: &mut Sketch, angle: Angle, (from, to): (DVec3, DVec3)) -> Option<Arc> {
     let (radius, width) = match angle {
         Angle::Theta => (RADIUS[0], 0.6),
@@ -386,7 +385,7 @@ fn draw_arc(sketch: &mut Sketch, angle: Angle, (from, to): (DVec3, DVec3)) -> Op
     let points: Vec<DVec2> = directions
         .map(|direction| sketch.end(direction * radius))
         .collect::<Option<_>>()?;
-    // All points on one line through the origin: seen from its edge the arc would only thicken the arrow beneath it.
+    // All points on one line through the origin: edge-on, the arc would only thicken the arrow beneath it.
     let ways = || points.iter().map(|point| *point - sketch.origin);
     let far = ways().max_by(|a, b| a.length_squared().total_cmp(&b.length_squared()));
     let along = far.unwrap_or(DVec2::ZERO).normalize_or_zero();
@@ -411,7 +410,7 @@ fn draw_arc(sketch: &mut Sketch, angle: Angle, (from, to): (DVec3, DVec3)) -> Op
     })
 }
 
-/// Unit vectors from `from` to `to` along the great circle; nothing if either has no direction.
+/// Returns unit vectors from `from` to `to` along the great circle; none if either has no direction.
 fn turn(from: DVec3, to: DVec3) -> Option<Vec<DVec3>> {
     let (from, to) = (from.try_normalize()?, to.try_normalize()?);
     let whole = from.angle_between(to);
@@ -425,8 +424,8 @@ fn turn(from: DVec3, to: DVec3) -> Option<Vec<DVec3>> {
     Some((0..=CHORDS).map(at).collect())
 }
 
-/// Draws R by projection: L drops onto N at N(N·L), and as far again on the other side lies R = 2N(N·L) − L. `n` and `l` are
-/// unit, and `n`·`l` is positive.
+/// Draws R by projection: L projects onto N at N(N·L), and as far again on the other side lies R = 2N(N·L) − L. `n`
+/// and `l` are unit vectors, and `n`·`l` is positive.
 fn draw_construction(sketch: &mut Sketch, n: DVec3, l: DVec3) {
     let foot = n * n.dot(l);
     let [at_l, at_r, at_foot, at_top] =
@@ -450,7 +449,7 @@ fn draw_construction(sketch: &mut Sketch, n: DVec3, l: DVec3) {
         .push(Shape::disc(at_foot, 0.9 * style.line, palette::N));
 }
 
-/// Draws the square at `foot`, where the way from the end of `l` meets N's line.
+/// Draws the square at `foot`, where the line from the end of `l` meets N's line.
 pub(super) fn draw_right_angle(sketch: &mut Sketch, n: DVec3, l: DVec3, foot: DVec3) {
     let across = (l - foot)
         .try_normalize()

@@ -1,4 +1,4 @@
-//! Where the lights are: a sun for one that stands somewhere, parallel rays for one that only has a direction.
+//! Symbols of the lights: a sun for one that has a position, parallel rays for one that only has a direction.
 
 use crate::analysis::overlay::Sketch;
 use crate::figure::palette;
@@ -10,22 +10,23 @@ use glam::DVec2;
 const RAYS_AT: f64 = 0.4;
 /// Length of the rays when they lie in the picture's plane, in text sizes.
 const RAYS_LENGTH: f64 = 3.2;
-/// Rays shorter than this share of their full length are shown from the front or from behind.
+/// Share of their full length below which rays are shown from the front or from behind.
 const HEAD_ON: f64 = 0.17;
-/// Outer radius of a sun and reach of the pointer beside one that stands outside the picture, in its disc's radii.
+/// Outer radius of a sun, and reach of the pointer beside one whose light is outside the picture, in its disc's
+/// radii.
 const SUN: [f64; 2] = [1.95, 3.1];
 
-/// Among more lights than this only the chosen one is lettered.
+/// Number of lights beyond which only the chosen one is lettered.
 pub const LETTERED: usize = 24;
 
 /// A light's symbol in the picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LightHandle {
-    /// Index in the scene.
+    /// Index of the light in the scene.
     pub light: usize,
     /// The symbol's middle.
     pub pixel: DVec2,
-    /// Whether the light itself is outside the picture or behind the eye; the symbol then stands at the edge.
+    /// True if the light itself is outside the picture or behind the eye; the symbol then is at the edge.
     pub outside: bool,
 }
 
@@ -63,7 +64,7 @@ pub(super) fn draw(
     handles
 }
 
-/// Returns where the sun stands, and whether the light itself is elsewhere.
+/// Draws a sun; returns its position, and whether the light itself is elsewhere.
 fn draw_sun(sketch: &mut Sketch, light: &Light, radius: f64) -> (DVec2, bool) {
     let (wanted, behind) = whereabouts(&sketch.view, light, sketch.pane);
     let margin = (SUN[0] * radius).min(0.5 * (sketch.pane.max - sketch.pane.min).min_element());
@@ -92,7 +93,7 @@ fn draw_sun(sketch: &mut Sketch, light: &Light, radius: f64) -> (DVec2, bool) {
             palette::L,
         ));
     }
-    // The light's hue at full brightness: a dim light is still to be found.
+    // The light's hue at full brightness, so that a dim light can still be found.
     let brightest = light.color.max_element();
     let scale = if brightest > 0.0 && brightest.is_finite() {
         255.0 / brightest
@@ -110,7 +111,8 @@ fn draw_sun(sketch: &mut Sketch, light: &Light, radius: f64) -> (DVec2, bool) {
     (pixel, outside)
 }
 
-/// Where a light appears, and whether it is behind the eye; then a point far out on the side on which it stands.
+/// Returns the position of a light in the picture, and whether it is behind the eye; in that case the position is a
+/// point far out on the light's side.
 fn whereabouts(view: &View, light: &Light, pane: Area) -> (DVec2, bool) {
     if let Some((pixel, _)) = view.project(light.position) {
         return (pixel, false);
@@ -121,7 +123,7 @@ fn whereabouts(view: &View, light: &Light, pane: Area) -> (DVec2, bool) {
     (view.centre + aside.unwrap_or(DVec2::NEG_Y) * far, true)
 }
 
-/// Where the way from the pane's middle to `point` comes within `margin` of its edge.
+/// Returns the point at which the line from the pane's middle to `point` comes within `margin` of its edge.
 fn on_edge(sketch: &Sketch, point: DVec2, margin: f64) -> DVec2 {
     let centre = sketch.pane.centre();
     let room = ((sketch.pane.max - sketch.pane.min) * 0.5 - margin).max(DVec2::ZERO);
@@ -132,7 +134,7 @@ fn on_edge(sketch: &Sketch, point: DVec2, margin: f64) -> DVec2 {
     centre + way * share
 }
 
-/// Returns where the parallel rays stand.
+/// Draws parallel rays; returns their position, and whether the light itself is elsewhere.
 fn draw_rays(sketch: &mut Sketch, light: &Light, radius: f64) -> (DVec2, bool) {
     let style = sketch.style;
     let direction = (light.direction / light.direction.abs().max_element()).normalize_or_zero();

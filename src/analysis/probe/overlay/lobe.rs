@@ -1,7 +1,8 @@
-//! The lobe of reflection about the probed point: a surface whose distance in each direction is what a viewer there sees.
+//! The lobe of reflection about the probed point: a surface whose distance in each direction is the light reflected
+//! to a viewer there.
 //!
-//! Its net has R for its pole, where the highlight is: meridians run from R to the horizon, parallels about R become the
-//! horizon. The greatest reflection is a little longer than a unit vector, so that R does not cover it.
+//! The pole of its net is R, where the highlight is: meridians run from R to the horizon, and parallels about R
+//! become the horizon. The largest reflection is a little longer than a unit vector, so that R does not cover it.
 
 use crate::analysis::overlay::Sketch;
 use crate::analysis::{ReflectionLobe, curves::highlight_half_width};
@@ -10,27 +11,28 @@ use crate::figure::palette;
 use crate::scene::{ReflectionModel, Scene};
 use glam::{DVec2, DVec3};
 
-/// Length of the greatest reflection, in unit vectors.
+/// Length of the largest reflection, in unit vectors.
 const LENGTH: f64 = 1.3;
-/// Meridians and parallels.
+/// Number of meridians and of parallels.
 const NET: [u32; 2] = [24, 12];
-/// Chords between neighbouring lines of the net: so finely the lines are drawn.
+/// Number of chords between neighbouring lines of the net.
 const CHORDS: u32 = 4;
-/// Of the parallels, so many lie within `SKIRT` half-widths of R; the others are even from there to the horizon.
+/// Number of parallels that lie within `SKIRT` half-widths of R; the others are evenly spaced from there to the
+/// horizon.
 const NEAR: u32 = 7;
 const SKIRT: f64 = 2.4;
-/// The part of the way to the horizon that the highlight may take.
+/// Maximum share of the angle to the horizon for the highlight.
 const MOST: f64 = 0.6;
-/// Steps of the way from a point of the surface to the eye on which something may hide it.
+/// Number of steps from a point of the surface to the eye at which occlusion is tested.
 const MARCH: u32 = 40;
-/// How far a point is lifted off the surface before that way begins, in unit vectors.
+/// Height of a point above the surface where those steps begin, in unit vectors.
 const LIFT: f64 = 0.02;
 /// Width of the lines, in the width of an arrow.
 const WIDTH: f64 = 0.32;
 /// Opacity of a line that the lobe itself hides, and of the surface.
 const FAINT: [f64; 2] = [0.22, 0.1];
 
-/// The lobe in the sketch's view.
+/// Draws the lobe in the sketch's view.
 pub(super) fn draw(sketch: &Sketch, lobe: &ReflectionLobe, scene: &Scene) -> Vec<Shape> {
     let greatest = greatest(lobe, scene);
     if greatest.is_nan() || greatest <= 0.0 || !greatest.is_finite() {
@@ -48,7 +50,7 @@ pub(super) fn draw(sketch: &Sketch, lobe: &ReflectionLobe, scene: &Scene) -> Vec
         palette::H
     };
     let [meridians, parallels] = NET;
-    // The silhouette's inside, faintly.
+    // The inside of the silhouette, faintly.
     let mut skin = Vec::new();
     for (i, j) in (0..meridians).flat_map(|i| (0..parallels).map(move |j| (i, j))) {
         let place = |(i, j): (u32, u32)| {
@@ -96,7 +98,7 @@ pub(super) fn draw(sketch: &Sketch, lobe: &ReflectionLobe, scene: &Scene) -> Vec
     [skin, hidden, shown].concat()
 }
 
-/// The greatest reflection, sought in the plane of incidence, where it is.
+/// Finds the largest reflection, which lies in the plane of incidence.
 fn greatest(lobe: &ReflectionLobe, scene: &Scene) -> f64 {
     let fine = highlight_half_width(scene) / 8.0;
     let even = (-90..=90).map(|i| f64::from(i).to_radians());
@@ -114,28 +116,28 @@ fn greatest(lobe: &ReflectionLobe, scene: &Scene) -> f64 {
 #[derive(Clone, Copy)]
 struct Knot {
     place: Option<DVec2>,
-    /// Whether nothing of the lobe is before it.
+    /// True if no part of the lobe hides the point.
     seen: bool,
-    /// Whether the highlight outshines the diffuse light there.
+    /// True if the highlight is brighter there than the diffuse light.
     bright: bool,
 }
 
 struct Surface<'a> {
     sketch: &'a Sketch,
     lobe: &'a ReflectionLobe,
-    /// What is as long as a unit vector.
+    /// Length that represents a unit vector.
     unit: f64,
-    /// Angle from R within which the net is finer, radians.
+    /// Angle about R within which the net is finer, radians.
     skirt: f64,
 }
 
 impl Surface<'_> {
-    /// The direction of a place of the net: `i` chords round R and `j` chords from it.
+    /// Returns the direction of a place of the net: `i` chords around R and `j` chords away from it.
     fn direction(&self, i: u32, j: u32) -> DVec3 {
         let [meridians, parallels] = NET;
         let turn = std::f64::consts::TAU * f64::from(i) / f64::from(meridians * CHORDS);
         let (n, r) = (self.lobe.n, self.lobe.r);
-        // Square to R: one in the plane of incidence, one in the surface.
+        // Perpendicular to R: one in the plane of incidence, one in the surface.
         let level = n.cross(self.lobe.across);
         let rise = level.cross(r);
         let (sine, cosine) = turn.sin_cos();
@@ -152,11 +154,11 @@ impl Surface<'_> {
         };
         let (sine, cosine) = angle.sin_cos();
         let direction = r * cosine + aside * sine;
-        // On the horizon itself rounding must not let the direction dip below.
+        // On the horizon itself, rounding must not push the direction below the surface.
         (direction - n * n.dot(direction).min(0.0)).normalize_or(r)
     }
 
-    /// The distance of the surface in a direction, in unit vectors.
+    /// Returns the distance of the surface in a direction, in unit vectors.
     fn reach(&self, direction: DVec3) -> f64 {
         self.lobe.towards(direction).total() / self.unit
     }
@@ -173,8 +175,8 @@ impl Surface<'_> {
         }
     }
 
-    /// Whether the way from `point` to the eye keeps outside the lobe: it is star-shaped, so that a place is inside when
-    /// it is nearer than the surface in its direction.
+    /// Returns whether the line from `point` to the eye stays outside the lobe. The lobe is star-shaped, so that a
+    /// place is inside if it is nearer than the surface in its direction.
     fn is_seen(&self, point: DVec3) -> bool {
         let world = self.sketch.position + point * self.sketch.length;
         let towards = self.sketch.view.towards_eye(world);
@@ -187,7 +189,8 @@ impl Surface<'_> {
     }
 }
 
-/// Consecutive knots that look alike, each run with the next one's first so that lines stay connected.
+/// Returns consecutive knots with the same appearance; each run includes the first knot of the next, so that lines
+/// stay connected.
 fn runs(knots: &[Knot]) -> Vec<&[Knot]> {
     let look = |knot: &Knot| (knot.seen, knot.bright);
     let (mut runs, mut start) = (Vec::new(), 0);

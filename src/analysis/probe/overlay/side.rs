@@ -1,34 +1,36 @@
 //! The vectors seen from the side, in a corner of the picture.
 //!
-//! V points at the eye, so in the picture it is a point and φ is seen from its edge. From the side, square to the plane
-//! of N and L with N upwards and L on the left, the figure is the textbooks' own; a little from above, so that a V that
-//! leaves the plane is seen to do so, and turned about N where V would hide behind another vector.
+//! V points at the eye, so that in the picture it is a point and φ is seen edge-on. From the side, perpendicular to
+//! the plane of N and L with N upwards and L on the left, the figure is that of the textbooks; it is seen slightly
+//! from above, so that a V outside the plane is recognisable, and turned about N where V would hide behind another
+//! vector.
 
 use crate::analysis::overlay::{OverlayOptions, Sketch, Style};
 use crate::figure::{Area, Shape};
 use crate::scene::{Projection, View};
 use glam::{DVec2, DVec3};
 
-/// Side of the pane: the wanted share of the picture's shorter side, the largest share, and the least in text sizes.
+/// Side of the pane: the preferred share of the picture's shorter side, the maximum share, and the minimum in text
+/// sizes.
 const SIDE: [f64; 3] = [0.35, 0.6, 8.5];
-/// Length of a unit vector in the pane's side: twice as much fits above the point, where R's construction reaches.
+/// Length of a unit vector in the pane's side: twice as much fits above the point, which R's construction needs.
 const UNIT: f64 = 0.36;
-/// Drop of the point below the pane's middle; less where an L from behind the surface would leave the pane.
+/// Distance of the point below the pane's middle; less where an L from behind the surface would leave the pane.
 const DROP: [f64; 2] = [0.26, 0.45];
-/// The height from which the surface is looked down on, radians.
+/// Elevation from which the surface is seen, radians.
 const TILT: f64 = 0.22;
-/// The farthest turn about N, radians, so that L stays on the left; in how many steps each way it is sought; and what a
-/// turn's square costs against the share in which the worst angle is shown.
+/// Maximum turn about N, radians, so that L stays on the left; the number of steps searched each way; and the cost of
+/// a turn's square relative to the visible share of the worst angle.
 const TURN: f64 = 1.1;
 const TURNS: u32 = 60;
 const RELUCTANCE: f64 = 0.2;
-/// Radius of the disc that stands for the surface, in unit vectors.
+/// Radius of the disc that represents the surface, in unit vectors.
 const DISC: f64 = 0.62;
-/// The surface's grey, and how opaque it and the pane's ground are.
+/// Grey of the surface, and the opacity of it and of the pane's background.
 const SURFACE: [u8; 3] = [128; 3];
 const OPAQUE: [f64; 2] = [0.35, 0.88];
 
-/// The pane in the corner farthest from `point`; nothing in a picture too small for it.
+/// Returns the pane in the corner farthest from `point`; none in a picture too small for it.
 pub(super) fn pane(picture: Area, point: DVec2, style: &Style) -> Option<Area> {
     let shorter = (picture.max - picture.min).min_element();
     let side = (SIDE[0] * shorter).max(SIDE[2] * style.text);
@@ -41,7 +43,7 @@ pub(super) fn pane(picture: Area, point: DVec2, style: &Style) -> Option<Area> {
     Some(Area::about(middle, DVec2::splat(side)))
 }
 
-/// A sketch of the surface about the point, ready for the vectors of a light; all are unit.
+/// Returns a sketch of the surface about the point, ready for the vectors of a light; all are unit vectors.
 pub(super) fn sketch(
     pane: Area,
     [n, l, v]: [DVec3; 3],
@@ -59,7 +61,7 @@ pub(super) fn sketch(
     Some(sketch)
 }
 
-/// A disc for the surface about the point.
+/// Draws a disc for the surface about the point.
 pub(super) fn draw_surface(sketch: &mut Sketch, n: DVec3) {
     let (across, into) = n.any_orthonormal_pair();
     let rim = Shape::ring(DVec2::ZERO, DISC, 0.0, SURFACE).points;
@@ -72,14 +74,14 @@ pub(super) fn draw_surface(sketch: &mut Sketch, n: DVec3) {
         .extend(rim.map(|rim| Shape::area(rim, SURFACE).plain().faded(OPAQUE[0])));
 }
 
-/// Where the point stands and how long a unit vector is.
+/// Position of the point and length of a unit vector.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Frame {
     pub origin: DVec2,
     pub unit: f64,
 }
 
-/// The frame of a pane: an L from behind the surface stays within it.
+/// Returns the frame of a pane; an L from behind the surface stays within it.
 fn in_pane(pane: Area, [n, l]: [DVec3; 2]) -> Frame {
     let side = (pane.max - pane.min).min_element();
     let drop = DROP[0].min(DROP[1] - UNIT * (-n.dot(l)).max(0.0));
@@ -89,7 +91,8 @@ fn in_pane(pane: Area, [n, l]: [DVec3; 2]) -> Frame {
     }
 }
 
-/// The view, turned about N by as little as shows the angles and V at a fair part of their size. All vectors are unit.
+/// Returns the view, turned about N by the smallest angle that shows the angles and V at a fair share of their size.
+/// All vectors are unit vectors.
 pub(super) fn view(frame: Frame, [n, l, v]: [DVec3; 3], lobe_between: (DVec3, DVec3)) -> View {
     let shown = |view: &View| {
         [(n, l), lobe_between, (v, DVec3::ZERO)]

@@ -1,4 +1,4 @@
-//! The vectors of one light seen from the side as a drawing of its own, and the steps that build R and H in it.
+//! The vectors of one light seen from the side as a drawing of its own, with the steps that construct R and H.
 
 use super::equation::{Angle, Equation, Focus, draw_point, draw_right_angle};
 use super::side::{Frame, draw_surface, view};
@@ -10,19 +10,19 @@ use crate::figure::{Area, Drawing, PlotStyle, Shape};
 use crate::text::fixed;
 use glam::{DVec2, DVec3};
 
-/// Room about the vectors for their letters, in ems: beside, above and below.
+/// Margins about the vectors for their letters, in ems: beside, above and below.
 const MARGIN: [f64; 3] = [2.4, 1.6, 1.0];
-/// How far the surface reaches beside and below the point, in unit vectors.
+/// Extent of the surface beside and below the point, in unit vectors.
 const SURFACE: [f64; 2] = [0.64, 0.15];
-/// Size of the letters, in that of plots; and the width of what a step adds, in that of an arrow.
+/// Size of the letters relative to plots, and width of a step's lines relative to an arrow.
 const LETTERS: f64 = 1.15;
 const STRONG: f64 = 1.9;
-/// Of the way from the end of L to N.
+/// Dashes of the line from the end of L to N.
 const DASHES: &[f32] = &[4.0, 3.0];
-/// Contrast of lines and of letters with their ground.
+/// Minimum contrast of lines and of letters with their background.
 const CONTRAST: [f64; 2] = [3.0, 4.5];
 
-/// What the drawing of the vectors shows.
+/// Contents of the drawing of the vectors.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum VectorsShown {
     /// The vectors and the angles between them.
@@ -54,7 +54,7 @@ impl VectorsShown {
         }
     }
 
-    /// Whether what a step adds is shown.
+    /// Returns whether the lines of a step are shown.
     fn has(self, step: ConstructionStep) -> bool {
         match self {
             Self::Angles => false,
@@ -64,8 +64,8 @@ impl VectorsShown {
     }
 }
 
-/// N, L, R, V, H and T of a light at the probed point, seen from the side, in a drawing of that `width`. Nothing where there is
-/// no such light or no direction.
+/// Draws N, L, R, V, H and T of a light at the probed point, seen from the side, in a drawing of that `width`.
+/// Returns none where there is no such light or no direction.
 ///
 /// # Guarantees
 ///
@@ -100,7 +100,7 @@ pub fn draw_vectors(
     };
     let vectors = [focus.n, focus.terms.l, v];
     let seen_from = |origin, unit| view(Frame { origin, unit }, vectors, lobe_between);
-    // As large as the width allows, but not higher than wide.
+    // As large as the width allows, but not taller than wide.
     let through = here.hit.transmission.and_then(|through| through.t);
     let all = vectors
         .into_iter()
@@ -150,7 +150,7 @@ pub fn draw_vectors(
     Some(drawing)
 }
 
-/// Whether a step before that of H is shown, for which L drops onto N.
+/// Returns whether a step before that of H is shown, for which L is projected onto N.
 fn projects(focus: &Focus<'_>, shown: VectorsShown) -> bool {
     match shown {
         VectorsShown::Angles | VectorsShown::Step(ConstructionStep::Halfway) => false,
@@ -159,7 +159,7 @@ fn projects(focus: &Focus<'_>, shown: VectorsShown) -> bool {
     }
 }
 
-/// What lies under the arrows: the way from the end of L to N's line, and that from L to V.
+/// Draws the lines under the arrows: from the end of L to N's line, and from L to V.
 fn draw_lines(sketch: &mut Sketch, focus: &Focus<'_>, shown: VectorsShown) {
     let (n, l) = (focus.n, focus.terms.l);
     if projects(focus, shown) {
@@ -170,11 +170,11 @@ fn draw_lines(sketch: &mut Sketch, focus: &Focus<'_>, shown: VectorsShown) {
     }
 }
 
-/// What the steps shown add, with their letters.
+/// Draws the additions of the steps shown, with their letters.
 fn draw_steps(sketch: &mut Sketch, focus: &Focus<'_>, length: f64, v: DVec3, shown: VectorsShown) {
     use ConstructionStep::{Across, Cosine, Halfway, Mirror, Projection};
     let (l, r) = (focus.terms.l, focus.terms.r);
-    // N as it is, which may be short.
+    // N as given, which may be shorter than 1.
     let n = focus.n * length;
     let foot = n * n.dot(l);
     let neutral = sketch.style.neutral;
@@ -241,7 +241,7 @@ fn arrow(sketch: &mut Sketch, ends: [DVec3; 2], width: f64, colour: Rgb8) {
     ));
 }
 
-/// Asks for a label beside the end of `at`, towards `aside`.
+/// Requests a label beside the end of `at`, towards `aside`.
 fn letter(sketch: &mut Sketch, text: String, colour: Rgb8, at: DVec3, aside: DVec3) {
     let Some(anchor) = sketch.end(at) else { return };
     let towards = sketch
