@@ -15,7 +15,7 @@ const TRIANGLE: u64 = 96;
 const VERTEX: u64 = 108;
 /// The bytes for each triangle where rays are followed: their hierarchy of boxes while it is sorted.
 const BOXED: u64 = 144;
-/// The bytes for everything else in a process that draws, even a picture in strips.
+/// The bytes for everything else in a process that draws, and in one that draws a picture in strips (`BESIDES_LARGE`).
 const BESIDES: u64 = 1 << 25;
 const BESIDES_LARGE: u64 = 1 << 28;
 /// The bytes below which memory is not checked in advance: if so little cannot be had, nothing can.
