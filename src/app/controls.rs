@@ -1,16 +1,21 @@
 //! The panel of controls, in the order of the equation: sections of rows, each the row of a parameter or a control of its own.
 
 mod lights;
+pub mod materials;
+pub mod named;
 mod object;
+pub mod row;
+pub mod sampling;
+pub mod scenes;
 
-use super::action::Action;
 use super::engine::Engine;
-use super::focus::{keep_in_sight, named};
-use super::material::{gallery_ui, matching_ui};
-use super::plan::grouped;
-use super::row::{About, View, parameter_with, row};
 use super::state::AppState;
-use super::symbol::Symbol;
+use crate::app::controls::materials::{gallery_ui, matching_ui};
+use crate::app::controls::row::{About, View, parameter_with, row};
+use crate::app::session::action::Action;
+use crate::app::views::plan::grouped;
+use crate::app::widgets::focus::{keep_in_sight, named};
+use crate::app::widgets::symbol::Symbol;
 use crate::scene::parameter::{Parameter, Slider};
 use crate::scene::{
     AmbientSource, Camera, Choice, CuedBy, DepthCueing, Display, GREATEST_LENGTH, Light, Object,

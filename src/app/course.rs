@@ -32,12 +32,12 @@ pub use step::{back_ui, head_ui};
 #[cfg(target_arch = "wasm32")]
 pub use work::Prepare;
 
-use super::action::{Action, Turn};
-use super::appearance::ViewName;
-use super::document::{CoursePart, Document, Origin};
 use super::engine::Engine;
-use super::place::{ProbePoint, ProfileLine};
 use super::state::AppState;
+use crate::app::session::action::{Action, Turn};
+use crate::app::session::appearance::ViewName;
+use crate::app::session::document::{CoursePart, Document, Origin};
+use crate::app::session::place::{ProbePoint, ProfileLine};
 use crate::jobs::Background;
 use crate::lesson::{Kind, LESSONS, Lesson, OVERLAYS, Staged, are_there, find};
 use crate::text::text;

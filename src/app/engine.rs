@@ -4,13 +4,13 @@ mod normals;
 mod pane;
 mod refined;
 
-use super::appearance::{Overlays, ViewName};
-use super::place::ProbePoint;
 use super::state::AppState;
 use crate::analysis::{
     Brightest, Curves, ErrorFigures, NormalField, Overlay, OverlayOptions, PaneFigures, Probe,
     Scan, ScanError, brightest, difference_picture, difference_scale, error_figures, scan_drawn,
 };
+use crate::app::session::appearance::{Overlays, ViewName};
+use crate::app::session::place::ProbePoint;
 use crate::figure::Area;
 use crate::render::{Frame, Report, Term, coarseness};
 use crate::scene::{CompareView, DifferenceKind, Image, Scene};
@@ -248,7 +248,7 @@ impl Engine {
             return;
         };
         let mut frame = difference_picture(a, b, compare.difference, compare.gain);
-        let em = f64::from(ctx.pixels_per_point()) * f64::from(super::theme::TEXT);
+        let em = f64::from(ctx.pixels_per_point()) * f64::from(crate::app::widgets::theme::TEXT);
         let em = em / f64::from(self.panes[first].coarser);
         difference_scale(
             [frame.width, frame.height],

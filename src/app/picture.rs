@@ -1,18 +1,19 @@
 //! The picture in the middle: drawn pixel for pixel, turned, zoomed and probed by hand.
 
-use super::action::Action;
+pub mod handles;
+pub mod orbit;
+pub mod panes;
+
 use super::course;
-use super::defects;
 use super::engine::Engine;
-use super::focus;
-use super::handles;
-use super::letter::letter;
-use super::orbit;
-use super::panes::{self, PanePlace};
-use super::place::{Place, ProbePoint};
-use super::profile::{self, Profiles};
-use super::scan;
 use super::state::{AppState, Drag, Grip, LightStart};
+use crate::app::session::action::Action;
+use crate::app::session::place::{Place, ProbePoint};
+use crate::app::views::defects;
+use crate::app::views::profile::{self, Profiles};
+use crate::app::views::scan;
+use crate::app::widgets::focus;
+use crate::app::widgets::letter::letter;
 use crate::scene::{Choice as _, View};
 use crate::text;
 use eframe::egui::accesskit::Role;
@@ -21,6 +22,7 @@ use eframe::egui::{
     Sense, Stroke, TextStyle, Ui, pos2, vec2,
 };
 use glam::DVec2;
+use panes::PanePlace;
 
 /// Degrees that the camera turns when the pointer travels the side of the picture that the camera spans.
 const DEGREES_PER_HEIGHT: f64 = 180.0;

@@ -9,15 +9,15 @@
 //!              └── object.segments=64 ──→ pane 2
 //! ```
 
-use super::action::Action;
-use super::appearance::{Appearance, ViewName};
 use super::course::{Course, Glide};
-use super::dialog::Dialog;
-use super::document::{CoursePart, Document, History, Origin};
-use super::material::Gallery;
-use super::place::{ProbePoint, ProfileLine};
-use super::sampling::Sampling;
-use super::symbol::Lit;
+use crate::app::controls::materials::Gallery;
+use crate::app::controls::sampling::Sampling;
+use crate::app::session::action::Action;
+use crate::app::session::appearance::{Appearance, ViewName};
+use crate::app::session::document::{CoursePart, Document, History, Origin};
+use crate::app::session::place::{ProbePoint, ProfileLine};
+use crate::app::shell::dialog::Dialog;
+use crate::app::widgets::symbol::Lit;
 use crate::document::undrawn;
 use crate::figure::Area;
 use crate::render::check_mesh_memory;

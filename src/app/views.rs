@@ -1,20 +1,31 @@
 //! The views: ways of reading the picture, in groups that the rail at the right shows.
 
-use super::appearance::ViewName;
-use super::compare::compare_ui;
+pub mod compare;
+pub mod curves;
+pub mod defects;
+pub mod plan;
+pub mod point;
+pub mod profile;
+pub mod report;
+pub mod scan;
+pub mod stability;
+pub mod study;
+
 use super::course::{course_ui, head_ui, hidden_ui};
-use super::curves::curves_ui;
-use super::defects::defects_ui;
 use super::engine::Engine;
-use super::focus::{keep_in_sight, one_stop, switch_named};
-use super::plan::plan_ui;
-use super::point::point_ui;
-use super::profile::profile_ui;
-use super::scan::scan_ui;
-use super::sign::{Sign, sign_button};
-use super::stability::stability_ui;
 use super::state::AppState;
-use super::study::study_ui;
+use crate::app::session::appearance::ViewName;
+use crate::app::views::compare::compare_ui;
+use crate::app::views::curves::curves_ui;
+use crate::app::views::defects::defects_ui;
+use crate::app::views::plan::plan_ui;
+use crate::app::views::point::point_ui;
+use crate::app::views::profile::profile_ui;
+use crate::app::views::scan::scan_ui;
+use crate::app::views::stability::stability_ui;
+use crate::app::views::study::study_ui;
+use crate::app::widgets::focus::{keep_in_sight, one_stop, switch_named};
+use crate::app::widgets::sign::{Sign, sign_button};
 use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{

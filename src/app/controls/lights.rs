@@ -1,11 +1,11 @@
 //! The lights: which there are, and the one chosen.
 
-use crate::app::action::Action;
-use crate::app::focus::{named, switch_named};
-use crate::app::row::{View, parameter_with, swatch};
-use crate::app::sampling::Finding;
+use super::row::{View, parameter_with, swatch};
+use super::sampling::Finding;
+use crate::app::session::action::Action;
 use crate::app::state::AppState;
-use crate::app::symbol::{Lit, Symbol};
+use crate::app::widgets::focus::{named, switch_named};
+use crate::app::widgets::symbol::{Lit, Symbol};
 use crate::scene::light::{
     ATTENUATION, C1, C2, C3, COLOR, CONE, DIRECTION, EXPONENT, EXTENT, K, KIND, NAME, POSITION,
     RADIUS, SAMPLES, SHAPE, SOFTNESS, viewer_far,

@@ -1,14 +1,14 @@
 //! The object: its shape, how finely it is made of polygons or the polygons themselves, and its vertex normals.
 
-use crate::app::action::Action;
-use crate::app::engine::Engine;
-use crate::app::handles::{MOST as MOST_HANDLES, go};
-use crate::app::plan::grouped;
-use crate::app::row::{
+use super::row::{
     About, NumberRow, SliderRange, View, axes, number, parameter, parameter_with, value_row, whole,
 };
+use crate::app::engine::Engine;
+use crate::app::picture::handles::{MOST as MOST_HANDLES, go};
+use crate::app::session::action::Action;
 use crate::app::state::AppState;
-use crate::app::symbol::{Lit, Symbol};
+use crate::app::views::plan::grouped;
+use crate::app::widgets::symbol::{Lit, Symbol};
 use crate::geometry::{divisions_for, triangles};
 use crate::scene::object::{FIT, KIND, NORMALS, RINGS, SEGMENTS, WEIGHTING, polygons_unused};
 use crate::scene::{ChoiceOption, NormalSource, Object, ObjectKind, Scene};

@@ -2,8 +2,8 @@
 
 use super::marking::HandedIn;
 use super::work::{Prepare, Prepared};
-use crate::app::appearance::Overlays;
-use crate::app::document::CoursePart;
+use crate::app::session::appearance::Overlays;
+use crate::app::session::document::CoursePart;
 use crate::jobs::Background;
 use crate::lesson::{
     Answer, Answered, CURVE_POINTS, Grade, Kind, LESSONS, Lab, Lesson, Question, Record, Solution,

@@ -2,9 +2,9 @@
 
 use crate::analysis::NormalField;
 use crate::app::engine::Engine;
-use crate::app::lines::line;
-use crate::app::place::Place;
+use crate::app::session::place::Place;
 use crate::app::state::AppState;
+use crate::app::widgets::lines::line;
 use crate::scene::View;
 use eframe::egui::{Color32, Painter, Stroke};
 use glam::DVec2;

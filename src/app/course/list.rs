@@ -1,10 +1,10 @@
 //! The lessons by topic.
 
 use super::data::{Course, Listed};
-use crate::app::action::{Action, Turn};
-use crate::app::focus::named;
-use crate::app::sign::tick;
+use crate::app::session::action::{Action, Turn};
 use crate::app::state::AppState;
+use crate::app::widgets::focus::named;
+use crate::app::widgets::sign::tick;
 use crate::lesson::{TOPICS, are_there, topic_name};
 use crate::text::text;
 use eframe::egui::accesskit::Role;

@@ -1,9 +1,9 @@
 //! What a step draws over the picture: its line, the place that the student has marked, and the right one.
 
-use crate::app::letter::letter;
-use crate::app::palette;
-use crate::app::place::{Place, ProfileLine};
+use crate::app::session::place::{Place, ProfileLine};
 use crate::app::state::AppState;
+use crate::app::widgets::letter::letter;
+use crate::app::widgets::palette;
 use crate::figure::palette::Vector;
 use crate::text::text;
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Stroke, vec2};

@@ -3,10 +3,10 @@
 use super::data::Open;
 use super::parts::waiting_ui;
 use crate::analysis::{Codec, LinearPicture, Watch, error_figures};
-use crate::app::background::{PICTURES, wake};
-use crate::app::focus::named;
-use crate::app::palette::vector_text;
 use crate::app::state::AppState;
+use crate::app::widgets::background::{PICTURES, wake};
+use crate::app::widgets::focus::named;
+use crate::app::widgets::palette::vector_text;
 use crate::figure::palette::Vector;
 use crate::geometry::Mesh;
 use crate::jobs::{Background, Work, model_from_bytes, model_to_bytes};

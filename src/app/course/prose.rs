@@ -1,10 +1,10 @@
 //! The text of lessons: CommonMark, with formulas set as the equation is.
 
 use super::formula::pieces;
-use crate::app::focus::one_stop;
 use crate::app::state::AppState;
-use crate::app::theme::TEXT;
-use crate::app::typeset::{Place, Run, spoken};
+use crate::app::widgets::focus::one_stop;
+use crate::app::widgets::theme::TEXT;
+use crate::app::widgets::typeset::{Place, Run, spoken};
 use crate::lesson::without_closed_links;
 use crate::text::text;
 use eframe::egui::accesskit::Role;

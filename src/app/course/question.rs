@@ -6,13 +6,13 @@ use super::feedback::feedback_ui;
 use super::matching::match_ui;
 use super::parts::{cross, error_ui, right_colour, waiting_ui};
 use super::prose::{caption_ui, prose_ui};
+use crate::app::controls::row::evaluate;
 use crate::app::engine::Engine;
-use crate::app::focus::{named, picture_id, switch_named};
-use crate::app::row::evaluate;
-use crate::app::sign::tick;
 use crate::app::state::AppState;
-use crate::app::symbol::Symbol;
-use crate::app::theme::text_field;
+use crate::app::widgets::focus::{named, picture_id, switch_named};
+use crate::app::widgets::sign::tick;
+use crate::app::widgets::symbol::Symbol;
+use crate::app::widgets::theme::text_field;
 use crate::lesson::{Kind, Solution, Term};
 use crate::text::text;
 use eframe::egui::accesskit::Role;
@@ -171,7 +171,7 @@ fn check_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, entered: boo
         if let Some(open) = &mut course.open {
             open.draft.onward = typed;
         }
-        state.ask(crate::app::action::Action::ShowAnswer);
+        state.ask(crate::app::session::action::Action::ShowAnswer);
     }
 }
 

@@ -1,6 +1,6 @@
 //! The scene in view as the target of a match: a lesson with a level for each coefficient that is to be found.
 
-use crate::app::document::Origin;
+use crate::app::session::document::Origin;
 use crate::app::state::AppState;
 use crate::lesson::{Lesson, value_of};
 use crate::scene::parameter::Parameter;

@@ -1,8 +1,8 @@
 //! Normals over the active pane: needles, kept until something moves, and the faces of the vertex under the pointer.
 
-use super::super::state::AppState;
 use super::pane::{PaneEngine, drawing, lettering, overlay_options, upload};
 use crate::analysis::{LitVertex, Needles, NormalField, OverlayOptions, SeenNormals};
+use crate::app::state::AppState;
 use crate::scene::{Camera, Scene, ShadingMode, View};
 use eframe::egui::{Context, TextureHandle, TextureOptions};
 use glam::DVec2;

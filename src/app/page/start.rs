@@ -1,17 +1,17 @@
 //! Opening the window as a web page.
 
-use super::course::{Likeness, Marking, Prepare, Target};
-use super::dialog::Dialog;
-use super::engine::Supersampled;
-use super::files::{Exported, Filmed};
-use super::material::Spheres;
-use super::profile::Perceived;
-use super::sampling::AreaLight;
-use super::scenes::Thumbnails;
-use super::{App, system};
 use crate::analysis::{
     BenchQuestion, DefectsQuestion, ProfileQuestion, StabilityQuestion, StudyQuestion,
 };
+use crate::app::controls::materials::Spheres;
+use crate::app::controls::sampling::AreaLight;
+use crate::app::controls::scenes::Thumbnails;
+use crate::app::course::{Likeness, Marking, Prepare, Target};
+use crate::app::engine::Supersampled;
+use crate::app::shell::dialog::Dialog;
+use crate::app::shell::files::{Exported, Filmed};
+use crate::app::views::profile::Perceived;
+use crate::app::{App, system};
 use crate::document::{Loaded, load};
 use crate::jobs::{Request, Served, serve, served};
 use crate::link;
