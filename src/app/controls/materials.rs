@@ -5,7 +5,7 @@ use super::row::{About, display, row, value_row};
 use crate::analysis::{Codec, Watch};
 use crate::app::widgets::background::{PICTURES, Pictures};
 use crate::app::widgets::focus::{named, switch_named};
-use crate::app::widgets::symbol::{Lit, Symbol};
+use crate::app::widgets::symbol::Symbol;
 use crate::illumination::{blinn_from_phong, phong_from_blinn, roughness_from_exponent};
 use crate::jobs::Work;
 use crate::render::Renderer;
@@ -121,7 +121,7 @@ const KINDS: [&str; 4] = [
 ];
 
 /// A button that says which of the named materials this is, and opens all of them.
-pub fn gallery_ui(ui: &mut Ui, lit: &mut Lit, gallery: &mut Gallery, material: &mut Material) {
+pub fn gallery_ui(ui: &mut Ui, initial: &Material, gallery: &mut Gallery, material: &mut Material) {
     let present = recognise(material);
     let [name, tip] = [text!("controls-materials"), text!("controls-materials.tip")];
     let about = About {
@@ -130,8 +130,8 @@ pub fn gallery_ui(ui: &mut Ui, lit: &mut Lit, gallery: &mut Gallery, material: &
         tip,
         ..About::default()
     };
-    let opened = lit.opened.material.clone();
-    value_row(ui, lit, &about, opened, material, |ui, material| {
+    let opened = initial.clone();
+    value_row(ui, &about, opened, material, |ui, material| {
         let button =
             Button::new(present.map_or(text!("controls-materials.none"), NamedMaterial::title))
                 .min_size(vec2(92.0, 0.0));
@@ -272,7 +272,7 @@ fn take(scene: &mut Scene, model: ReflectionModel, number: f64) {
 }
 
 /// A button for each other model.
-pub fn matching_ui(ui: &mut Ui, lit: &mut Lit, scene: &mut Scene) {
+pub fn matching_ui(ui: &mut Ui, scene: &mut Scene) {
     // GGX has no width that the others could have: its tail is longer.
     let tailed = scene.reflection.distribution == Distribution::Ggx;
     let found = matches(scene);
@@ -287,7 +287,7 @@ pub fn matching_ui(ui: &mut Ui, lit: &mut Lit, scene: &mut Scene) {
         idle: no_highlight(scene, 0),
         ..About::default()
     };
-    row(ui, lit, &about, false, |ui| {
+    row(ui, &about, false, |ui| {
         ui.spacing_mut().button_padding.x = 6.0;
         for (model, number) in found {
             let (text, name, tip) = if model == ReflectionModel::CookTorrance {

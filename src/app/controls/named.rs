@@ -1,7 +1,7 @@
 //! Controls by their names: those of a figure in another page, and of a step of a lesson.
 
 use super::row::{View, parameter_with};
-use crate::app::state::AppState;
+use crate::app::session::Session;
 use crate::scene::parameter::Parameter;
 use crate::scene::{LightKind, light};
 use eframe::egui::Ui;
@@ -43,21 +43,24 @@ impl Named {
 }
 
 /// A row for each control, in columns where there is room.
-pub fn rows_ui(ui: &mut Ui, state: &mut AppState, controls: &[Named]) {
+pub fn rows_ui(ui: &mut Ui, session: &mut Session, controls: &[Named]) {
     let count = ((ui.available_width() / COLUMN) as usize)
         .min(controls.len())
         .clamp(1, MOST_COLUMNS);
     ui.columns(count, |columns| {
         for (index, control) in controls.iter().enumerate() {
-            row_ui(&mut columns[index % count], state, *control);
+            row_ui(&mut columns[index % count], session, *control);
         }
     });
 }
 
-fn row_ui(ui: &mut Ui, state: &mut AppState, control: Named) {
-    let AppState {
-        lit, shown, light, ..
-    } = state;
+fn row_ui(ui: &mut Ui, session: &mut Session, control: Named) {
+    let Session {
+        initial,
+        shown,
+        light,
+        ..
+    } = session;
     let last = shown.scene.lights.len().saturating_sub(1);
     let chosen = (*light).min(last);
     let kind = shown.scene.lights.get(chosen).map(|light| light.kind);
@@ -73,5 +76,5 @@ fn row_ui(ui: &mut Ui, state: &mut AppState, control: Named) {
         in_full: parameter.section() == "ground",
         ..View::default()
     };
-    parameter_with(ui, lit, &mut shown.scene, parameter, &view);
+    parameter_with(ui, initial, &mut shown.scene, parameter, &view);
 }

@@ -17,7 +17,7 @@ pub use widgets::{axes, swatch};
 
 use crate::analysis::specular_vector;
 use crate::app::widgets::palette::vector_text;
-use crate::app::widgets::symbol::{Lit, Symbol};
+use crate::app::widgets::symbol::Symbol;
 use crate::figure::palette::Vector;
 use crate::scene::parameter::{Access, Kind, Limits, Parameter, Slider, Unit, defaults};
 use crate::scene::{ChoiceOption, Rgb, Scene};
@@ -33,8 +33,8 @@ const SWATCHED: f32 = 166.0;
 const LIST: f32 = 40.0;
 
 /// A row for a parameter of the scene.
-pub fn parameter(ui: &mut Ui, lit: &mut Lit, scene: &mut Scene, parameter: &'static Parameter) {
-    parameter_with(ui, lit, scene, parameter, &View::default());
+pub fn parameter(ui: &mut Ui, initial: &Scene, scene: &mut Scene, parameter: &'static Parameter) {
+    parameter_with(ui, initial, scene, parameter, &View::default());
 }
 
 /// What a row shows otherwise than its parameter's description has it.
@@ -68,7 +68,7 @@ impl Default for View {
 /// A row for a parameter, shown in a particular way.
 pub fn parameter_with(
     ui: &mut Ui,
-    lit: &mut Lit,
+    initial: &Scene,
     scene: &mut Scene,
     parameter: &'static Parameter,
     view: &View,
@@ -102,7 +102,7 @@ pub fn parameter_with(
     };
     let mut row = Edited {
         ui,
-        lit,
+        initial,
         scene,
         index,
         about: &about,
@@ -125,7 +125,7 @@ pub fn parameter_with(
             if let Some(value) =
                 (at.get_mut)(scene, index).filter(|value| view.channels || !is_grey(**value))
             {
-                channels_row(ui, lit, &about, value);
+                channels_row(ui, &about, value);
             }
         }
         Kind::Pair(at, ..) => row.edit(at, |ui, value, _| {
@@ -145,7 +145,7 @@ pub fn parameter_with(
         }
         Kind::Choice(access) => {
             let opened = access
-                .chosen(&lit.opened, index)
+                .chosen(initial, index)
                 .or_else(|| access.chosen(defaults(), 0));
             let (Some(present), Some(default)) = (access.chosen(scene, index), opened) else {
                 return;
@@ -155,7 +155,7 @@ pub fn parameter_with(
                 .filter(|(place, option)| *place == present || (view.offered)(scene, option))
                 .collect();
             let mut chosen = present;
-            value_row(ui, lit, &about, default, &mut chosen, |ui, chosen| {
+            value_row(ui, &about, default, &mut chosen, |ui, chosen| {
                 choice(ui, &about, options, chosen);
             });
             if chosen != present {
@@ -171,7 +171,7 @@ pub fn parameter_with(
 /// A row about a value of the scene.
 struct Edited<'a> {
     ui: &'a mut Ui,
-    lit: &'a mut Lit,
+    initial: &'a Scene,
     scene: &'a mut Scene,
     index: usize,
     about: &'a About<'a>,
@@ -184,12 +184,12 @@ impl Edited<'_> {
         at: &Access<T>,
         control: impl FnOnce(&mut Ui, &mut T, &T),
     ) {
-        let opened = (at.get)(&self.lit.opened, self.index)
+        let opened = (at.get)(self.initial, self.index)
             .or_else(|| (at.get)(defaults(), 0))
             .cloned();
         if let (Some(value), Some(opened)) = ((at.get_mut)(self.scene, self.index), opened) {
             let default = opened.clone();
-            value_row(self.ui, self.lit, self.about, opened, value, |ui, value| {
+            value_row(self.ui, self.about, opened, value, |ui, value| {
                 control(ui, value, &default);
             });
         }

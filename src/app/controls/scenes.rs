@@ -2,8 +2,10 @@
 
 use crate::analysis::{Codec, Watch};
 use crate::app::session::action::Action;
+use crate::app::session::action::Requests;
+use crate::app::session::document::Origin;
+use crate::app::session::window::WindowState;
 use crate::app::shell::dialog::Choice;
-use crate::app::state::AppState;
 use crate::app::widgets::background::{PICTURES, Pictures};
 use crate::app::widgets::focus::named;
 use crate::app::widgets::theme::text_field;
@@ -74,8 +76,8 @@ fn is_sought(preset: &Preset, sought: &str) -> bool {
 }
 
 /// Every scene by chapter; a click opens it.
-pub fn scenes_ui(ui: &mut Ui, state: &mut AppState) -> Choice {
-    let mut gallery: Gallery = state.own.take();
+pub fn scenes_ui(ui: &mut Ui, window: &mut WindowState, requests: &mut Requests) -> Choice {
+    let mut gallery: Gallery = window.own.take();
     let size = (PICTURE * ui.ctx().pixels_per_point()).round();
     let wanted = Thumbnails([size.x as u32, size.y as u32]);
     gallery
@@ -119,7 +121,7 @@ pub fn scenes_ui(ui: &mut Ui, state: &mut AppState) -> Choice {
                     let width = (0.5 * (ui.available_width() - 8.0)).clamp(100.0, CARD.x);
                     for (index, preset) in scenes {
                         if card_ui(ui, width, preset, gallery.pictures.textures.get(index)) {
-                            state.ask(Action::OpenBuiltIn(preset.name.to_owned()));
+                            requests.ask(Action::OpenBuiltIn(preset.name.to_owned()));
                             choice = Choice::Leave;
                         }
                     }
@@ -130,7 +132,7 @@ pub fn scenes_ui(ui: &mut Ui, state: &mut AppState) -> Choice {
                 ui.label(text!("scenes-none", sought = gallery.sought.trim()));
             }
         });
-    state.own.put(gallery);
+    window.own.put(gallery);
     choice
 }
 
@@ -173,15 +175,13 @@ fn card_ui(ui: &mut Ui, width: f32, preset: &Preset, texture: Option<&TextureHan
     response.on_hover_text(preset.sentence()).clicked()
 }
 
-impl AppState {
-    /// The built-in scene so many places after the one in view, round all of them.
-    pub fn scene_after(&self, step: isize) -> &'static str {
-        let crate::app::Origin::BuiltIn(name) = &self.document.origin else {
-            return presets::DEFAULT;
-        };
-        let place = presets::ALL.iter().position(|preset| preset.name == name);
-        let count = presets::ALL.len() as isize;
-        let next = (place.unwrap_or(0) as isize + step).rem_euclid(count);
-        presets::ALL[next as usize].name
-    }
+/// Returns the built-in scene so many places after the one in view, round all of them.
+pub fn scene_after(origin: &Origin, step: isize) -> &'static str {
+    let Origin::BuiltIn(name) = origin else {
+        return presets::DEFAULT;
+    };
+    let place = presets::ALL.iter().position(|preset| preset.name == name);
+    let count = presets::ALL.len() as isize;
+    let next = (place.unwrap_or(0) as isize + step).rem_euclid(count);
+    presets::ALL[next as usize].name
 }

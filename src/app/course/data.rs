@@ -1,5 +1,6 @@
 //! What the window remembers of the course: the lesson that is open, and what was answered.
 
+use super::glide::Glide;
 use super::marking::HandedIn;
 use super::work::{Prepare, Prepared};
 use crate::app::session::appearance::Overlays;
@@ -36,6 +37,8 @@ pub struct Course {
     pub list: Option<(Language, Vec<Listed>)>,
     /// How many lessons were opened so far.
     pub openings: u64,
+    /// The way to the scene of a step.
+    pub gliding: Option<Glide>,
 }
 
 impl Default for Course {
@@ -48,6 +51,7 @@ impl Default for Course {
             seed: 1,
             list: None,
             openings: 0,
+            gliding: None,
         }
     }
 }
@@ -379,6 +383,16 @@ impl Course {
     /// The lesson that is open, if what is shown is one of its scenes.
     pub fn in_view(&self) -> Option<&Open> {
         self.open.as_ref().filter(|open| open.in_view)
+    }
+
+    /// Whether the picture is that of a lesson's step.
+    pub fn shows_step(&self) -> bool {
+        self.in_view().is_some()
+    }
+
+    /// Whether a lesson is open whose step is not what is shown.
+    pub fn has_left_lesson(&self) -> bool {
+        self.open.as_ref().is_some_and(Open::is_left)
     }
 
     /// Whether numbers are hidden until the question is answered.

@@ -12,9 +12,12 @@ pub use beam::{aim_at, cursor, open_to};
 pub use light::{REACH, apart, drag_light, scale_light, start};
 pub use vertex::{MOST, drag_to as drag_vertex, go, paint as paint_vertices, push as push_vertex};
 
+use crate::app::course::Course;
+use crate::app::session::Session;
 use crate::app::session::appearance::ViewName;
 use crate::app::session::place::{Place, ProbePoint};
-use crate::app::state::{AppState, Grip};
+use crate::app::session::window::Grip;
+use crate::app::session::window::WindowState;
 use crate::app::views::defects::shows_ring;
 use crate::app::views::profile;
 use crate::figure::Area;
@@ -30,45 +33,51 @@ const RING: f32 = 0.46;
 const KNOB: f32 = 7.0;
 
 /// Everything in the picture that the pointer can take hold of at a point, and where that is.
-pub fn grips(state: &AppState, view: &View, place: Place) -> Vec<(Grip, Pos2)> {
+pub fn grips(
+    session: &Session,
+    window: &WindowState,
+    course: &Course,
+    view: &View,
+    place: Place,
+) -> Vec<(Grip, Pos2)> {
     let mut grips = Vec::new();
-    if state.shows(ViewName::Profile) {
-        let ends = state.line.pixels(place.size).into_iter().enumerate();
+    if window.shows(ViewName::Profile) {
+        let ends = window.line.pixels(place.size).into_iter().enumerate();
         grips.extend(ends.map(|(end, pixel)| (Grip::LineEnd(end), place.point(pixel))));
     }
-    if shows_ring(state) {
-        grips.push((Grip::Roll, knob(state, place)));
+    if shows_ring(session, window) {
+        grips.push((Grip::Roll, knob(session, place)));
     }
-    if state.appearance.overlay.handles {
-        let lights = light::places(&state.shown.scene, view, place).into_iter();
+    if window.appearance.overlay.handles {
+        let lights = light::places(&session.shown.scene, view, place).into_iter();
         grips.extend(lights.zip(0..).map(|(at, index)| (Grip::Light(index), at)));
         grips.extend(
-            beam::chosen(state, view)
+            beam::chosen(session, view)
                 .into_iter()
                 .flat_map(|beam| beam.grips(view, place)),
         );
         grips.extend(
-            vertex::seen(state, view, place)
+            vertex::seen(session, view, place)
                 .into_iter()
                 .map(|(v, at)| (Grip::Vertex(v), at)),
         );
     }
-    if let Some(mark) = state.course.mark().filter(|_| state.course.asks_point()) {
+    if let Some(mark) = course.mark().filter(|_| course.asks_point()) {
         let pixel = ProbePoint(mark).centre(place.size);
         grips.push((Grip::Mark, place.point(pixel)));
     }
-    grips.push((Grip::Probe, place.point(state.probe.centre(place.size))));
+    grips.push((Grip::Probe, place.point(window.probe.centre(place.size))));
     grips
 }
 
 /// What the lights' handles with their numbers and the captions of panes cover, in the picture's pixels.
-pub fn covered(state: &AppState, view: &View, place: Place) -> Vec<Area> {
-    let mut covered = light::captions(state, place);
-    if state.appearance.overlay.handles {
-        covered.extend(light::covered(&state.shown.scene, view, place));
+pub fn covered(session: &Session, window: &WindowState, view: &View, place: Place) -> Vec<Area> {
+    let mut covered = light::captions(session, place);
+    if window.appearance.overlay.handles {
+        covered.extend(light::covered(&session.shown.scene, view, place));
     }
-    if state.appearance.overlay.vectors {
-        let probe = place.point(state.probe.centre(place.size));
+    if window.appearance.overlay.vectors {
+        let probe = place.point(window.probe.centre(place.size));
         covered.push(light::area(Rect::from_center_size(
             probe,
             Vec2::splat(PROBE),
@@ -83,29 +92,42 @@ pub fn covered(state: &AppState, view: &View, place: Place) -> Vec<Area> {
 
 /// Whether the handles of lights are shown: while the pointer is over the picture or holds something, and always where a finger
 /// is the pointer.
-pub fn visible(ctx: &Context, state: &AppState, place: Place) -> bool {
+pub fn visible(ctx: &Context, window: &WindowState, place: Place) -> bool {
     let near = || {
         ctx.input(|input| {
             let over = input.pointer.hover_pos();
             input.has_touch_screen() || over.is_some_and(|at| place.rect.contains(at))
         })
     };
-    state.appearance.overlay.handles && (state.drag.is_some() || near())
+    window.appearance.overlay.handles && (window.drag.is_some() || near())
 }
 
 /// Draws what is below the lights' handles: beams, outlines and stems, the profile's line, the ring.
-pub fn paint_below(painter: &Painter, state: &AppState, view: &View, place: Place, active: bool) {
-    if visible(painter.ctx(), state, place) {
-        beam::paint(painter, state, view, place);
-        light::paint_stem(painter, state, view, place);
+pub fn paint_below(
+    painter: &Painter,
+    session: &Session,
+    window: &WindowState,
+    view: &View,
+    place: Place,
+    active: bool,
+) {
+    if visible(painter.ctx(), window, place) {
+        beam::paint(painter, session, view, place);
+        light::paint_stem(painter, session, window, view, place);
     }
-    paint_tabs(painter, state, place, active);
+    paint_tabs(painter, session, window, place, active);
 }
 
 /// Draws the lights' handles.
-pub fn paint(painter: &Painter, state: &AppState, view: &View, place: Place) {
-    if visible(painter.ctx(), state, place) {
-        light::paint(painter, state, view, place);
+pub fn paint(
+    painter: &Painter,
+    session: &Session,
+    window: &WindowState,
+    view: &View,
+    place: Place,
+) {
+    if visible(painter.ctx(), window, place) {
+        light::paint(painter, session, view, place);
     }
 }
 
@@ -114,14 +136,20 @@ fn ring(place: Place) -> f32 {
 }
 
 /// The ring's knob: at the right without roll, counter-clockwise with it.
-fn knob(state: &AppState, place: Place) -> Pos2 {
+fn knob(session: &Session, place: Place) -> Pos2 {
     // Any number of turns is one of 360 degrees; single precision would not know where it ends.
-    let angle = state.shown.scene.camera.roll.rem_euclid(360.0).to_radians() as f32;
+    let angle = session
+        .shown
+        .scene
+        .camera
+        .roll
+        .rem_euclid(360.0)
+        .to_radians() as f32;
     place.rect.center() + ring(place) * vec2(angle.cos(), -angle.sin())
 }
 
 /// Turns the picture by whole degrees until the knob points at `at`; what the probe stands on is taken along.
-pub fn turn_to(state: &mut AppState, place: Place, at: Pos2) {
+pub fn turn_to(session: &mut Session, window: &mut WindowState, place: Place, at: Pos2) {
     let way = at - place.rect.center();
     if way.length() < 1.0 {
         return;
@@ -130,18 +158,24 @@ pub fn turn_to(state: &mut AppState, place: Place, at: Pos2) {
         .to_degrees()
         .rem_euclid(360.0)
         .round();
-    let turned = roll - state.shown.scene.camera.roll;
-    state.shown.scene.camera.roll = roll;
+    let turned = roll - session.shown.scene.camera.roll;
+    session.shown.scene.camera.roll = roll;
     // Pixels count downwards, so that counter-clockwise is clockwise to them.
-    state.probe = ProbePoint(DVec2::from_angle(-turned.to_radians()).rotate(state.probe.0));
+    window.probe = ProbePoint(DVec2::from_angle(-turned.to_radians()).rotate(window.probe.0));
 }
 
 /// Draws the profile's line; and the ring.
-fn paint_tabs(painter: &Painter, state: &AppState, place: Place, active: bool) {
-    profile::paint(painter, state, place, active);
+fn paint_tabs(
+    painter: &Painter,
+    session: &Session,
+    window: &WindowState,
+    place: Place,
+    active: bool,
+) {
+    profile::paint(painter, session, window, place, active);
     let dark = |width, alpha| Stroke::new(width, Color32::from_black_alpha(alpha));
     let white = |width| Stroke::new(width, Color32::WHITE);
-    if shows_ring(state) {
+    if shows_ring(session, window) {
         let centre = place.rect.center();
         painter.circle_stroke(centre, ring(place), dark(3.0, 110));
         painter.circle_stroke(
@@ -149,7 +183,7 @@ fn paint_tabs(painter: &Painter, state: &AppState, place: Place, active: bool) {
             ring(place),
             Stroke::new(1.0, Color32::from_white_alpha(130)),
         );
-        let at = knob(state, place);
+        let at = knob(session, place);
         painter.circle(at, KNOB, Color32::from_black_alpha(170), dark(3.5, 150));
         painter.circle_stroke(at, KNOB, white(2.0));
     }

@@ -2,10 +2,14 @@
 
 use super::handles;
 use crate::analysis::{PaneFigures, caption, error_line, pane_areas};
+use crate::app::course::Course;
 use crate::app::engine::Engine;
+use crate::app::session::Session;
 use crate::app::session::action::Action;
+use crate::app::session::action::Requests;
 use crate::app::session::place::Place;
-use crate::app::state::{AppState, Grip};
+use crate::app::session::window::Grip;
+use crate::app::session::window::WindowState;
 use crate::app::widgets::focus;
 use crate::app::widgets::letter::letter;
 use crate::app::widgets::palette;
@@ -49,8 +53,8 @@ pub struct PanePlace {
 }
 
 /// The panes that are shown in the room of `whole`.
-pub fn places(state: &AppState, whole: Place) -> Vec<PanePlace> {
-    let scene = &state.document.scene;
+pub fn places(session: &Session, whole: Place) -> Vec<PanePlace> {
+    let scene = &session.document.scene;
     let shown = scene.shown_panes();
     if shown.len() > 1 && scene.compare.view == CompareView::Panes {
         let areas = pane_areas(shown.len(), whole.size);
@@ -80,15 +84,15 @@ pub fn places(state: &AppState, whole: Place) -> Vec<PanePlace> {
         })
         .collect();
     if let ([left, right], CompareView::Wipe) = (&mut panes[..], scene.compare.view) {
-        let line = wipe_line(state, whole);
+        let line = wipe_line(session, whole);
         (left.seen.max.x, right.seen.min.x) = (line, line);
     }
     panes
 }
 
 /// Where the line of a wipe is on the screen.
-pub fn wipe_line(state: &AppState, whole: Place) -> f32 {
-    let column = (state.document.scene.compare.wipe * f64::from(whole.size[0])).round() as f32;
+pub fn wipe_line(session: &Session, whole: Place) -> f32 {
+    let column = (session.document.scene.compare.wipe * f64::from(whole.size[0])).round() as f32;
     whole.rect.min.x + column / whole.pixels_per_point
 }
 
@@ -104,54 +108,75 @@ pub fn pane_at(panes: &[PanePlace], active: usize, point: Pos2) -> Option<PanePl
 }
 
 /// Whether what lies over a pane's picture is drawn: that of one pane only where several share a place.
-pub fn is_overlaid(state: &AppState, pane: usize) -> bool {
-    state.document.scene.compare.view == CompareView::Panes || pane == state.panes.active
+pub fn is_overlaid(session: &Session, pane: usize) -> bool {
+    session.document.scene.compare.view == CompareView::Panes || pane == session.panes.active
 }
 
 /// Whether a point is on the line of a wipe, within `reach`.
-pub fn on_wipe(state: &AppState, panes: &[PanePlace], point: Pos2, reach: f32) -> bool {
+pub fn on_wipe(session: &Session, panes: &[PanePlace], point: Pos2, reach: f32) -> bool {
     let between = |pair: &[PanePlace]| (pair[0].seen.max.x - point.x).abs() <= reach;
-    state.document.scene.compare.view == CompareView::Wipe && panes.windows(2).any(between)
+    session.document.scene.compare.view == CompareView::Wipe && panes.windows(2).any(between)
 }
 
 /// The captions of panes that are compared, and what else stands over them.
 pub fn captions_ui(
     ui: &mut Ui,
-    state: &mut AppState,
+    session: &mut Session,
+    window: &mut WindowState,
+    course: &mut Course,
+    requests: &mut Requests,
     engine: &Engine,
     panes: &[PanePlace],
     whole: Place,
 ) {
     let figures = &engine.figures;
-    let hidden = state.hides_numbers();
+    let hidden = course.hides();
     let font = TextStyle::Body.resolve(ui.style());
     let compared = figures.len() == panes.len() && figures.len() > 1;
     for pane in panes {
-        halves(ui, state, pane, compared, &font);
+        halves(ui, session, pane, compared, &font);
     }
     if !compared {
         return;
     }
     let painter = ui.painter().with_clip_rect(whole.rect);
     let rect = whole.rect.shrink(MARGIN);
-    match state.document.scene.compare.view {
+    match session.document.scene.compare.view {
         CompareView::Single => {}
         CompareView::Panes => {
             for (pane, one) in panes.iter().zip(figures) {
                 let painter = painter.with_clip_rect(pane.seen);
-                if pane.pane == state.panes.active {
+                if pane.pane == session.panes.active {
                     let stroke = Stroke::new(2.0, palette::vector(Vector::T));
                     painter.rect_stroke(pane.seen, 0.0, stroke, StrokeKind::Inside);
                 }
                 let room = pane.seen.shrink(MARGIN);
-                let name = name_ui(ui, state, panes, pane, &one.name, (room, Align2::LEFT_TOP));
+                let name = name_ui(
+                    ui,
+                    session,
+                    requests,
+                    panes,
+                    pane,
+                    &one.name,
+                    (room, Align2::LEFT_TOP),
+                );
                 // A small pane shows its picture; the figures stand in the view beside it.
                 if room.height() < LEAST_CAPTIONED || hidden {
                     continue;
                 }
                 let text = caption_in(&painter, one, figures, &font, room);
                 let corners = [Align2::LEFT_BOTTOM, Align2::RIGHT_BOTTOM];
-                measured(&painter, state, pane, (room, name), &text, corners, &font);
+                measured(
+                    &painter,
+                    session,
+                    window,
+                    course,
+                    pane,
+                    (room, name),
+                    &text,
+                    corners,
+                    &font,
+                );
             }
         }
         CompareView::Wipe => {
@@ -163,16 +188,26 @@ pub fn captions_ui(
             let half = vec2(0.5 * rect.width() - MARGIN, rect.height());
             for ((pane, one), (top, bottom)) in panes.iter().zip(figures).zip(sides) {
                 let room = top.align_size_within_rect(half, rect);
-                let name = name_ui(ui, state, panes, pane, &one.name, (room, top));
+                let name = name_ui(ui, session, requests, panes, pane, &one.name, (room, top));
                 if hidden {
                     continue;
                 }
                 let text = caption_in(&painter, one, figures, &font, room);
                 let corners = [bottom, bottom];
-                measured(&painter, state, pane, (room, name), &text, corners, &font);
+                measured(
+                    &painter,
+                    session,
+                    window,
+                    course,
+                    pane,
+                    (room, name),
+                    &text,
+                    corners,
+                    &font,
+                );
             }
-            let held = state.drag.is_some_and(|drag| drag.grip == Grip::Wipe);
-            wipe(&painter, wipe_line(state, whole), whole, held);
+            let held = window.drag.is_some_and(|drag| drag.grip == Grip::Wipe);
+            wipe(&painter, wipe_line(session, whole), whole, held);
         }
         CompareView::Difference => {
             let Some(error) = figures.iter().find_map(|one| one.error) else {
@@ -198,7 +233,9 @@ pub fn captions_ui(
                 let corners = [Align2::LEFT_BOTTOM; 2];
                 measured(
                     &painter,
-                    state,
+                    session,
+                    window,
+                    course,
                     &panes[0],
                     (rect, name),
                     &parts,
@@ -222,8 +259,8 @@ pub fn captions_ui(
 }
 
 /// Names the halves of a picture that compares two kinds of ambient light.
-fn halves(ui: &Ui, state: &AppState, pane: &PanePlace, captioned: bool, font: &FontId) {
-    if state.panes.scene(pane.pane).ambient.source != AmbientSource::Split {
+fn halves(ui: &Ui, session: &Session, pane: &PanePlace, captioned: bool, font: &FontId) {
+    if session.panes.scene(pane.pane).ambient.source != AmbientSource::Split {
         return;
     }
     let painter = ui.painter().with_clip_rect(pane.seen);
@@ -287,13 +324,14 @@ fn smaller(font: &FontId, share: f32) -> FontId {
 /// A pane's name, by which it is dragged to the place of another; a click opens its menu. Returns where it stands.
 fn name_ui(
     ui: &mut Ui,
-    state: &mut AppState,
+    session: &mut Session,
+    requests: &mut Requests,
     panes: &[PanePlace],
     pane: &PanePlace,
     name: &str,
     (room, align): (Rect, Align2),
 ) -> Rect {
-    let mark = if pane.pane == state.document.scene.reference_pane() {
+    let mark = if pane.pane == session.document.scene.reference_pane() {
         "◆ "
     } else {
         ""
@@ -311,10 +349,10 @@ fn name_ui(
     painter.rect_filled(rect, 4.0, Color32::from_black_alpha(alpha));
     painter.galley(rect.min + PADDING, galley.clone(), Color32::WHITE);
     if response.clicked() {
-        state.ask(Action::Activate(pane.pane));
+        requests.ask(Action::Activate(pane.pane));
     }
-    Popup::menu(&response).show(|ui| menu_ui(ui, state, pane.pane));
-    let apart = state.document.scene.compare.view == CompareView::Panes;
+    Popup::menu(&response).show(|ui| menu_ui(ui, session, requests, pane.pane));
+    let apart = session.document.scene.compare.view == CompareView::Panes;
     if let Some(at) = response.interact_pointer_pos().filter(|_| apart) {
         let target = panes.iter().find(|other| other.seen.contains(at));
         let target = target.filter(|other| other.pane != pane.pane);
@@ -331,15 +369,15 @@ fn name_ui(
             painter.galley(shown.min + PADDING, galley, Color32::WHITE);
         }
         if let Some(target) = target.filter(|_| response.drag_stopped()) {
-            state.ask(Action::MovePane(pane.pane, target.pane));
+            requests.ask(Action::MovePane(pane.pane, target.pane));
         }
     }
     rect
 }
 
 /// What can be done with a pane.
-pub fn menu_ui(ui: &mut Ui, state: &mut AppState, pane: usize) {
-    let scene = &state.document.scene;
+pub fn menu_ui(ui: &mut Ui, session: &mut Session, requests: &mut Requests, pane: usize) {
+    let scene = &session.document.scene;
     let (last, reference) = (scene.pane_count() - 1, scene.reference_pane());
     let mut asked = None;
     let mut item = |enabled: bool, text: &str, action: Action| {
@@ -369,7 +407,7 @@ pub fn menu_ui(ui: &mut Ui, state: &mut AppState, pane: usize) {
         text!("picture-remove-pane"),
         Action::RemovePane(pane),
     );
-    state.asked.extend(asked);
+    requests.extend(asked);
 }
 
 /// Parts of a caption in one line, or where the room is too narrow in a line each, and in smaller type if need be.
@@ -413,7 +451,9 @@ fn plate(painter: &Painter, galley: Arc<Galley>, rect: Rect) {
 /// Writes what is measured of a pane into one of the corners or below its name, whichever no handle stands in.
 fn measured(
     painter: &Painter,
-    state: &AppState,
+    session: &Session,
+    window: &WindowState,
+    course: &Course,
     pane: &PanePlace,
     (room, name): (Rect, Rect),
     parts: &[String],
@@ -422,8 +462,8 @@ fn measured(
 ) {
     let galley = fitting(painter, parts, font, room.width() - 2.0 * PADDING.x);
     let size = galley.size() + 2.0 * PADDING;
-    let view = View::new(&state.panes.scene(pane.pane).camera, pane.place.size);
-    let grips = handles::grips(state, &view, pane.place);
+    let view = View::new(&session.panes.scene(pane.pane).camera, pane.place.size);
+    let grips = handles::grips(session, window, course, &view, pane.place);
     let free = |rect: Rect| {
         let near = rect.expand(CLEAR);
         !grips.iter().any(|(_, at)| near.contains(*at))

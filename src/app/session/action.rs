@@ -133,3 +133,25 @@ pub enum Walk {
     /// Plays, or pauses.
     Play,
 }
+
+/// What was asked for in this frame; done at its end.
+#[derive(Debug, Default)]
+pub struct Requests(Vec<Action>);
+
+impl Requests {
+    /// Asks for an action.
+    pub fn ask(&mut self, action: Action) {
+        self.0.push(action);
+    }
+
+    /// Takes what was asked for.
+    pub fn take(&mut self) -> Vec<Action> {
+        std::mem::take(&mut self.0)
+    }
+}
+
+impl Extend<Action> for Requests {
+    fn extend<T: IntoIterator<Item = Action>>(&mut self, actions: T) {
+        self.0.extend(actions);
+    }
+}

@@ -9,7 +9,8 @@ use super::appearance::ViewName;
 use super::document::{Document, Origin};
 use super::place::{ProbePoint, ProfileLine};
 use crate::analysis::Watch;
-use crate::app::state::{AppState, Leaving};
+use crate::app::session::Session;
+use crate::app::session::window::WindowState;
 use crate::app::widgets::background::Task;
 use crate::document::load;
 use crate::jobs::Job;
@@ -39,28 +40,28 @@ pub struct Around {
 }
 
 impl Around {
-    fn of(state: &AppState) -> Self {
+    fn of(session: &Session, window: &WindowState) -> Self {
         Self {
-            origin: state.document.origin.clone(),
-            probe: state.probe,
-            line: state.line,
-            view: state.appearance.view,
-            pane: state.panes.active,
+            origin: session.document.origin.clone(),
+            probe: window.probe,
+            line: window.line,
+            view: window.appearance.view,
+            pane: session.panes.active,
         }
     }
 
     /// Shows again what was being looked at; not what no file of ours would say.
-    pub fn apply(&self, state: &mut AppState) {
+    pub fn apply(&self, session: &mut Session, window: &mut WindowState) {
         let sound = |point: DVec2| point.is_finite() && point.abs().max_element() < 1e6;
         if sound(self.probe.0) {
-            state.probe = self.probe;
+            window.probe = self.probe;
         }
         if self.line.0.into_iter().all(sound) {
-            state.line = self.line;
+            window.line = self.line;
         }
-        state.show_view(self.view);
-        if state.document.scene.shown_panes().contains(&self.pane) {
-            state.activate(self.pane);
+        window.show_view(self.view);
+        if session.document.scene.shown_panes().contains(&self.pane) {
+            session.activate(self.pane);
         }
     }
 }
@@ -117,36 +118,42 @@ impl Recovery {
     }
 
     /// Keeps the document a while after it has changed, and nothing once it is saved. Nothing runs in between.
-    pub fn keep(&mut self, ctx: &Context, state: &mut AppState) {
+    pub fn keep(
+        &mut self,
+        ctx: &Context,
+        session: &mut Session,
+        window: &mut WindowState,
+        leaving: bool,
+    ) {
         if let Some((_, Err(error))) = Job::take(&mut self.writing) {
-            state.warning = Some(text!("not-kept", error = error));
+            session.warning = Some(text!("not-kept", error = error));
         }
-        if !state.modified() {
+        if !session.modified() {
             self.forget();
-        } else if !self.is_kept(state) && state.leaving != Leaving::Now {
+        } else if !self.is_kept(session, window) && !leaving {
             let time = ctx.input(|input| input.time);
             let due = *self.due.get_or_insert(time + PAUSE);
             if time < due || self.writing.is_some() {
                 ctx.request_repaint_after(Duration::from_secs_f64((due - time).max(0.1)));
             } else {
-                self.write(state);
+                self.write(session, window);
             }
         }
     }
 
-    fn is_kept(&self, state: &AppState) -> bool {
+    fn is_kept(&self, session: &Session, window: &WindowState) -> bool {
         let kept = |(document, around): &(Document, Around)| {
-            *document == state.document && *around == Around::of(state)
+            *document == session.document && *around == Around::of(session, window)
         };
         self.kept.as_ref().is_some_and(kept)
     }
 
-    fn write(&mut self, state: &AppState) {
+    fn write(&mut self, session: &Session, window: &WindowState) {
         self.due = None;
-        let around = Around::of(state);
-        self.kept = Some((state.document.clone(), around.clone()));
+        let around = Around::of(session, window);
+        self.kept = Some((session.document.clone(), around.clone()));
         self.written = true;
-        let (path, scene) = (self.own.path.clone(), state.document.scene.clone());
+        let (path, scene) = (self.own.path.clone(), session.document.scene.clone());
         let write = move |_: &dyn Watch<()>| {
             let around = serde_json::to_string(&around).unwrap_or_default();
             let text = format!("{HEAD}{around}\n{}", scene.to_toml());

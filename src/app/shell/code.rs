@@ -4,7 +4,8 @@
 use super::dialog::{Choice, CodeForm, Dialog, Language, both, buttons_ui, path_ui};
 use crate::analysis::Watch;
 use crate::app::session::document::Document;
-use crate::app::state::AppState;
+use crate::app::session::window::WindowState;
+use crate::app::shell::state::AppState;
 use crate::app::system;
 use crate::app::widgets::background::wake;
 use crate::app::widgets::focus::{named, switch_named};
@@ -160,14 +161,14 @@ pub fn width(ui: &Ui) -> f32 {
 }
 
 /// What the form asks to be written, and where.
-fn asked<'a>(state: &'a AppState, form: &CodeForm) -> Option<(PathBuf, &'a Written)> {
-    let written = state.own.get().and_then(Writer::answer)?;
+fn asked<'a>(window: &'a WindowState, form: &CodeForm) -> Option<(PathBuf, &'a Written)> {
+    let written = window.own.get().and_then(Writer::answer)?;
     Some((PathBuf::from(form.path.as_ref()?.trim()), written))
 }
 
 /// Writes the files that the form asks for; the dialog stays open and says what has become of it.
 pub fn save(state: &mut AppState, mut form: CodeForm) {
-    if let Some((target, written)) = asked(state, &form) {
+    if let Some((target, written)) = asked(&state.window, &form) {
         form.message = Some(match save_code(&target, &written.export) {
             Ok(()) => {
                 form.path = None;
@@ -180,8 +181,8 @@ pub fn save(state: &mut AppState, mut form: CodeForm) {
 }
 
 /// The files that the form asks for.
-pub fn targets(state: &AppState, form: &CodeForm) -> Vec<PathBuf> {
-    asked(state, form).map_or(vec![], |(target, written)| written.paths(&target))
+pub fn targets(window: &WindowState, form: &CodeForm) -> Vec<PathBuf> {
+    asked(window, form).map_or(vec![], |(target, written)| written.paths(&target))
 }
 
 /// What the dialog shows.

@@ -1,12 +1,15 @@
 //! The commands of the window: one table that the keys, the menus and Help read, and what each does to the state.
 
 use crate::analysis::ScanLevel;
+use crate::app::course::Course;
 use crate::app::picture::handles;
 use crate::app::picture::orbit;
+use crate::app::session::action::Requests;
 use crate::app::session::action::{Action, Turn, Walk};
 use crate::app::session::appearance::{Appearance, ViewName};
 use crate::app::session::place::ProbePoint;
-use crate::app::state::AppState;
+use crate::app::session::window::WindowState;
+use crate::app::shell::state::AppState;
 use crate::app::system;
 use crate::app::views::after;
 use crate::app::views::scan::ScanView;
@@ -371,15 +374,20 @@ fn next_view(appearance: &mut Appearance) {
 /// Turns the keys pressed in this frame into actions. What has the focus keeps its keys, digits as well, unless it is the
 /// picture: they may be meant for a field. Function keys and those with Ctrl are always the window's, but for those that
 /// fields know too.
-pub fn listen(ctx: &Context, state: &mut AppState) {
+pub fn listen(
+    ctx: &Context,
+    window: &mut WindowState,
+    course: &mut Course,
+    requests: &mut Requests,
+) {
     let free = ctx.memory(|memory| {
         memory
             .focused()
             .is_none_or(|focused| focused == focus::picture_id())
     });
     let editing = ctx.text_edit_focused();
-    let scanning = state.shows(ViewName::ScanLine);
-    let lesson = state.course.open.is_some();
+    let scanning = window.shows(ViewName::ScanLine);
+    let lesson = course.open.is_some();
     ctx.input_mut(|input| {
         input.events.retain(|event| {
             let action = match event {
@@ -414,12 +422,12 @@ pub fn listen(ctx: &Context, state: &mut AppState) {
                 _ => None,
             };
             let taken = action.is_some();
-            state.asked.extend(action);
+            requests.extend(action);
             !taken
         });
     });
-    if state.picture_alone && ctx.input(|input| input.key_pressed(Key::Escape)) {
-        state.ask(Action::PictureAlone);
+    if window.picture_alone && ctx.input(|input| input.key_pressed(Key::Escape)) {
+        requests.ask(Action::PictureAlone);
     }
 }
 
@@ -456,62 +464,70 @@ impl AppState {
             Action::ResetCamera | Action::Orbit(_) | Action::Pan(_) | Action::Zoom(_)
         );
         if moves && self.course.asks_point() {
-            self.notice = Some(text!("course-camera-still").to_owned());
+            self.session.notice = Some(text!("course-camera-still").to_owned());
             return None;
         }
-        let camera = &mut self.shown.scene.camera;
+        let camera = &mut self.session.shown.scene.camera;
         match action {
             Action::MoveProbe(by) if self.course.asks_point() => {
                 let mark = ProbePoint(self.course.mark().unwrap_or_default());
                 self.course.put_mark(mark.moved(by, size).0);
             }
             Action::Undo => {
-                self.history.undo(&mut self.document);
-                self.return_to_origin();
+                self.session.undo();
+                self.follow_document();
             }
             Action::Redo => {
-                self.history.redo(&mut self.document);
-                self.return_to_origin();
+                self.session.redo();
+                self.follow_document();
             }
-            Action::ResetCamera => orbit::reset(&mut self.shown, &self.opened, size),
+            Action::ResetCamera => {
+                orbit::reset(&mut self.session.shown, &self.session.opened, size)
+            }
             Action::Shade { mode, renormalise } => {
-                self.shown.scene.shading.mode = mode;
-                self.shown.scene.shading.renormalise = renormalise;
+                self.session.shown.scene.shading.mode = mode;
+                self.session.shown.scene.shading.renormalise = renormalise;
             }
-            Action::Compare(view) => self.compare(view),
-            Action::NextComparison => self.compare(self.next_comparison()),
-            Action::Activate(pane) => self.activate(pane),
+            Action::Compare(view) => self.session.compare(view),
+            Action::NextComparison => self.session.compare(self.session.next_comparison()),
+            Action::Activate(pane) => self.session.activate(pane),
             Action::NextPane => {
-                let shown = self.document.scene.shown_panes();
+                let shown = self.session.document.scene.shown_panes();
                 let place = shown
                     .iter()
-                    .position(|pane| *pane == self.panes.active)
+                    .position(|pane| *pane == self.session.panes.active)
                     .unwrap_or(0);
-                self.activate(shown[(place + 1) % shown.len()]);
+                self.session.activate(shown[(place + 1) % shown.len()]);
             }
-            Action::AllModes => self.rearrange(0, |scene| {
+            Action::AllModes => self.session.rearrange(0, |scene| {
                 scene.compare_all_modes();
                 Ok(())
             }),
-            Action::MovePane(from, to) => self.rearrange(to, |scene| scene.move_pane(from, to)),
+            Action::MovePane(from, to) => self
+                .session
+                .rearrange(to, |scene| scene.move_pane(from, to)),
             Action::RemovePane(pane) => {
-                let active = self.panes.active;
+                let active = self.session.panes.active;
                 let active = active - usize::from(active >= pane && active > 0);
-                self.rearrange(active, |scene| scene.remove_pane(pane));
+                self.session
+                    .rearrange(active, |scene| scene.remove_pane(pane));
             }
-            Action::Reference(pane) => self.document.scene.set_reference(pane),
+            Action::Reference(pane) => self.session.document.scene.set_reference(pane),
             Action::AddLight(light) => self.add_light(light, size),
-            Action::MoveProbe(by) => self.probe = self.probe.moved(by, size),
+            Action::MoveProbe(by) => self.window.probe = self.window.probe.moved(by, size),
             Action::Orbit([right, up]) => orbit::orbit(camera, right, up),
             Action::Pan([right, up]) => orbit::pan(camera, right, up),
             Action::Zoom(factor) => orbit::zoom(camera, factor),
             Action::Show(switch) => {
-                let shown = switch(&mut self.appearance);
+                let shown = switch(&mut self.window.appearance);
                 *shown = !*shown;
             }
-            Action::ChangeLook(change) => change(&mut self.appearance),
-            Action::Scan(walk) => self.own.change(|view: &mut ScanView| view.walk(walk)),
-            Action::View(view) => self.show_view(view),
+            Action::ChangeLook(change) => change(&mut self.window.appearance),
+            Action::Scan(walk) => self
+                .window
+                .own
+                .change(|view: &mut ScanView| view.walk(walk)),
+            Action::View(view) => self.window.show_view(view),
             Action::Course(turn) => self.turn(turn),
             Action::ShowAnswer => self.show_answer(),
             Action::SetTarget => self.set_as_target(),
@@ -522,14 +538,14 @@ impl AppState {
 
     /// Adds a light like this one where it is seen and no other is.
     fn add_light(&mut self, light: Light, size: [u32; 2]) {
-        let scene = &mut self.shown.scene;
+        let scene = &mut self.session.shown.scene;
         if scene.lights.len() >= Scene::MAX_LIGHTS {
-            self.notice = Some(text!("controls-most-lights", most = Scene::MAX_LIGHTS));
+            self.session.notice = Some(text!("controls-most-lights", most = Scene::MAX_LIGHTS));
             return;
         }
         let light = handles::apart(light, scene, size);
         scene.lights.push(light);
-        self.light = scene.lights.len() - 1;
+        self.session.light = scene.lights.len() - 1;
     }
 }
 

@@ -8,7 +8,8 @@ use super::film::film_ui;
 use super::links;
 use crate::app::controls::scenes::{Gallery, scenes_ui};
 use crate::app::session::action::Action;
-use crate::app::state::{AppState, Leaving};
+use crate::app::shell::state::AppState;
+use crate::app::shell::state::Leaving;
 use crate::app::system;
 use crate::app::views::report;
 use crate::app::widgets::focus::{keep_in_sight, named};
@@ -86,14 +87,14 @@ pub fn dialog_ui(ctx: &Context, state: &mut AppState, files: &mut Files) {
         leaving => {
             if leaving == Choice::Discard {
                 let unsaved = matches!(dialog, Dialog::Unsaved);
-                state.ask(if unsaved {
+                state.requests.ask(if unsaved {
                     Action::CloseUnsaved
                 } else {
                     Action::DeleteLeft
                 });
             }
-            state.own.put(Writer::default());
-            state.own.change(Gallery::leave);
+            state.window.own.put(Writer::default());
+            state.window.own.change(Gallery::leave);
             state.leaving = Leaving::No;
             ctx.request_repaint();
         }
@@ -110,11 +111,11 @@ fn accept(ctx: &Context, state: &mut AppState, files: &mut Files, mut dialog: Di
             ..
         } => vec![],
         Dialog::File { path, .. } => vec![PathBuf::from(path)],
-        Dialog::Code(form) => code::targets(state, form),
+        Dialog::Code(form) => code::targets(&state.window, form),
         _ => vec![],
     };
     let lost = |path: &&PathBuf| {
-        path.is_file() && !state.document.is_from(path) && agreed.as_ref() != Some(path)
+        path.is_file() && !state.session.document.is_from(path) && agreed.as_ref() != Some(path)
     };
     let names = targets
         .iter()
@@ -136,8 +137,12 @@ pub fn perform(ctx: &Context, state: &mut AppState, files: &mut Files, dialog: D
     match dialog {
         Dialog::File { task, path } => match task {
             FileTask::Open if system::PAGE => _ = system::pick(true, &FileTask::Open.file_kind()),
-            FileTask::Open => state.ask(Action::OpenFile(PathBuf::from(path.trim()))),
-            FileTask::SaveScene => state.ask(Action::SaveTo(PathBuf::from(path.trim()))),
+            FileTask::Open => state
+                .requests
+                .ask(Action::OpenFile(PathBuf::from(path.trim()))),
+            FileTask::SaveScene => state
+                .requests
+                .ask(Action::SaveTo(PathBuf::from(path.trim()))),
             FileTask::HandIn(name) => files.hand_in(ctx, state, name, PathBuf::from(path)),
             FileTask::Export(mut form) => {
                 if let Err(why) = files.export(ctx, state, &form, PathBuf::from(&path)) {
@@ -147,7 +152,11 @@ pub fn perform(ctx: &Context, state: &mut AppState, files: &mut Files, dialog: D
                 }
             }
             FileTask::SaveAnswer(_) => {
-                if let Err(text) = report::save(state, Path::new(path.trim())) {
+                if let Err(text) = report::save(
+                    &mut state.session,
+                    &mut state.window,
+                    Path::new(path.trim()),
+                ) {
                     state.dialog = Some(Dialog::message(text!("analysis-not-saved"), text));
                 }
             }
@@ -156,9 +165,9 @@ pub fn perform(ctx: &Context, state: &mut AppState, files: &mut Files, dialog: D
         Dialog::Replace { then, .. } => perform(ctx, state, files, *then),
         Dialog::Unsaved => {
             state.leaving = Leaving::OnceSaved;
-            state.ask(Action::Save);
+            state.requests.ask(Action::Save);
         }
-        Dialog::Restore { .. } => state.ask(Action::Restore),
+        Dialog::Restore { .. } => state.requests.ask(Action::Restore),
         Dialog::Page(form) => state.set_page(form),
         Dialog::Message { .. }
         | Dialog::LinkCode(_)
@@ -175,9 +184,14 @@ fn contents_ui(ui: &mut Ui, dialog: &mut Dialog, state: &mut AppState) -> Choice
         }
         Dialog::File { task, path } => file_ui(ui, task, path, state),
         Dialog::Code(form) => {
-            let mut writer = state.own.take();
-            let choice = code_ui(ui, form, &mut writer, (&state.document, state.no_dialog));
-            state.own.put(writer);
+            let mut writer = state.window.own.take();
+            let choice = code_ui(
+                ui,
+                form,
+                &mut writer,
+                (&state.session.document, state.no_dialog),
+            );
+            state.window.own.put(writer);
             choice
         }
         Dialog::Replace { names, .. } => {
@@ -193,7 +207,7 @@ fn contents_ui(ui: &mut Ui, dialog: &mut Dialog, state: &mut AppState) -> Choice
             )
         }
         Dialog::Unsaved => {
-            let title = text!("unsaved", name = state.document.origin.name());
+            let title = text!("unsaved", name = state.session.document.origin.name());
             let text = text!("unsaved-lost");
             let answers = [
                 (text!("save"), Choice::Accept),
@@ -213,7 +227,7 @@ fn contents_ui(ui: &mut Ui, dialog: &mut Dialog, state: &mut AppState) -> Choice
         }
         Dialog::Page(form) => links::page_ui(ui, form),
         Dialog::LinkCode(_) => Choice::Leave,
-        Dialog::Scenes => scenes_ui(ui, state),
+        Dialog::Scenes => scenes_ui(ui, &mut state.window, &mut state.requests),
         Dialog::Keys => keys_ui(ui),
         Dialog::About => question_ui(
             ui,
@@ -228,9 +242,9 @@ fn file_ui(ui: &mut Ui, task: &mut FileTask, path: &mut String, state: &AppState
     let kind = task.file_kind();
     ui.heading(kind.title);
     if let FileTask::Export(form) = task {
-        export_ui(ui, form, state.room);
+        export_ui(ui, form, state.window.room);
         ui.add_space(8.0);
-        film_ui(ui, &mut form.film, &state.document.scene, path);
+        film_ui(ui, &mut form.film, &state.session.document.scene, path);
         if let Some(wrong) = &form.wrong {
             ui.add_space(8.0);
             ui.colored_label(ui.visuals().error_fg_color, wrong);

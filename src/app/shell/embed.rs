@@ -2,11 +2,14 @@
 
 use crate::app::App;
 use crate::app::controls::named::{Named, rows_ui};
+use crate::app::course::Course;
 use crate::app::engine::Engine;
 use crate::app::picture::{self, Room};
+use crate::app::session::Session;
 use crate::app::session::action::Action;
+use crate::app::session::action::Requests;
 use crate::app::session::appearance::Appearance;
-use crate::app::state::AppState;
+use crate::app::session::window::WindowState;
 use crate::app::widgets::focus::keep_in_sight;
 use crate::scene::Choice as _;
 use crate::text::text;
@@ -21,22 +24,29 @@ impl App {
     pub fn embedded(mut self, controls: &[String]) -> Self {
         let Appearance {
             theme, language, ..
-        } = self.state.appearance;
-        self.state.appearance = Appearance {
+        } = self.state.window.appearance;
+        self.state.window.appearance = Appearance {
             theme,
             language,
             welcomed: true,
             ..Appearance::default()
         };
-        self.state.welcome = false;
-        self.state.embedded = Some(controls.to_vec());
+        self.state.window.welcome = false;
+        self.state.window.embedded = Some(controls.to_vec());
         self
     }
 }
 
 /// Shows the picture and the controls below it.
-pub fn embedded_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine) -> Room {
-    let words = state.embedded.clone().unwrap_or_default();
+pub fn embedded_ui(
+    ui: &mut Ui,
+    session: &mut Session,
+    window: &mut WindowState,
+    course: &mut Course,
+    requests: &mut Requests,
+    engine: &mut Engine,
+) -> Room {
+    let words = window.embedded.clone().unwrap_or_default();
     let controls: Vec<Named> = words.iter().filter_map(|word| Named::find(word)).collect();
     let footer = ui.spacing().interact_size.y + 16.0;
     let most = (1.0 - PICTURE) * ui.available_height() - footer;
@@ -48,7 +58,7 @@ pub fn embedded_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine) -> Ro
                 .min_scrolled_height(0.0)
                 .auto_shrink([false, true])
                 .show(ui, |ui| {
-                    rows_ui(ui, state, &controls);
+                    rows_ui(ui, session, &controls);
                     keep_in_sight(ui);
                 });
         }
@@ -57,19 +67,19 @@ pub fn embedded_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine) -> Ro
             ui.label(RichText::new(words).color(ui.visuals().error_fg_color));
         }
         ui.horizontal(|ui| {
-            ui.label(RichText::new(state.shown.scene.shading.mode.label()).weak());
+            ui.label(RichText::new(session.shown.scene.shading.mode.label()).weak());
             if ui
                 .link(text!("embed-open"))
                 .on_hover_text(text!("embed-open.tip"))
                 .clicked()
             {
-                state.ask(Action::OpenPage);
+                requests.ask(Action::OpenPage);
             }
         });
         ui.add_space(2.0);
     });
-    let shown = CentralPanel::default()
-        .frame(Frame::NONE)
-        .show(ui, |ui| picture::picture_ui(ui, state, engine));
+    let shown = CentralPanel::default().frame(Frame::NONE).show(ui, |ui| {
+        picture::picture_ui(ui, session, window, course, requests, engine)
+    });
     shown.inner
 }

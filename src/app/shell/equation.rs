@@ -2,7 +2,7 @@
 //! it, clicking it brings that into view.
 
 use crate::analysis::{Letters, equation_letters};
-use crate::app::state::AppState;
+use crate::app::session::Session;
 use crate::app::widgets::palette::tone_text;
 use crate::app::widgets::typeset::{Piece, Place, formula, run_ui};
 use crate::text::text;
@@ -12,8 +12,8 @@ use eframe::egui::{Ui, Visuals, vec2};
 const SIZE: f32 = 18.0;
 
 /// The equation as `state`'s scene has it; what it leaves out is pale.
-pub fn equation_ui(ui: &mut Ui, state: &mut AppState) {
-    let parts = equation_letters(&state.shown.scene);
+pub fn equation_ui(ui: &mut Ui, session: &mut Session) {
+    let parts = equation_letters(&session.shown.scene);
     let width = ui.available_width();
     ui.scope(|ui| {
         ui.spacing_mut().item_spacing = vec2(0.0, 2.0);
@@ -27,7 +27,6 @@ pub fn equation_ui(ui: &mut Ui, state: &mut AppState) {
                 let id = ui.scope_id().with(("symbol", number));
                 run_ui(
                     ui,
-                    state,
                     &run,
                     SIZE,
                     Place {

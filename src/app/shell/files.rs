@@ -14,7 +14,7 @@ use crate::app::session::appearance::{Overlays, ViewName};
 use crate::app::session::document::Document;
 use crate::app::session::place::{ProbePoint, ProfileLine};
 use crate::app::session::recovery;
-use crate::app::state::AppState;
+use crate::app::shell::state::AppState;
 use crate::app::system;
 use crate::app::widgets::background::{Task, wake};
 use crate::document::{load_with, save_film, save_picture, write_whole};
@@ -63,12 +63,15 @@ pub struct Over {
 impl Over {
     pub fn new(state: &AppState) -> Self {
         Self {
-            overlay: state.appearance.overlay.clone(),
-            profile: state.appearance.profile.clone(),
-            light: state.light,
-            point: state.probe,
-            vertex: state.pointed.kept,
-            line: state.shows(ViewName::Profile).then_some(state.line),
+            overlay: state.window.appearance.overlay.clone(),
+            profile: state.window.appearance.profile.clone(),
+            light: state.session.light,
+            point: state.window.probe,
+            vertex: state.window.pointed.kept,
+            line: state
+                .window
+                .shows(ViewName::Profile)
+                .then_some(state.window.line),
         }
     }
 
@@ -283,7 +286,7 @@ impl Files {
             let lesson = Lesson::open(&path).map_err(|error| error.to_string())?;
             let (lesson, path) = (Arc::new(lesson), path.clone());
             Ok(move |state: &mut AppState| {
-                state.appearance.remember(&path);
+                state.window.appearance.remember(&path);
                 state.open_lesson(Arc::clone(&lesson), false);
             })
         });
@@ -295,7 +298,7 @@ impl Files {
             return;
         };
         state.course.kept.name.clone_from(&name);
-        let Document { scene, model, .. } = state.document.clone();
+        let Document { scene, model, .. } = state.session.document.clone();
         let title = text!("drawing-file", path = path.display().to_string());
         self.start(ctx, title, text!("course-not-handed-in"), move |watch| {
             let mut sized = scene.clone();
@@ -309,7 +312,7 @@ impl Files {
             hand_in(&path, &frame, &scene, &lesson, &record, &name)
                 .map_err(|error| error.to_string())?;
             let notice = text!("course-handed-in", path = path.display().to_string());
-            Ok(move |state: &mut AppState| state.notice = Some(notice.clone()))
+            Ok(move |state: &mut AppState| state.session.notice = Some(notice.clone()))
         });
     }
 
@@ -335,10 +338,9 @@ impl Files {
             let (document, original, around) = recovery::restore(&path)?;
             Ok(move |state: &mut AppState| {
                 if state.open(original.clone()) {
-                    state.document = document.clone();
-                    state.derive();
-                    around.apply(state);
-                    state.ask(Action::AdoptRestored);
+                    state.session.restore(document.clone());
+                    around.apply(&mut state.session, &mut state.window);
+                    state.requests.ask(Action::AdoptRestored);
                 }
             })
         });
@@ -357,7 +359,7 @@ impl Files {
     ) -> Result<(), String> {
         let Document {
             mut scene, model, ..
-        } = state.document.clone();
+        } = state.session.document.clone();
         scene.image.size = form.size;
         if let Some(film) = &form.film {
             film.sweep(&scene, &path)?;
@@ -385,7 +387,7 @@ impl Files {
         self.start(ctx, title, text!("not-exported"), move |_| {
             save_picture(&work.path, &frame, &work.scene).map_err(|error| error.to_string())?;
             let notice = text!("exported", path = work.path.display().to_string());
-            Ok(move |state: &mut AppState| state.notice = Some(notice.clone()))
+            Ok(move |state: &mut AppState| state.session.notice = Some(notice.clone()))
         });
     }
 
@@ -399,7 +401,7 @@ impl Files {
                 written.map_err(|error| error.to_string())?;
             }
             let notice = text!("exported", path = path.display().to_string());
-            Ok(move |state: &mut AppState| state.notice = Some(notice.clone()))
+            Ok(move |state: &mut AppState| state.session.notice = Some(notice.clone()))
         });
     }
 

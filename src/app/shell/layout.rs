@@ -19,7 +19,7 @@ use crate::app::controls;
 use crate::app::engine::Engine;
 use crate::app::picture::{self, Room};
 use crate::app::session::appearance::ViewName;
-use crate::app::state::AppState;
+use crate::app::shell::state::AppState;
 use crate::app::views::{self, RAIL};
 use eframe::egui::{
     Align2, Area, CentralPanel, Frame as Margins, Id, Margin, Order, Panel, Rect, Ui, Vec2, vec2,
@@ -56,7 +56,7 @@ impl Layout {
     /// Shows everything but dialogs; returns the room that the picture has, if it is in sight.
     pub fn ui(&mut self, ui: &mut Ui, state: &mut AppState, engine: &mut Engine) -> Option<Room> {
         let size = ui.available_size();
-        if state.picture_alone {
+        if state.window.picture_alone {
             return Some(self.picture_ui(ui, state, engine));
         }
         let narrow = size.x < NARROW;
@@ -64,21 +64,46 @@ impl Layout {
         if !ui.ctx().text_edit_focused() {
             self.tall = size.y > size.x;
         }
-        Panel::top("menus").show(ui, |ui| bars::menus_ui(ui, state, low));
-        if state.enlarged && state.appearance.views {
-            CentralPanel::default().show(ui, |ui| views::view_ui(ui, state, engine, narrow));
-            state.commit();
+        Panel::top("menus").show(ui, |ui| {
+            bars::menus_ui(
+                ui,
+                &mut state.session,
+                &mut state.window,
+                &mut state.course,
+                &mut state.requests,
+                low,
+            )
+        });
+        if state.window.enlarged && state.window.appearance.views {
+            CentralPanel::default().show(ui, |ui| {
+                views::view_ui(
+                    ui,
+                    &mut state.session,
+                    &mut state.window,
+                    &mut state.course,
+                    &mut state.requests,
+                    engine,
+                    narrow,
+                )
+            });
+            state.session.commit();
             return None;
         }
-        state.enlarged = false;
+        state.window.enlarged = false;
         self.make_room(state, size);
         // A narrow window with a lesson has room for picture and question only.
-        if state.appearance.equation && size.y >= LOWEST && !(narrow && reads_lesson(state)) {
-            Panel::top("equation").show(ui, |ui| bars::equation_ui(ui, state));
+        if state.window.appearance.equation && size.y >= LOWEST && !(narrow && reads_lesson(state))
+        {
+            Panel::top("equation").show(ui, |ui| {
+                bars::equation_ui(ui, &mut state.session, &mut state.window)
+            });
         }
         // A card over the picture leaves no room for a drawer.
-        if narrow && state.welcome {
-            (state.appearance.controls, state.appearance.views) = (false, false);
+        if narrow && state.window.welcome {
+            (
+                state.window.appearance.controls,
+                state.window.appearance.views,
+            ) = (false, false);
         }
         if narrow {
             drawer_ui(ui, state, engine, size, self.tall);
@@ -86,44 +111,68 @@ impl Layout {
             panels_ui(ui, state, engine, size);
         }
         // Nothing is drawn of a scene that a scene file would refuse.
-        state.commit();
+        state.session.commit();
         // A lesson says what its scenes show; what they show elsewhere would mislead.
-        if !(low || narrow && reads_lesson(state) || state.shows_step()) {
-            Panel::top("title").show(ui, |ui| bars::title_ui(ui, state));
+        if !(low || narrow && reads_lesson(state) || state.course.shows_step()) {
+            Panel::top("title").show(ui, |ui| {
+                bars::title_ui(
+                    ui,
+                    &mut state.session,
+                    &mut state.window,
+                    &mut state.course,
+                    &mut state.requests,
+                )
+            });
         }
         Some(self.picture_ui(ui, state, engine))
     }
 
     fn picture_ui(&mut self, ui: &mut Ui, state: &mut AppState, engine: &mut Engine) -> Room {
-        let shown = CentralPanel::default()
-            .frame(Margins::NONE)
-            .show(ui, |ui| picture::picture_ui(ui, state, engine));
+        let shown = CentralPanel::default().frame(Margins::NONE).show(ui, |ui| {
+            picture::picture_ui(
+                ui,
+                &mut state.session,
+                &mut state.window,
+                &mut state.course,
+                &mut state.requests,
+                engine,
+            )
+        });
         self.picture = Some(shown.response.rect);
-        state.commit();
+        state.session.commit();
         shown.inner
     }
 
     /// Closes a panel where there is no room for both: the one that was opened first, or at once the controls beside a lesson or
     /// answers that were handed in.
     fn make_room(&mut self, state: &mut AppState, size: Vec2) {
-        let open = [state.appearance.controls, state.appearance.views];
-        let beside = size.x < NARROW || !views::stands_below(state);
+        let open = [
+            state.window.appearance.controls,
+            state.window.appearance.views,
+        ];
+        let beside = size.x < NARROW || !views::stands_below(&state.window);
         if open == [true, true] && beside && panel_room(size) < 2.0 * PANEL {
-            let reads = state.shows(ViewName::Course) && state.course.heading().is_some();
+            let reads = state.window.shows(ViewName::Course) && state.course.heading().is_some();
             let controls_first = match self.open {
                 [true, false] => true,
                 [false, true] => false,
                 _ => reads,
             };
-            (state.appearance.controls, state.appearance.views) = (!controls_first, controls_first);
+            (
+                state.window.appearance.controls,
+                state.window.appearance.views,
+            ) = (!controls_first, controls_first);
         }
-        self.open = [state.appearance.controls, state.appearance.views];
+        self.open = [
+            state.window.appearance.controls,
+            state.window.appearance.views,
+        ];
     }
 }
 
 /// Whether a lesson is open and in sight.
 fn reads_lesson(state: &AppState) -> bool {
-    state.shows(ViewName::Course) && state.course.open.is_some()
+    state.window.shows(ViewName::Course) && state.course.open.is_some()
 }
 
 /// The width that panels may take, points: the picture has half of the window. In a narrow one there is one panel.
@@ -137,8 +186,16 @@ fn panel_room(size: Vec2) -> f32 {
 
 /// Controls at the left, the view at the right or below the picture, the rail.
 fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2) {
-    if state.appearance.stages {
-        Panel::bottom("stages").show(ui, |ui| bars::stages_ui(ui, state, engine));
+    if state.window.appearance.stages {
+        Panel::bottom("stages").show(ui, |ui| {
+            bars::stages_ui(
+                ui,
+                &mut state.session,
+                &mut state.window,
+                &mut state.course,
+                engine,
+            )
+        });
     }
     Panel::right("rail")
         .resizable(false)
@@ -146,25 +203,33 @@ fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2)
         .show(ui, |ui| {
             ui.add_space(4.0);
             let size = views::wide_size(ui.available_height());
-            views::rail_ui(ui, state, false, size);
+            views::rail_ui(ui, &mut state.window, false, size);
         });
     let room = panel_room(size);
-    let below = state.appearance.views && views::stands_below(state);
-    let beside = state.appearance.views && !below;
+    let below = state.window.appearance.views && views::stands_below(&state.window);
+    let beside = state.window.appearance.views && !below;
     let mut left = room;
-    if state.appearance.controls {
+    if state.window.appearance.controls {
         let most = if beside { room - PANEL } else { room };
         let panel = Panel::left("controls")
             .resizable(true)
             .default_size(PANEL.max(0.26 * size.x).min(360.0))
             .size_range(PANEL..=most.clamp(PANEL, 560.0));
-        let shown = panel.show(ui, |ui| controls::controls_ui(ui, state, engine));
+        let shown = panel.show(ui, |ui| {
+            controls::controls_ui(
+                ui,
+                &mut state.session,
+                &mut state.window,
+                &mut state.requests,
+                engine,
+            )
+        });
         left -= shown.response.rect.width();
-        state.commit();
+        state.session.commit();
     }
     if beside {
         // A lesson is read, and has questions to be answered.
-        let course = state.appearance.view == ViewName::Course;
+        let course = state.window.appearance.view == ViewName::Course;
         let (name, share, most) = if course {
             ("course", 0.34, 520.0)
         } else {
@@ -174,7 +239,17 @@ fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2)
             .resizable(true)
             .default_size(PANEL.max(share * size.x).min(most))
             .size_range(PANEL..=left.clamp(PANEL, 720.0))
-            .show(ui, |ui| views::view_ui(ui, state, engine, false));
+            .show(ui, |ui| {
+                views::view_ui(
+                    ui,
+                    &mut state.session,
+                    &mut state.window,
+                    &mut state.course,
+                    &mut state.requests,
+                    engine,
+                    false,
+                )
+            });
     }
     if below {
         let height = ui.available_height();
@@ -182,7 +257,17 @@ fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2)
             .resizable(true)
             .default_size(BELOW * height)
             .size_range(140.0..=(height - PICTURE).max(140.0))
-            .show(ui, |ui| views::view_ui(ui, state, engine, false));
+            .show(ui, |ui| {
+                views::view_ui(
+                    ui,
+                    &mut state.session,
+                    &mut state.window,
+                    &mut state.course,
+                    &mut state.requests,
+                    engine,
+                    false,
+                )
+            });
     }
 }
 
@@ -190,7 +275,9 @@ fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2)
 fn drawer_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2, tall: bool) {
     if tall {
         Panel::bottom("rail-below").show(ui, |ui| {
-            ui.horizontal(|ui| views::rail_ui(ui, state, true, views::narrow_size(size.x)));
+            ui.horizontal(|ui| {
+                views::rail_ui(ui, &mut state.window, true, views::narrow_size(size.x))
+            });
         });
     } else {
         Panel::right("rail")
@@ -198,19 +285,33 @@ fn drawer_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2,
             .exact_size(RAIL)
             .show(ui, |ui| {
                 let size = views::wide_size(ui.available_height());
-                views::rail_ui(ui, state, true, size);
+                views::rail_ui(ui, &mut state.window, true, size);
             });
     }
-    let controls = state.appearance.controls;
-    if !controls && !state.appearance.views {
+    let controls = state.window.appearance.controls;
+    if !controls && !state.window.appearance.views {
         return;
     }
     let lesson = !controls && reads_lesson(state);
     let mut show = |ui: &mut Ui| {
         if controls {
-            controls::controls_ui(ui, state, engine);
+            controls::controls_ui(
+                ui,
+                &mut state.session,
+                &mut state.window,
+                &mut state.requests,
+                engine,
+            );
         } else {
-            views::view_ui(ui, state, engine, true);
+            views::view_ui(
+                ui,
+                &mut state.session,
+                &mut state.window,
+                &mut state.course,
+                &mut state.requests,
+                engine,
+                true,
+            );
         }
     };
     let height = ui.available_height();

@@ -5,7 +5,7 @@ use crate::app::session::action::{Action, Turn};
 use crate::app::session::appearance::ViewName;
 use crate::app::session::document::{Document, Origin};
 use crate::app::session::place::{ProbePoint, ProfileLine};
-use crate::app::state::AppState;
+use crate::app::shell::state::AppState;
 use crate::app::system;
 use crate::app::widgets::focus::named;
 use crate::app::widgets::theme::text_field;
@@ -35,16 +35,19 @@ const GREY: Color32 = Color32::from_gray(88);
 impl AppState {
     /// What a link says of the window.
     fn shown_in_links(&self) -> Shown {
-        let name = serde_json::to_value(self.appearance.view);
+        let name = serde_json::to_value(self.window.appearance.view);
         let is_open = |view: &&str| name.as_ref().is_ok_and(|name| name == view);
         let view = VIEWS.into_iter().find(|view| is_open(view));
         // A lecturer's own lesson is a file, which does not travel.
         let lesson = self.course.open.as_ref().filter(|open| open.built_in);
-        let lesson = lesson.filter(|open| open.in_view && self.shows(ViewName::Course));
+        let lesson = lesson.filter(|open| open.in_view && self.window.shows(ViewName::Course));
         Shown {
-            view: view.filter(|_| self.appearance.views),
-            probe: Some(self.probe.0),
-            line: self.shows(ViewName::Profile).then_some(self.line.0),
+            view: view.filter(|_| self.window.appearance.views),
+            probe: Some(self.window.probe.0),
+            line: self
+                .window
+                .shows(ViewName::Profile)
+                .then_some(self.window.line.0),
             lesson: lesson.map(|open| open.lesson.name.clone()),
             step: lesson.map(|open| open.step as u32 + 1),
             ..Shown::default()
@@ -53,13 +56,13 @@ impl AppState {
 
     /// The link of what is seen.
     pub fn link(&self) -> Result<Written, WriteError> {
-        let origin = match &self.document.origin {
+        let origin = match &self.session.document.origin {
             Origin::BuiltIn(name) => Some(name.as_str()),
             Origin::New | Origin::File(_) => None,
         };
         write(
-            &self.appearance.page,
-            &self.document.scene,
+            &self.window.appearance.page,
+            &self.session.document.scene,
             origin,
             &self.shown_in_links(),
         )
@@ -68,10 +71,10 @@ impl AppState {
     /// Shows what a link says.
     pub fn show(&mut self, shown: &Shown) {
         if let Some(Ok(view)) = shown.view.map(|view| serde_json::from_value(view.into())) {
-            self.show_view(view);
+            self.window.show_view(view);
         }
-        self.probe = shown.probe.map_or(self.probe, ProbePoint);
-        self.line = shown.line.map_or(self.line, ProfileLine);
+        self.window.probe = shown.probe.map_or(self.window.probe, ProbePoint);
+        self.window.line = shown.line.map_or(self.window.line, ProfileLine);
         if let Some(lesson) = &shown.lesson {
             match crate::lesson::find(lesson) {
                 Some(found) => {
@@ -96,9 +99,9 @@ impl AppState {
                     ..Document::default()
                 };
                 if self.open(document) {
-                    self.seek_highlight = shown.probe.is_none();
+                    self.window.seek_highlight = shown.probe.is_none();
                     self.show(&shown);
-                    self.notice = Some(text!("link-opened").to_owned());
+                    self.session.notice = Some(text!("link-opened").to_owned());
                 }
             }
             Err(error) => {
@@ -112,7 +115,7 @@ impl AppState {
         match self.link() {
             Ok(Written { link, left_out }) => {
                 ctx.copy_text(link);
-                self.notice = Some(match left_out {
+                self.session.notice = Some(match left_out {
                     None => text!("link-copied").to_owned(),
                     Some(path) => text!("link-copied-model", path = name_of(&path)),
                 });
@@ -131,7 +134,7 @@ impl AppState {
 
     /// Shows the link as a QR code; asks for the page that phones will open where none is known.
     pub fn show_code(&mut self) {
-        if self.appearance.page.is_empty() {
+        if self.window.appearance.page.is_empty() {
             return self.ask_page(true);
         }
         let Written { link, left_out } = match self.link() {
@@ -154,7 +157,7 @@ impl AppState {
     /// Asks for the address of the page that links begin with.
     pub fn ask_page(&mut self, then_code: bool) {
         self.dialog = Some(Dialog::Page(PageForm {
-            address: self.appearance.page.clone(),
+            address: self.window.appearance.page.clone(),
             wrong: None,
             then_code,
         }));
@@ -169,9 +172,9 @@ impl AppState {
         };
         match address {
             Ok(address) => {
-                self.appearance.page = address;
+                self.window.appearance.page = address;
                 if form.then_code {
-                    self.ask(Action::ShowCode);
+                    self.requests.ask(Action::ShowCode);
                 }
             }
             Err(wrong) => {

@@ -1,6 +1,7 @@
 //! What was last done, and what is wrong, in a line: in the bottom bar, or over the picture where there is none.
 
-use crate::app::state::AppState;
+use crate::app::session::Session;
+use crate::app::session::window::WindowState;
 use crate::app::widgets::sign::{Sign, sign_button};
 use crate::text::text;
 use eframe::egui::{Context, Label, RichText, TextWrapMode, Ui};
@@ -17,11 +18,11 @@ struct ShownNotice {
 }
 
 /// Takes the notice away when it has been said long enough; asks for that one frame and for none after it.
-pub fn expire(ctx: &Context, state: &mut AppState) {
+pub fn expire(ctx: &Context, session: &mut Session, window: &mut WindowState) {
     let now = ctx.input(|input| input.time);
-    let mut shown: ShownNotice = state.own.take();
-    if shown.text != state.notice {
-        shown.text.clone_from(&state.notice);
+    let mut shown: ShownNotice = window.own.take();
+    if shown.text != session.notice {
+        shown.text.clone_from(&session.notice);
         shown.since = now;
     }
     if shown.text.is_some() {
@@ -29,23 +30,23 @@ pub fn expire(ctx: &Context, state: &mut AppState) {
         if left > 0.0 {
             ctx.request_repaint_after(Duration::from_secs_f64(left));
         } else {
-            (state.notice, shown.text) = (None, None);
+            (session.notice, shown.text) = (None, None);
             ctx.request_repaint();
         }
     }
-    state.own.put(shown);
+    window.own.put(shown);
 }
 
 /// What there is to say, on lines that wrap or on one; what is wrong can be dismissed.
-pub fn said_ui(ui: &mut Ui, state: &mut AppState, wrap: TextWrapMode) {
-    if let Some(notice) = &state.notice {
+pub fn said_ui(ui: &mut Ui, session: &mut Session, wrap: TextWrapMode) {
+    if let Some(notice) = &session.notice {
         ui.add(Label::new(notice).wrap_mode(wrap));
-    } else if let Some(warning) = &state.warning {
+    } else if let Some(warning) = &session.warning {
         let words = RichText::new(warning).color(ui.visuals().warn_fg_color);
         let dismissed = sign_button(ui, Sign::Close, text!("dismiss"));
         ui.add(Label::new(words).wrap_mode(wrap));
         if dismissed {
-            state.warning = None;
+            session.warning = None;
         }
     }
 }

@@ -2,7 +2,8 @@
 //! what it was is kept for when it is switched on again.
 
 use crate::analysis::{Tone, specular_vector};
-use crate::app::state::AppState;
+use crate::app::session::Session;
+use crate::app::session::window::WindowState;
 use crate::app::widgets::palette::tone_text;
 use crate::figure::palette::Vector;
 use crate::scene::{Material, Rgb, Scene};
@@ -18,11 +19,11 @@ fn coefficients(material: &mut Material) -> [&mut Rgb; 3] {
 }
 
 /// Switches the term of this number off or on again.
-pub fn switch(state: &mut AppState, term: usize) {
-    let opened = coefficients(&mut state.opened.material.clone()).map(|value| *value)[term];
+pub fn switch(session: &mut Session, window: &mut WindowState, term: usize) {
+    let opened = coefficients(&mut session.opened.material.clone()).map(|value| *value)[term];
     let usual = coefficients(&mut Material::default()).map(|value| *value)[term];
-    let mut kept: SwitchedOff = state.own.take();
-    let value = &mut coefficients(&mut state.shown.scene.material)[term];
+    let mut kept: SwitchedOff = window.own.take();
+    let value = &mut coefficients(&mut session.shown.scene.material)[term];
     if **value == Rgb::ZERO {
         let known = kept.0[term]
             .take()
@@ -32,16 +33,16 @@ pub fn switch(state: &mut AppState, term: usize) {
         kept.0[term] = Some(**value);
         **value = Rgb::ZERO;
     }
-    state.own.put(kept);
+    window.own.put(kept);
 }
 
 /// A switch for each term, in the term's colour; in a `wide` window from the right to the left, with their full names.
-pub fn switches_ui(ui: &mut Ui, state: &mut AppState, wide: bool) {
+pub fn switches_ui(ui: &mut Ui, session: &mut Session, window: &mut WindowState, wide: bool) {
     let Scene {
         material,
         reflection,
         ..
-    } = &state.shown.scene;
+    } = &session.shown.scene;
     let mut terms = [
         (
             0,
@@ -74,7 +75,7 @@ pub fn switches_ui(ui: &mut Ui, state: &mut AppState, wide: bool) {
             .on_hover_text(text!("term-tip"))
             .clicked()
         {
-            switch(state, term);
+            switch(session, window, term);
         }
     }
 }

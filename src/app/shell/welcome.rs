@@ -1,7 +1,9 @@
 //! What the first start shows over the picture: what this is, and ways on.
 
+use crate::app::session::action::Requests;
 use crate::app::session::action::{Action, Turn};
-use crate::app::state::AppState;
+use crate::app::session::window::WindowState;
+use crate::app::shell::state::AppState;
 use crate::text::text;
 use eframe::egui::{Align2, Area, Button, Context, Frame, Id, Order, Rect, RichText, Ui, vec2};
 
@@ -10,7 +12,7 @@ const LOW: f32 = 320.0;
 
 /// A card at the bottom of the picture until one of its ways is taken.
 pub fn welcome_ui(ctx: &Context, state: &mut AppState, picture: Rect) {
-    if !state.welcome || state.dialog.is_some() {
+    if !state.window.welcome || state.dialog.is_some() {
         return;
     }
     let width = (picture.width() - 32.0).min(520.0);
@@ -21,12 +23,17 @@ pub fn welcome_ui(ctx: &Context, state: &mut AppState, picture: Rect) {
         .show(ctx, |ui| {
             Frame::window(ui.style()).show(ui, |ui| {
                 ui.set_width((width - 32.0).max(0.0));
-                card_ui(ui, state, picture.height() < LOW);
+                card_ui(
+                    ui,
+                    &mut state.window,
+                    &mut state.requests,
+                    picture.height() < LOW,
+                );
             });
         });
 }
 
-fn card_ui(ui: &mut Ui, state: &mut AppState, low: bool) {
+fn card_ui(ui: &mut Ui, window: &mut WindowState, requests: &mut Requests, low: bool) {
     if !low {
         ui.heading(text!("welcome"));
         ui.add_space(2.0);
@@ -42,9 +49,9 @@ fn card_ui(ui: &mut Ui, state: &mut AppState, low: bool) {
         ];
         for (button, action) in ways {
             if ui.add(button).clicked() {
-                state.welcome = false;
-                state.appearance.welcomed = true;
-                state.asked.extend(action);
+                window.welcome = false;
+                window.appearance.welcomed = true;
+                requests.extend(action);
             }
         }
     });

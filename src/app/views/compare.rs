@@ -5,16 +5,16 @@ use crate::analysis::{self, Answer, Comparison};
 use crate::app::controls::row::parameter;
 use crate::app::engine::Engine;
 use crate::app::picture::panes::menu_ui;
+use crate::app::session::Session;
 use crate::app::session::action::Action;
+use crate::app::session::action::Requests;
 use crate::app::session::place::ProbePoint;
-use crate::app::state::AppState;
+use crate::app::session::window::WindowState;
 use crate::app::widgets::focus;
 use crate::app::widgets::theme::text_field;
 use crate::scene::compare::{DIFFERENCE, GAIN};
 use crate::scene::shading::{INTERPOLATION, MODE};
-use crate::scene::{
-    ChoiceOption, Compare, CompareView, Object, Pane, Scene, SceneError, ShadingMode, setting_words,
-};
+use crate::scene::{ChoiceOption, Compare, CompareView, Object, Pane, Scene, setting_words};
 use crate::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Align, Button, Key, Layout, RichText, Ui};
@@ -55,31 +55,44 @@ pub struct Typed {
 }
 
 /// The comparison's tab.
-pub fn compare_ui(ui: &mut Ui, typed: &mut Typed, state: &mut AppState, engine: &Engine) {
+pub fn compare_ui(
+    ui: &mut Ui,
+    typed: &mut Typed,
+    session: &mut Session,
+    window: &mut WindowState,
+    requests: &mut Requests,
+    engine: &Engine,
+) {
     if ui.available_width() < WIDE {
-        views_ui(ui, typed, state, engine);
+        views_ui(ui, typed, session, requests, engine);
         ui.add_space(8.0);
-        figures_ui(ui, state, engine);
+        figures_ui(ui, session, window, requests, engine);
         return;
     }
     ui.columns(2, |columns| {
-        columns[0].vertical(|ui| views_ui(ui, typed, state, engine));
-        columns[1].vertical(|ui| figures_ui(ui, state, engine));
+        columns[0].vertical(|ui| views_ui(ui, typed, session, requests, engine));
+        columns[1].vertical(|ui| figures_ui(ui, session, window, requests, engine));
     });
 }
 
 /// How panes are shown, and which there are.
-fn views_ui(ui: &mut Ui, typed: &mut Typed, state: &mut AppState, engine: &Engine) {
+fn views_ui(
+    ui: &mut Ui,
+    typed: &mut Typed,
+    session: &mut Session,
+    requests: &mut Requests,
+    engine: &Engine,
+) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         for (view, name, tip) in VIEWS {
-            let chosen = state.document.scene.compare.view == view;
+            let chosen = session.document.scene.compare.view == view;
             if ui
                 .add(Button::selectable(chosen, text!(name)))
                 .on_hover_text(text!(tip))
                 .clicked()
             {
-                state.ask(Action::Compare(view));
+                requests.ask(Action::Compare(view));
             }
         }
     });
@@ -90,64 +103,73 @@ fn views_ui(ui: &mut Ui, typed: &mut Typed, state: &mut AppState, engine: &Engin
             .on_hover_text(text!("picture-all-modes.tip"))
             .clicked()
         {
-            state.ask(Action::AllModes);
+            requests.ask(Action::AllModes);
         }
-        let full = state.document.scene.compare.panes.len() >= Compare::MAX_PANES;
+        let full = session.document.scene.compare.panes.len() >= Compare::MAX_PANES;
         let most = text!("picture-panes-full", count = Compare::MAX_PANES + 1);
         ui.add_enabled_ui(!full, |ui| {
-            ui.menu_button(text!("picture-add-pane"), |ui| add_ui(ui, typed, state))
+            ui.menu_button(text!("picture-add-pane"), |ui| add_ui(ui, typed, session))
                 .response
         })
         .inner
         .on_disabled_hover_text(most);
     });
-    if state.document.scene.compare.panes.is_empty() {
+    if session.document.scene.compare.panes.is_empty() {
         ui.add_space(4.0);
         ui.label(text!("picture-compare-empty"));
     }
-    if state.document.scene.compare.view == CompareView::Difference {
+    if session.document.scene.compare.view == CompareView::Difference {
         ui.add_space(4.0);
-        let AppState { document, lit, .. } = &mut *state;
-        parameter(ui, lit, &mut document.scene, &DIFFERENCE);
-        parameter(ui, lit, &mut document.scene, &GAIN);
+        let Session {
+            document, initial, ..
+        } = &mut *session;
+        parameter(ui, initial, &mut document.scene, &DIFFERENCE);
+        parameter(ui, initial, &mut document.scene, &GAIN);
     }
     ui.add_space(6.0);
-    let count = state.document.scene.pane_count();
+    let count = session.document.scene.pane_count();
     for pane in 0..count {
-        pane_ui(ui, state, engine, pane, count);
+        pane_ui(ui, session, requests, engine, pane, count);
     }
     if count > 1 {
         ui.add_space(6.0);
-        ui.checkbox(&mut state.panes.own, text!("picture-own-changes"))
+        ui.checkbox(&mut session.panes.own, text!("picture-own-changes"))
             .on_hover_text(text!("picture-own-changes.tip"));
     }
 }
 
 /// A pane: whether it is the reference, its name, which makes it active, and what it has of its own.
-fn pane_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, pane: usize, count: usize) {
-    let name = state.document.scene.pane_name(pane);
+fn pane_ui(
+    ui: &mut Ui,
+    session: &mut Session,
+    requests: &mut Requests,
+    engine: &Engine,
+    pane: usize,
+    count: usize,
+) {
+    let name = session.document.scene.pane_name(pane);
     let (number, shown) = (pane + 1, engine.shown.contains(&pane));
     ui.horizontal(|ui| {
         if count > 1 {
-            let reference = state.document.scene.reference_pane() == pane;
+            let reference = session.document.scene.reference_pane() == pane;
             let label = text!("picture-reference-pane", number = number);
             let mark = Button::selectable(reference, if reference { "◆" } else { "◇" });
             let response = ui.add(mark.frame(false)).on_hover_text(&label);
             if focus::switch_named(response, Role::RadioButton, reference, &label).clicked() {
-                state.ask(Action::Reference(pane));
+                requests.ask(Action::Reference(pane));
             }
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             if count > 1 {
                 let label = text!("picture-pane-menu", number = number);
-                let menu = ui.menu_button("⋯", |ui| menu_ui(ui, state, pane));
+                let menu = ui.menu_button("⋯", |ui| menu_ui(ui, session, requests, pane));
                 focus::named(menu.response, Role::Button, &label).on_hover_text(&label);
             }
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
                 let button = ui.add_enabled(
                     shown,
                     Button::selectable(
-                        state.panes.active == pane && shown,
+                        session.panes.active == pane && shown,
                         format!("{number} {name}"),
                     )
                     .truncate(),
@@ -156,14 +178,14 @@ fn pane_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, pane: usize, coun
                     .on_hover_text(text!("picture-activate-tip"))
                     .clicked()
                 {
-                    state.ask(Action::Activate(pane));
+                    requests.ask(Action::Activate(pane));
                 }
             });
         });
     });
     let Some(own) = pane
         .checked_sub(1)
-        .and_then(|index| state.document.scene.compare.panes.get_mut(index))
+        .and_then(|index| session.document.scene.compare.panes.get_mut(index))
     else {
         return;
     };
@@ -187,9 +209,9 @@ fn pane_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, pane: usize, coun
 }
 
 /// What a new pane may be, by one click, and any key by typing.
-fn add_ui(ui: &mut Ui, typed: &mut Typed, state: &mut AppState) {
+fn add_ui(ui: &mut Ui, typed: &mut Typed, session: &mut Session) {
     ui.set_min_width(250.0);
-    let scene = &state.shown.scene;
+    let scene = &session.shown.scene;
     let mut chosen = None;
     for (parameter, key) in [
         (&MODE, "picture-add-shading"),
@@ -236,7 +258,7 @@ fn add_ui(ui: &mut Ui, typed: &mut Typed, state: &mut AppState) {
     if let Some(set) = chosen {
         *typed = Typed::default();
         // The last pane may be the reference because it is the last.
-        let scene = &mut state.document.scene;
+        let scene = &mut session.document.scene;
         let (alone, reference) = (scene.compare.panes.is_empty(), scene.reference_pane());
         scene.compare.panes.push(Pane {
             name: String::new(),
@@ -265,7 +287,13 @@ fn finer(scene: &Scene) -> Option<Vec<String>> {
 }
 
 /// How far each pane is from the reference.
-fn figures_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
+fn figures_ui(
+    ui: &mut Ui,
+    session: &mut Session,
+    window: &mut WindowState,
+    requests: &mut Requests,
+    engine: &Engine,
+) {
     let figures = &engine.figures;
     let reference = figures.iter().find(|one| one.error.is_none());
     let (Some(reference), true) = (reference, figures.len() > 1) else {
@@ -273,7 +301,7 @@ fn figures_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
     };
     ui.label(RichText::new(text!("picture-against", name = reference.name.as_str())).strong());
     let mut view = ReportView::default();
-    let scene = &state.document.scene;
+    let scene = &session.document.scene;
     view.set(Comparison(figures.to_vec()).report(&analysis::About { name: "", scene }));
     view.ui(ui);
     let size = engine.size;
@@ -288,12 +316,12 @@ fn figures_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
                 .on_hover_text(tip)
                 .clicked()
             {
-                state.probe = ProbePoint::at([x, y], size);
+                window.probe = ProbePoint::at([x, y], size);
             }
         }
     });
-    let state_scene = state.document.scene.clone();
-    export_ui(ui, state, "compare", || {
+    let state_scene = session.document.scene.clone();
+    export_ui(ui, session, window, requests, "compare", || {
         let image = engine.drawn()?.image.clone();
         let scene = Scene {
             image,
@@ -301,55 +329,4 @@ fn figures_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
         };
         Some((Box::new(Comparison(figures.to_vec())), scene))
     });
-}
-
-impl AppState {
-    /// Shows the panes in another way; where there are none, beside the exact picture.
-    pub fn compare(&mut self, view: CompareView) {
-        let exact = self.shown.scene.shading.mode == ShadingMode::Exact;
-        let compare = &mut self.document.scene.compare;
-        if view != CompareView::Single && compare.panes.is_empty() {
-            let other = if exact {
-                "shading.mode=phong"
-            } else {
-                "shading.mode=exact"
-            };
-            compare.panes.push(Pane::of(&[other]));
-            compare.reference = 0;
-        }
-        compare.view = view;
-    }
-
-    /// Changes which panes there are; pane `active` is the active one afterwards.
-    pub fn rearrange(
-        &mut self,
-        active: usize,
-        change: impl Fn(&mut Scene) -> Result<(), SceneError>,
-    ) {
-        self.commit();
-        match change(&mut self.document.scene) {
-            Ok(()) => {
-                self.panes.active = active;
-                // What resetting returns to goes with its pane.
-                let count = self.document.scene.pane_count();
-                let mut opened = self.opened.clone();
-                if change(&mut opened).is_ok() && opened.pane_count() == count {
-                    self.opened = opened;
-                }
-                self.derive();
-                self.take_opened();
-            }
-            Err(error) => self.notice = error.problems().first().map(ToString::to_string),
-        }
-    }
-
-    /// The way to compare after the present one.
-    pub fn next_comparison(&self) -> CompareView {
-        let present = self.document.scene.compare.view;
-        let place = VIEWS
-            .iter()
-            .position(|(view, ..)| *view == present)
-            .unwrap_or(0);
-        VIEWS[(place + 1) % VIEWS.len()].0
-    }
 }

@@ -6,7 +6,9 @@
 use super::report::{ReportView, export_ui};
 use crate::analysis::{About, Answer, Curves, PlotKind};
 use crate::app::engine::Engine;
-use crate::app::state::AppState;
+use crate::app::session::Session;
+use crate::app::session::action::Requests;
+use crate::app::session::window::WindowState;
 use crate::text::text;
 use eframe::egui::Ui;
 
@@ -19,9 +21,16 @@ pub struct CurvesView {
 }
 
 /// The plots for the probe, one below the other.
-pub fn curves_ui(ui: &mut Ui, own: &mut CurvesView, state: &mut AppState, engine: &Engine) {
-    let scene = &state.shown.scene;
-    let light = state.light.min(scene.lights.len().saturating_sub(1));
+pub fn curves_ui(
+    ui: &mut Ui,
+    own: &mut CurvesView,
+    session: &mut Session,
+    window: &mut WindowState,
+    requests: &mut Requests,
+    engine: &Engine,
+) {
+    let scene = &session.shown.scene;
+    let light = session.light.min(scene.lights.len().saturating_sub(1));
     if own.sampled != Some((engine.revision, light)) || !own.view.is_current() {
         own.sampled = Some((engine.revision, light));
         own.curves = engine.curves(light);
@@ -33,7 +42,7 @@ pub fn curves_ui(ui: &mut Ui, own: &mut CurvesView, state: &mut AppState, engine
     if !kinds.into_iter().any(|kind| *kind == PlotKind::Lobe) {
         missing_ui(ui, engine, light);
     }
-    export_ui(ui, state, "curves", || {
+    export_ui(ui, session, window, requests, "curves", || {
         Some((Box::new(own.curves.clone()?), engine.drawn()?.clone()))
     });
 }

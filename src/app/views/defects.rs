@@ -7,11 +7,13 @@ use crate::analysis::{
     PlotKind, defect_marks,
 };
 use crate::app::engine::Engine;
+use crate::app::session::Session;
 use crate::app::session::action::Action;
+use crate::app::session::action::Requests;
 use crate::app::session::appearance::ViewName;
 use crate::app::session::document::Origin;
 use crate::app::session::place::Place;
-use crate::app::state::AppState;
+use crate::app::session::window::WindowState;
 use crate::app::widgets::background::progress_ui;
 use crate::app::widgets::focus;
 use crate::app::widgets::letter::letter;
@@ -52,17 +54,24 @@ struct Before {
 }
 
 /// The tab.
-pub fn defects_ui(ui: &mut Ui, view: &mut DefectsView, state: &mut AppState, engine: &Engine) {
+pub fn defects_ui(
+    ui: &mut Ui,
+    view: &mut DefectsView,
+    session: &mut Session,
+    window: &mut WindowState,
+    requests: &mut Requests,
+    engine: &Engine,
+) {
     let size = engine.size;
     if size.contains(&0) {
         return;
     }
     view.measured.ask(
         ui.ctx(),
-        &state.shown,
+        &session.shown,
         size,
         &DefectsQuestion {
-            pixel: Some(state.probe.pixel(size)),
+            pixel: Some(window.probe.pixel(size)),
         },
     );
     ui.label(text!("picture-defects-about"));
@@ -72,26 +81,31 @@ pub fn defects_ui(ui: &mut Ui, view: &mut DefectsView, state: &mut AppState, eng
             ui.label(RichText::new(text!("picture-defects-stopped")).weak());
         }
     });
-    export_ui(ui, state, "defects", || view.measured.latest());
+    export_ui(ui, session, window, requests, "defects", || {
+        view.measured.latest()
+    });
     ui.add_space(4.0);
     // What the scene is about comes first.
     let mut order: Vec<(usize, &Defect)> = DEFECTS.iter().enumerate().collect();
-    order.sort_by_key(|(_, defect)| !is_open(state, defect));
+    order.sort_by_key(|(_, defect)| !is_open(session, defect));
     let columns = ((ui.available_width() / CARD) as usize).clamp(1, 3);
     ui.columns(columns, |columns| {
         let count = columns.len();
         for (place, (index, defect)) in order.into_iter().enumerate() {
-            columns[place % count].vertical(|ui| card_ui(ui, view, state, index, defect));
+            columns[place % count]
+                .vertical(|ui| card_ui(ui, view, session, requests, index, defect));
         }
     });
     ui.separator();
-    let flat = state.shown.scene.shading.mode == ShadingMode::Flat;
+    let flat = session.shown.scene.shading.mode == ShadingMode::Flat;
     let title = text!("picture-conditions");
     CollapsingHeader::new(title)
         .default_open(flat)
-        .show(ui, |ui| conditions_ui(ui, view, state, size));
+        .show(ui, |ui| {
+            conditions_ui(ui, view, session, window, requests, size)
+        });
     ui.collapsing(text!("picture-vertex-normal"), |ui| {
-        normal_ui(ui, &mut view.normal, state, size);
+        normal_ui(ui, &mut view.normal, session, window, requests, size);
     });
 }
 
@@ -99,7 +113,8 @@ pub fn defects_ui(ui: &mut Ui, view: &mut DefectsView, state: &mut AppState, eng
 fn card_ui(
     ui: &mut Ui,
     view: &mut DefectsView,
-    state: &mut AppState,
+    session: &mut Session,
+    requests: &mut Requests,
     index: usize,
     defect: &'static Defect,
 ) {
@@ -113,24 +128,24 @@ fn card_ui(
         view.measured.view.section_ui(ui, index);
     });
     if MARKED.contains(&defect.scene) {
-        let mut on = is_marked(Some(view), state, defect);
+        let mut on = is_marked(Some(view), session, defect);
         if ui
             .checkbox(&mut on, text!("picture-mark"))
             .on_hover_text(text!("picture-mark.tip"))
             .changed()
         {
             let chosen = if on { defect.scene } else { "" };
-            view.marked = Some((state.document.origin.clone(), chosen));
+            view.marked = Some((session.document.origin.clone(), chosen));
         }
     }
-    if is_open(state, defect) {
+    if is_open(session, defect) {
         ui.label(text!("picture-try", what = defect.try_this()));
     } else {
         let name = text!("picture-example-of", name = defect.title());
         let button = ui.button(text!("picture-example"));
         let button = focus::named(button, Role::Button, &name);
         if button.on_hover_text(defect.try_this()).clicked() {
-            state.ask(Action::OpenBuiltIn(defect.scene.to_owned()));
+            requests.ask(Action::OpenBuiltIn(defect.scene.to_owned()));
         }
     }
     ui.add_space(6.0);
@@ -140,29 +155,36 @@ fn card_ui(
 const MARKED: [&str; 3] = ["silhouette", "orientation", "shared-vertices"];
 
 /// Whether a defect is marked in the picture: the one that was chosen, or else the one that the scene is about.
-fn is_marked(view: Option<&DefectsView>, state: &AppState, defect: &Defect) -> bool {
+fn is_marked(view: Option<&DefectsView>, session: &Session, defect: &Defect) -> bool {
     let chosen = view.and_then(|view| view.marked.as_ref());
-    match chosen.filter(|(origin, _)| *origin == state.document.origin) {
+    match chosen.filter(|(origin, _)| *origin == session.document.origin) {
         Some((_, scene)) => *scene == defect.scene,
-        None => is_open(state, defect),
+        None => is_open(session, defect),
     }
 }
 
 /// Whether the ring by which the picture is turned is shown.
-pub fn shows_ring(state: &AppState) -> bool {
+pub fn shows_ring(session: &Session, window: &WindowState) -> bool {
     let orientation = DEFECTS
         .iter()
         .find(|defect| defect.plot == Some(PlotKind::Orientation));
-    state.shows(ViewName::Defects)
-        && orientation.is_some_and(|defect| is_marked(state.own.get(), state, defect))
+    window.shows(ViewName::Defects)
+        && orientation.is_some_and(|defect| is_marked(window.own.get(), session, defect))
 }
 
 /// The three conditions under which flat shading is exact, each with its figures and a button that meets or breaks it.
-fn conditions_ui(ui: &mut Ui, view: &mut DefectsView, state: &mut AppState, size: [u32; 2]) {
+fn conditions_ui(
+    ui: &mut Ui,
+    view: &mut DefectsView,
+    session: &mut Session,
+    window: &mut WindowState,
+    requests: &mut Requests,
+    size: [u32; 2],
+) {
     let DefectsView {
         conditions, before, ..
     } = view;
-    conditions.ask(ui.ctx(), &state.shown, size, &ConditionsQuestion);
+    conditions.ask(ui.ctx(), &session.shown, size, &ConditionsQuestion);
     ui.label(text!("picture-conditions.about"));
     ui.add_space(4.0);
     let Some(found) = conditions.work.answer().cloned() else {
@@ -194,7 +216,7 @@ fn conditions_ui(ui: &mut Ui, view: &mut DefectsView, state: &mut AppState, size
         let own = UiBuilder::new().scope_id(Id::unique(("condition", index)));
         let button = ui.scope_builder(own, |ui| ui.button(text!(if holds { spoil } else { meet })));
         if button.inner.clicked() {
-            let scene = &mut state.shown.scene;
+            let scene = &mut session.shown.scene;
             match index {
                 0 => before.turn_lights(scene, holds),
                 1 => turn_viewer(scene, holds),
@@ -213,7 +235,9 @@ fn conditions_ui(ui: &mut Ui, view: &mut DefectsView, state: &mut AppState, size
     ui.add_space(6.0);
     // The section of the pictures, after those of what is said above.
     conditions.view.section_ui(ui, CONDITIONS.len() + 1);
-    export_ui(ui, state, "conditions", || conditions.latest());
+    export_ui(ui, session, window, requests, "conditions", || {
+        conditions.latest()
+    });
     ui.add_space(6.0);
 }
 
@@ -314,40 +338,48 @@ fn turn_viewer(scene: &mut Scene, far: bool) {
 fn normal_ui(
     ui: &mut Ui,
     normal: &mut Pending<NormalsQuestion>,
-    state: &mut AppState,
+    session: &mut Session,
+    window: &mut WindowState,
+    requests: &mut Requests,
     size: [u32; 2],
 ) {
     let question = NormalsQuestion {
-        vertex: state.pointed.lit,
-        pixel: Some(state.probe.pixel(size)),
+        vertex: window.pointed.lit,
+        pixel: Some(window.probe.pixel(size)),
     };
-    normal.ask(ui.ctx(), &state.shown, size, &question);
+    normal.ask(ui.ctx(), &session.shown, size, &question);
     match normal.work.known() {
         None => _ = ui.label("…"),
         Some(Err(why)) => _ = ui.label(why),
         Some(Ok(_)) => normal.view.ui(ui),
     }
-    export_ui(ui, state, "normals", || normal.latest());
+    export_ui(ui, session, window, requests, "normals", || normal.latest());
 }
 
 /// Whether the built-in scene about a defect is open.
-fn is_open(state: &AppState, defect: &Defect) -> bool {
-    matches!(&state.document.origin, Origin::BuiltIn(name) if name == defect.scene)
+fn is_open(session: &Session, defect: &Defect) -> bool {
+    matches!(&session.document.origin, Origin::BuiltIn(name) if name == defect.scene)
 }
 
 /// Marks what was last measured in the active picture.
-pub fn paint(painter: &Painter, state: &AppState, place: Place, font: &FontId) {
-    let measured = state
+pub fn paint(
+    painter: &Painter,
+    session: &Session,
+    window: &WindowState,
+    place: Place,
+    font: &FontId,
+) {
+    let measured = window
         .own
         .get::<DefectsView>()
-        .filter(|_| state.shows(ViewName::Defects));
+        .filter(|_| window.shows(ViewName::Defects));
     let Some(found) = measured.and_then(|view| view.measured.work.answer()) else {
         return;
     };
     let em = f64::from(font.size * place.pixels_per_point);
     let marked = |mark: &DefectMark| {
         let defect = DEFECTS.iter().find(|defect| defect.scene == mark.scene);
-        defect.is_some_and(|defect| is_marked(measured, state, defect))
+        defect.is_some_and(|defect| is_marked(measured, session, defect))
     };
     for mark in defect_marks(&found.defects, em).into_iter().filter(marked) {
         for stroke in [

@@ -5,8 +5,10 @@ use super::report::{Offer, Pending, ReportView, export_ui};
 use super::study::duration;
 use crate::analysis::{About, Answer, BenchQuestion, FramePlan};
 use crate::app::engine::Engine;
+use crate::app::session::Session;
+use crate::app::session::action::Requests;
 use crate::app::session::appearance::Appearance;
-use crate::app::state::AppState;
+use crate::app::session::window::WindowState;
 use crate::text::text;
 use eframe::egui::{RichText, Ui};
 
@@ -25,7 +27,14 @@ pub struct PlanView {
 }
 
 /// The view.
-pub fn plan_ui(ui: &mut Ui, own: &mut PlanView, state: &mut AppState, engine: &Engine) {
+pub fn plan_ui(
+    ui: &mut Ui,
+    own: &mut PlanView,
+    session: &mut Session,
+    window: &mut WindowState,
+    requests: &mut Requests,
+    engine: &Engine,
+) {
     let frame_plan = || FramePlan {
         terms: engine.terms().to_vec(),
         runs: engine.report().stages.clone(),
@@ -33,16 +42,16 @@ pub fn plan_ui(ui: &mut Ui, own: &mut PlanView, state: &mut AppState, engine: &E
     };
     let made = own.made.as_ref();
     let same = made.is_some_and(|(revision, appearance)| {
-        *revision == engine.revision && *appearance == state.appearance && own.view.is_current()
+        *revision == engine.revision && *appearance == window.appearance && own.view.is_current()
     });
     if !same {
-        own.made = Some((engine.revision, state.appearance.clone()));
+        own.made = Some((engine.revision, window.appearance.clone()));
         let mut report = frame_plan().report(&About {
             name: "",
-            scene: &state.document.scene,
+            scene: &session.document.scene,
         });
         let section = report.section(text!("engine-window"));
-        for (what, why) in not_shown(&state.appearance) {
+        for (what, why) in not_shown(&window.appearance) {
             section.note(text!(
                 "engine-left-out",
                 names = text!(what),
@@ -56,26 +65,28 @@ pub fn plan_ui(ui: &mut Ui, own: &mut PlanView, state: &mut AppState, engine: &E
         RichText::new(text!(
             "engine-plan-summary",
             total = own.view.title(),
-            count = left_out(engine, &state.appearance)
+            count = left_out(engine, &window.appearance)
         ))
         .strong(),
     );
     ui.label(RichText::new(text!("engine-plan-signs")).weak());
-    export_ui(ui, state, "explain", || {
+    export_ui(ui, session, window, requests, "explain", || {
         Some((Box::new(frame_plan()), engine.drawn()?.clone()))
     });
     ui.add_space(6.0);
     own.view.ui(ui);
     ui.add_space(8.0);
     ui.separator();
-    times_ui(ui, &mut own.times, state, engine);
+    times_ui(ui, &mut own.times, session, window, requests, engine);
 }
 
 /// The times of a frame and of its stages, measured when asked for.
 fn times_ui(
     ui: &mut Ui,
     times: &mut Pending<BenchQuestion>,
-    state: &mut AppState,
+    session: &mut Session,
+    window: &mut WindowState,
+    requests: &mut Requests,
     engine: &Engine,
 ) {
     times.receive();
@@ -90,7 +101,7 @@ fn times_ui(
         about: &about,
         start: text!("engine-measure-times"),
         problem: None,
-        stale: times.is_stale(&state.shown, |a, b| a == b),
+        stale: times.is_stale(&session.shown, |a, b| a == b),
     };
     if times.state_ui(ui, &offer) {
         let question = BenchQuestion {
@@ -98,12 +109,12 @@ fn times_ui(
             growth: false,
             simd: None,
         };
-        times.start(ui.ctx(), &state.shown, engine.size, question);
+        times.start(ui.ctx(), &session.shown, engine.size, question);
     }
     if times.work.answer().is_some() {
         ui.label(RichText::new(times.view.title()).weak());
         times.view.ui(ui);
-        export_ui(ui, state, "bench", || times.latest());
+        export_ui(ui, session, window, requests, "bench", || times.latest());
     }
 }
 

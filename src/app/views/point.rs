@@ -9,7 +9,9 @@ use crate::analysis::{
     draw_vectors,
 };
 use crate::app::engine::Engine;
-use crate::app::state::AppState;
+use crate::app::session::Session;
+use crate::app::session::action::Requests;
+use crate::app::session::window::WindowState;
 use crate::app::views::point::filled::{filled_ui, formula_ui};
 use crate::app::widgets::drawing::{drawing_ui, plot_style};
 use crate::app::widgets::heading::heading_ui;
@@ -49,21 +51,35 @@ struct VectorsView {
 type LaidOutFor = (u64, usize, VectorsShown, f32, PlotStyle, Language);
 
 /// Everything about the probed point.
-pub fn point_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
+pub fn point_ui(
+    ui: &mut Ui,
+    session: &mut Session,
+    window: &mut WindowState,
+    requests: &mut Requests,
+    engine: &Engine,
+) {
     let (Some(probe), Some(scene)) = (engine.probed(), engine.drawn()) else {
         return;
     };
     match &probe.hit {
         None => background_ui(ui, probe),
-        Some(hit) => hit_ui(ui, state, engine, Here { scene, hit }, probe),
+        Some(hit) => hit_ui(
+            ui,
+            session,
+            window,
+            requests,
+            engine,
+            Here { scene, hit },
+            probe,
+        ),
     }
     ui.add_space(4.0);
     CollapsingHeader::new(RichText::new(text!("point-curves")).strong())
         .id_salt("curves-of-point")
         .show_unindented(ui, |ui| {
-            let mut own: CurvesView = state.own.take();
-            curves_ui(ui, &mut own, state, engine);
-            state.own.put(own);
+            let mut own: CurvesView = window.own.take();
+            curves_ui(ui, &mut own, session, window, requests, engine);
+            window.own.put(own);
         });
 }
 
@@ -74,26 +90,42 @@ fn background_ui(ui: &mut Ui, probe: &Probe) {
     ui.label(text!("point-background"));
 }
 
-fn hit_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, here: Here<'_>, probe: &Probe) {
+fn hit_ui(
+    ui: &mut Ui,
+    session: &mut Session,
+    window: &mut WindowState,
+    requests: &mut Requests,
+    engine: &Engine,
+    here: Here<'_>,
+    probe: &Probe,
+) {
     if ui.available_width() < WIDE {
-        sum_ui(ui, state, engine, here, probe);
+        sum_ui(ui, session, window, requests, engine, here, probe);
         ui.separator();
-        vectors_ui(ui, state, engine, here);
+        vectors_ui(ui, session, window, engine, here);
         return;
     }
     ui.columns_const(|[sum, vectors]| {
-        sum_ui(sum, state, engine, here, probe);
-        vectors_ui(vectors, state, engine, here);
+        sum_ui(sum, session, window, requests, engine, here, probe);
+        vectors_ui(vectors, session, window, engine, here);
     });
 }
 
 /// The pixel and the equation.
-fn sum_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, here: Here<'_>, probe: &Probe) {
+fn sum_ui(
+    ui: &mut Ui,
+    session: &mut Session,
+    window: &mut WindowState,
+    requests: &mut Requests,
+    engine: &Engine,
+    here: Here<'_>,
+    probe: &Probe,
+) {
     pixel_ui(ui, probe, here.hit);
     ui.add_space(8.0);
-    filled_ui(ui, state, here);
+    filled_ui(ui, session, here);
     ui.add_space(4.0);
-    export_ui(ui, state, "probe", || {
+    export_ui(ui, session, window, requests, "probe", || {
         let sampling = vec![None; here.hit.lights.len()];
         Some((
             Box::new(Probed {
@@ -126,9 +158,15 @@ fn pixel_ui(ui: &mut Ui, probe: &Probe, hit: &ProbeHit) {
 }
 
 /// The vectors and the angles between them for the chosen light, drawn, built and in numbers.
-fn vectors_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, here: Here<'_>) {
+fn vectors_ui(
+    ui: &mut Ui,
+    session: &mut Session,
+    window: &mut WindowState,
+    engine: &Engine,
+    here: Here<'_>,
+) {
     let count = here.hit.lights.len();
-    let light = state.light.min(count.saturating_sub(1));
+    let light = session.light.min(count.saturating_sub(1));
     let title = if count > 1 {
         text!("point-vectors-of", light = light + 1)
     } else {
@@ -136,7 +174,7 @@ fn vectors_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, here: Here<'_>
     };
     ui.label(RichText::new(title).strong());
     if let Some(chosen) = here.lights().nth(light) {
-        let mut own: VectorsView = state.own.take();
+        let mut own: VectorsView = window.own.take();
         let steps = chosen.construction();
         if matches!(own.shown, VectorsShown::Step(step) if steps.iter().all(|worked| worked.step != step))
         {
@@ -144,8 +182,8 @@ fn vectors_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, here: Here<'_>
         }
         own.drawing_ui(ui, engine.revision, here, chosen);
         own.stepper_ui(ui, &steps);
-        steps_ui(ui, state, own.shown, &steps, chosen);
-        state.own.put(own);
+        steps_ui(ui, own.shown, &steps, chosen);
+        window.own.put(own);
     } else {
         ui.label(text!("point-no-light"));
     }
@@ -227,13 +265,7 @@ impl VectorsView {
 }
 
 /// The steps shown, with their numbers.
-fn steps_ui(
-    ui: &mut Ui,
-    state: &mut AppState,
-    shown: VectorsShown,
-    steps: &[WorkedStep],
-    light: LightHere<'_>,
-) {
+fn steps_ui(ui: &mut Ui, shown: VectorsShown, steps: &[WorkedStep], light: LightHere<'_>) {
     let values = light.values();
     for worked in steps {
         let alone = shown == VectorsShown::Step(worked.step);
@@ -243,7 +275,7 @@ fn steps_ui(
         let id = ui.scope_id().with(("step", worked.step as usize));
         ui.scope(|ui| {
             ui.spacing_mut().item_spacing.y = 2.0;
-            formula_ui(ui, state, worked.formula, &values, id);
+            formula_ui(ui, worked.formula, &values, id);
             for line in &worked.numbers {
                 line_ui(ui, &format!("= {line}"));
             }

@@ -13,15 +13,16 @@ use crate::analysis::{
 };
 use crate::app::controls::row::{About, NumberRow, SliderRange, number};
 use crate::app::engine::{Engine, image_of, upload};
+use crate::app::session::Session;
+use crate::app::session::action::Requests;
 use crate::app::session::appearance::ViewName;
 use crate::app::session::appearance::profile::ProfileAppearance;
 use crate::app::session::document::Document;
 use crate::app::session::place::Place;
-use crate::app::state::AppState;
+use crate::app::session::window::WindowState;
 use crate::app::widgets::background::wake;
 use crate::app::widgets::drawing::{colour_of, plot_style};
 use crate::app::widgets::focus::switch_named;
-use crate::app::widgets::symbol::Lit;
 use crate::figure::{Dash, Ink, dashes};
 use crate::jobs::{Background, Request, Work};
 use crate::render::Frame;
@@ -45,48 +46,59 @@ const POPUP: f32 = 330.0;
 const OFF: f32 = 0.45;
 
 /// The profile's view.
-pub fn profile_ui(ui: &mut Ui, profiles: &mut Profiles, state: &mut AppState, engine: &Engine) {
+pub fn profile_ui(
+    ui: &mut Ui,
+    profiles: &mut Profiles,
+    session: &mut Session,
+    window: &mut WindowState,
+    requests: &mut Requests,
+    engine: &Engine,
+) {
     let wide = ui.available_width() >= WIDE;
     if !wide {
         ui.label(text!("line-drag-ends"));
     }
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
-        switches_ui(ui, state);
+        switches_ui(ui, session, window);
     });
     if wide {
         ui.horizontal(|ui| {
             profiles.plots.choice_ui(ui);
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                popup_ui(ui, text!("line-save"), |ui| profiles.export_ui(ui, state));
-                popup_ui(ui, text!("line-viewing"), |ui| eye_ui(ui, state));
-                perceived_ui(ui, &mut state.appearance.profile);
+                popup_ui(ui, text!("line-save"), |ui| {
+                    profiles.export_ui(ui, session, window, requests)
+                });
+                popup_ui(ui, text!("line-viewing"), |ui| eye_ui(ui, window));
+                perceived_ui(ui, &mut window.appearance.profile);
             });
         });
     } else {
         ui.horizontal_wrapped(|ui| {
-            perceived_ui(ui, &mut state.appearance.profile);
-            popup_ui(ui, text!("line-viewing"), |ui| eye_ui(ui, state));
-            popup_ui(ui, text!("line-save"), |ui| profiles.export_ui(ui, state));
+            perceived_ui(ui, &mut window.appearance.profile);
+            popup_ui(ui, text!("line-viewing"), |ui| eye_ui(ui, window));
+            popup_ui(ui, text!("line-save"), |ui| {
+                profiles.export_ui(ui, session, window, requests)
+            });
         });
     }
     let size = engine.size;
     if size.contains(&0) {
         return;
     }
-    let own = state.shown.scene.shading.mode;
-    let question = state
+    let own = session.shown.scene.shading.mode;
+    let question = window
         .appearance
         .profile
-        .request(state.line.pixels(size), own);
-    if state.appearance.profile.perceived {
-        profiles.ask_perceived(ui.ctx(), &state.shown, size, &question);
+        .request(window.line.pixels(size), own);
+    if window.appearance.profile.perceived {
+        profiles.ask_perceived(ui.ctx(), &session.shown, size, &question);
         if let Some(Err(why)) = profiles.seen.known() {
             ui.label(RichText::new(why).weak());
         }
     }
-    profiles.ask(ui.ctx(), &state.shown, size, &question);
-    profiles.plots_ui(ui, &state.appearance.profile, own, wide);
+    profiles.ask(ui.ctx(), &session.shown, size, &question);
+    profiles.plots_ui(ui, &window.appearance.profile, own, wide);
 }
 
 /// The profile last taken with its plots, and the picture as it is perceived.
@@ -209,8 +221,14 @@ impl Profiles {
         Some((Box::new(answer), self.taken.answered()?.subject().scene))
     }
 
-    fn export_ui(&self, ui: &mut Ui, state: &mut AppState) {
-        export_ui(ui, state, "profile", || self.latest());
+    fn export_ui(
+        &self,
+        ui: &mut Ui,
+        session: &mut Session,
+        window: &mut WindowState,
+        requests: &mut Requests,
+    ) {
+        export_ui(ui, session, window, requests, "profile", || self.latest());
     }
 
     fn plots_ui(
@@ -252,9 +270,9 @@ impl Profiles {
 }
 
 /// A switch for each curve and for the marks of edges. They are the plots' legend.
-fn switches_ui(ui: &mut Ui, state: &mut AppState) {
-    let own = state.shown.scene.shading.mode;
-    let appearance = &mut state.appearance.profile;
+fn switches_ui(ui: &mut Ui, session: &mut Session, window: &mut WindowState) {
+    let own = session.shown.scene.shading.mode;
+    let appearance = &mut window.appearance.profile;
     for &mode in ShadingMode::VALUES {
         let (is_own, added) = (mode == own, appearance.added.contains(&mode));
         let tip = if is_own {
@@ -356,14 +374,9 @@ fn popup_ui(ui: &mut Ui, name: &str, controls: impl FnOnce(&mut Ui)) {
 }
 
 /// How far away the screen is, how fine it is, and the numbers of the eye.
-fn eye_ui(ui: &mut Ui, state: &mut AppState) {
-    let AppState {
-        appearance, lit, ..
-    } = state;
-    let (viewing, perception) = (
-        &mut appearance.profile.viewing,
-        &mut appearance.profile.perception,
-    );
+fn eye_ui(ui: &mut Ui, window: &mut WindowState) {
+    let profile = &mut window.appearance.profile;
+    let (viewing, perception) = (&mut profile.viewing, &mut profile.perception);
     ui.horizontal_wrapped(|ui| {
         let names = [
             text!("line-model-inhibition"),
@@ -376,7 +389,6 @@ fn eye_ui(ui: &mut Ui, state: &mut AppState) {
     let (usual, eye) = (Viewing::default(), Perception::default());
     row_ui(
         ui,
-        lit,
         [text!("line-distance"), text!("line-distance.tip")],
         Viewing::DISTANCE,
         usual.distance,
@@ -384,7 +396,6 @@ fn eye_ui(ui: &mut Ui, state: &mut AppState) {
     );
     row_ui(
         ui,
-        lit,
         [text!("line-density"), text!("line-density.tip")],
         Viewing::DENSITY,
         usual.density,
@@ -392,7 +403,6 @@ fn eye_ui(ui: &mut Ui, state: &mut AppState) {
     );
     row_ui(
         ui,
-        lit,
         [text!("line-centre"), text!("line-centre.tip")],
         Perception::WIDTH,
         eye.centre,
@@ -400,7 +410,6 @@ fn eye_ui(ui: &mut Ui, state: &mut AppState) {
     );
     row_ui(
         ui,
-        lit,
         [text!("line-surround"), text!("line-surround.tip")],
         Perception::WIDTH,
         eye.surround,
@@ -408,7 +417,6 @@ fn eye_ui(ui: &mut Ui, state: &mut AppState) {
     );
     row_ui(
         ui,
-        lit,
         [text!("line-strength"), text!("line-strength.tip")],
         [0.01, Perception::WEIGHT[1]],
         eye.weight,
@@ -418,7 +426,6 @@ fn eye_ui(ui: &mut Ui, state: &mut AppState) {
 
 fn row_ui(
     ui: &mut Ui,
-    lit: &mut Lit,
     [label, tip]: [&str; 2],
     [low, high]: [f64; 2],
     default: f64,
@@ -438,10 +445,10 @@ fn row_ui(
         range,
         default,
     };
-    number(ui, lit, &row, value);
+    number(ui, &row, value);
 }
 
 /// Whether the picture is to be shown as it is perceived.
-pub fn shows_perceived(state: &AppState) -> bool {
-    state.shows(ViewName::Profile) && state.appearance.profile.perceived
+pub fn shows_perceived(window: &WindowState) -> bool {
+    window.shows(ViewName::Profile) && window.appearance.profile.perceived
 }

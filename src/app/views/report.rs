@@ -1,9 +1,11 @@
 //! An answer as the window shows it: its words, numbers, tables and plots, how far it is known, and the ways to save it.
 
 use crate::analysis::{About, Analysis, Answer, Format, Part, Question, Report, Section};
+use crate::app::session::Session;
 use crate::app::session::action::Action;
+use crate::app::session::action::Requests;
 use crate::app::session::document::Document;
-use crate::app::state::AppState;
+use crate::app::session::window::WindowState;
 use crate::app::widgets::background::{progress_ui, wake};
 use crate::app::widgets::drawing::{height, plot_style, plot_ui};
 use crate::app::widgets::letter::lettered;
@@ -426,7 +428,9 @@ impl Export {
 /// Buttons that save the answer of `analysis` in every format that it has, and copy it; `answer` gives it with its scene.
 pub fn export_ui(
     ui: &mut Ui,
-    state: &mut AppState,
+    session: &mut Session,
+    window: &mut WindowState,
+    requests: &mut Requests,
     analysis: &'static str,
     answer: impl FnOnce() -> Option<(Box<dyn Answer>, Scene)>,
 ) {
@@ -463,20 +467,20 @@ pub fn export_ui(
     let export = Export {
         answer,
         scene,
-        name: state.document.origin.name(),
+        name: session.document.origin.name(),
     };
     if copy {
         ui.ctx().copy_text(export.answer.text(&export.about()));
-        state.notice = Some(text!("report-copied", name = analysis.name));
+        session.notice = Some(text!("report-copied", name = analysis.name));
     } else if let Some(format) = format {
-        state.own.put(export);
-        state.ask(Action::SaveAnswer(analysis.name, format));
+        window.own.put(export);
+        requests.ask(Action::SaveAnswer(analysis.name, format));
     }
 }
 
 /// Writes the answer that is about to be saved, as the path's ending says.
-pub fn save(state: &mut AppState, path: &Path) -> Result<(), String> {
-    let export = state
+pub fn save(session: &mut Session, window: &mut WindowState, path: &Path) -> Result<(), String> {
+    let export = window
         .own
         .get::<Export>()
         .ok_or_else(|| text!("report-nothing-to-save").to_owned())?;
@@ -490,6 +494,6 @@ pub fn save(state: &mut AppState, path: &Path) -> Result<(), String> {
         (None, Paper::LIGHT),
     )
     .map_err(|e| e.to_string())?;
-    state.notice = Some(text!("report-saved", path = path.display().to_string()));
+    session.notice = Some(text!("report-saved", path = path.display().to_string()));
     Ok(())
 }

@@ -8,10 +8,12 @@ use super::report::{export_ui, table_ui};
 use crate::analysis::{Carried, Mix, Scan, ScanLevel, ScanStop};
 use crate::app::controls::row::{About, NumberRow, SliderRange, number, whole};
 use crate::app::engine::Engine;
+use crate::app::session::Session;
+use crate::app::session::action::Requests;
 use crate::app::session::action::{Action, Walk};
 use crate::app::session::appearance::ViewName;
 use crate::app::session::place::Place;
-use crate::app::state::AppState;
+use crate::app::session::window::WindowState;
 use crate::app::widgets::drawing::{colour_of, drawing_ui, plot_style};
 use crate::app::widgets::heading::heading_ui;
 use crate::app::widgets::letter::lettered;
@@ -54,26 +56,33 @@ const TABLES: f32 = 340.0;
 const CARD: f32 = 270.0;
 
 /// The scan line's view.
-pub fn scan_ui(ui: &mut Ui, view: &mut ScanView, state: &mut AppState, engine: &Engine) {
-    view.update(engine, state.document.model.as_ref());
+pub fn scan_ui(
+    ui: &mut Ui,
+    view: &mut ScanView,
+    session: &mut Session,
+    window: &mut WindowState,
+    requests: &mut Requests,
+    engine: &Engine,
+) {
+    view.update(engine, session.document.model.as_ref());
     view.play(ui.ctx());
     match view.scan() {
         Some(Ok(scan)) => {
             let scan = Arc::clone(scan);
             if ui.available_width() >= WIDE {
-                wide_ui(ui, view, state, &scan);
+                wide_ui(ui, view, requests, &scan);
             } else {
                 // In a window that is all but closed, nothing is in sight.
                 let tallest = TALLEST * ui.clip_rect().height().max(0.0);
                 drawing_of(ui, view, &scan, tallest);
                 ui.add_space(4.0);
-                transport_ui(ui, view, state, scan.last());
+                transport_ui(ui, view, requests, scan.last());
                 ui.add_space(6.0);
                 let found = scan.found(view.step());
-                formula_ui(ui, &scan, view.step(), found.last(), state);
+                formula_ui(ui, &scan, view.step(), found.last());
                 tables_ui(ui, &scan, view.step());
             }
-            export_ui(ui, state, "scanline", || {
+            export_ui(ui, session, window, requests, "scanline", || {
                 let answer = ScanStop {
                     step: view.step(),
                     scan: (*scan).clone(),
@@ -85,11 +94,11 @@ pub fn scan_ui(ui: &mut Ui, view: &mut ScanView, state: &mut AppState, engine: &
         None => _ = ui.label(text!("line-scan-background")),
     }
     ui.add_space(8.0);
-    settings_ui(ui, view, state);
+    settings_ui(ui, view);
 }
 
 /// The drawing at the left; the controls, P, Q and the pixel side by side, and the tables at the right.
-fn wide_ui(ui: &mut Ui, view: &mut ScanView, state: &mut AppState, scan: &Scan) {
+fn wide_ui(ui: &mut Ui, view: &mut ScanView, requests: &mut Requests, scan: &Scan) {
     let width = ui.available_width();
     let tallest = (ui.clip_rect().height() - 2.0 * GROUPS).max(LEAST_DRAWING);
     let drawn = (DRAWN * width).min(1.25 * tallest);
@@ -103,19 +112,19 @@ fn wide_ui(ui: &mut Ui, view: &mut ScanView, state: &mut AppState, scan: &Scan) 
             ui.allocate_ui_with_layout(
                 vec2(ui.available_width().min(TRANSPORT), 0.0),
                 Layout::top_down(Align::Min),
-                |ui| transport_ui(ui, view, state, scan.last()),
+                |ui| transport_ui(ui, view, requests, scan.last()),
             );
             ui.add_space(6.0);
             let (step, found) = (view.step(), scan.found(view.step()));
             if found.is_empty() {
-                formula_ui(ui, scan, step, None, state);
+                formula_ui(ui, scan, step, None);
             } else {
                 let count = ((ui.available_width() / CARD) as usize).clamp(1, found.len());
                 ui.columns(count, |columns| {
                     let last = found.iter().skip(found.len() - count);
                     for (ui, mix) in columns.iter_mut().zip(last) {
                         ui.with_layout(Layout::top_down(Align::Min), |ui| {
-                            formula_ui(ui, scan, step, Some(mix), state);
+                            formula_ui(ui, scan, step, Some(mix));
                         });
                     }
                 });
@@ -149,8 +158,7 @@ fn drawing_of(ui: &mut Ui, view: &mut ScanView, scan: &Scan, tallest: f32) {
     }
 }
 
-fn settings_ui(ui: &mut Ui, scan: &mut ScanView, state: &mut AppState) {
-    let lit = &mut state.lit;
+fn settings_ui(ui: &mut Ui, scan: &mut ScanView) {
     let usual = ScanView::default();
     let about = About {
         label: text!("line-scan-speed"),
@@ -165,7 +173,6 @@ fn settings_ui(ui: &mut Ui, scan: &mut ScanView, state: &mut AppState) {
     };
     number(
         ui,
-        lit,
         &NumberRow {
             about,
             range,
@@ -187,7 +194,6 @@ fn settings_ui(ui: &mut Ui, scan: &mut ScanView, state: &mut AppState) {
     };
     whole(
         ui,
-        lit,
         &NumberRow {
             about,
             range,
@@ -198,12 +204,12 @@ fn settings_ui(ui: &mut Ui, scan: &mut ScanView, state: &mut AppState) {
 }
 
 /// The buttons under the picture: by pixel, edge and line, forwards and back; play; and a slider over all steps.
-fn transport_ui(ui: &mut Ui, view: &mut ScanView, state: &mut AppState, last: usize) {
+fn transport_ui(ui: &mut Ui, view: &mut ScanView, requests: &mut Requests, last: usize) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         walk_ui(
             ui,
-            state,
+            requests,
             "|◀",
             text!("line-scan-first"),
             text!("line-scan-first.tip"),
@@ -217,7 +223,7 @@ fn transport_ui(ui: &mut Ui, view: &mut ScanView, state: &mut AppState, last: us
         };
         walk_ui(
             ui,
-            state,
+            requests,
             &format!("{sign} {name}"),
             name,
             text!("line-scan-play.tip"),
@@ -226,7 +232,7 @@ fn transport_ui(ui: &mut Ui, view: &mut ScanView, state: &mut AppState, last: us
         );
         walk_ui(
             ui,
-            state,
+            requests,
             "▶|",
             text!("line-scan-last"),
             text!("line-scan-last.tip"),
@@ -288,7 +294,7 @@ fn transport_ui(ui: &mut Ui, view: &mut ScanView, state: &mut AppState, last: us
                     walks.into_iter().zip(names.into_iter().zip(keys))
                 {
                     let tip = format!("{name} ({key})");
-                    walk_ui(ui, state, sign, name, &tip, width, walk);
+                    walk_ui(ui, requests, sign, name, &tip, width, walk);
                 }
             });
         }
@@ -297,7 +303,7 @@ fn transport_ui(ui: &mut Ui, view: &mut ScanView, state: &mut AppState, last: us
 
 fn walk_ui(
     ui: &mut Ui,
-    state: &mut AppState,
+    requests: &mut Requests,
     text: &str,
     name: &str,
     tip: &str,
@@ -308,12 +314,12 @@ fn walk_ui(
     let enabled = ui.is_enabled();
     response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, name));
     if response.on_hover_text(tip).clicked() {
-        state.ask(Action::Scan(walk));
+        requests.ask(Action::Scan(walk));
     }
 }
 
 /// What was found: its colour, its name and where it lies, what it is, then its formulas, filled in with its numbers.
-fn formula_ui(ui: &mut Ui, scan: &Scan, step: usize, mix: Option<&Mix<'_>>, state: &mut AppState) {
+fn formula_ui(ui: &mut Ui, scan: &Scan, step: usize, mix: Option<&Mix<'_>>) {
     let line = scan.at(step).line;
     let Some(mix) = mix else {
         let edges = text!("line-scan-active-edges", edges = scan.active_edges(line));
@@ -340,13 +346,7 @@ fn formula_ui(ui: &mut Ui, scan: &Scan, step: usize, mix: Option<&Mix<'_>>, stat
             id: Id::unique(("scan-formula", mix.of)),
             name: text!("line-scan-formula"),
         };
-        run_ui(
-            ui,
-            state,
-            &pieces(mix, scan.carried, ui.visuals()),
-            FORMULA,
-            place,
-        );
+        run_ui(ui, &pieces(mix, scan.carried, ui.visuals()), FORMULA, place);
         for (index, name) in scan.carried.components().into_iter().enumerate() {
             component_ui(ui, name, &mix.row(index));
         }
@@ -438,11 +438,11 @@ fn tables_ui(ui: &mut Ui, scan: &Scan, step: usize) {
 
 /// Outlines the polygon in the picture, with the part of it that the scan line has reached, white on dark, so that it shows on
 /// any picture.
-pub fn paint(painter: &Painter, state: &AppState, place: Place) {
-    let Some(view) = state
+pub fn paint(painter: &Painter, window: &WindowState, place: Place) {
+    let Some(view) = window
         .own
         .get::<ScanView>()
-        .filter(|_| state.shows(ViewName::ScanLine))
+        .filter(|_| window.shows(ViewName::ScanLine))
     else {
         return;
     };

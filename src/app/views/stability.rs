@@ -5,8 +5,9 @@ use super::report::{Offer, Pending, Picked, WIDE, export_ui, words_ui};
 use crate::analysis::{
     CaseResult, HALF_A_CODE_VALUE, Section, StabilityQuestion, case_pictures, stability_cases,
 };
-use crate::app::engine::Engine;
-use crate::app::state::AppState;
+use crate::app::session::Session;
+use crate::app::session::action::Requests;
+use crate::app::session::window::WindowState;
 use crate::app::widgets::background::wake;
 use crate::jobs::Request;
 use crate::scene::Scene;
@@ -66,7 +67,13 @@ const LIST: f32 = 0.46;
 const LEAST_HEIGHT: f32 = 320.0;
 
 /// The view. The cases are drawn once, when it is first seen.
-pub fn stability_ui(ui: &mut Ui, view: &mut StabilityView, state: &mut AppState, _: &Engine) {
+pub fn stability_ui(
+    ui: &mut Ui,
+    view: &mut StabilityView,
+    session: &mut Session,
+    window: &mut WindowState,
+    requests: &mut Requests,
+) {
     let work = &view.asking.work;
     if work.known().is_none() && work.progress().is_none() {
         view.start(ui.ctx());
@@ -90,7 +97,9 @@ pub fn stability_ui(ui: &mut Ui, view: &mut StabilityView, state: &mut AppState,
             view.start(ui.ctx());
         }
     }
-    export_ui(ui, state, "stability", || view.asking.latest());
+    export_ui(ui, session, window, requests, "stability", || {
+        view.asking.latest()
+    });
     ui.add_space(6.0);
     let opened = if ui.available_width() >= WIDE {
         beside_ui(ui, view)
@@ -99,8 +108,8 @@ pub fn stability_ui(ui: &mut Ui, view: &mut StabilityView, state: &mut AppState,
     };
     if let Some(mut scene) = opened {
         // The window has its own size, and the picture is looked at in it.
-        scene.image.size = state.document.scene.image.size;
-        state.document.scene = scene;
+        scene.image.size = session.document.scene.image.size;
+        session.document.scene = scene;
     }
 }
 

@@ -3,7 +3,9 @@
 use super::report::{Offer, Pending, Picked, export_ui};
 use crate::analysis::{Method, Setting, Study, StudyQuestion, study_point};
 use crate::app::engine::Engine;
-use crate::app::state::AppState;
+use crate::app::session::Session;
+use crate::app::session::action::Requests;
+use crate::app::session::window::WindowState;
 use crate::app::widgets::theme::text_field;
 use crate::scene::{Choice, Interpolation, Scene};
 use crate::text::text;
@@ -116,7 +118,14 @@ fn exponents(text: &str, scene: &Scene) -> Result<Vec<f64>, String> {
 }
 
 /// The view.
-pub fn study_ui(ui: &mut Ui, view: &mut StudyView, state: &mut AppState, engine: &Engine) {
+pub fn study_ui(
+    ui: &mut Ui,
+    view: &mut StudyView,
+    session: &mut Session,
+    window: &mut WindowState,
+    requests: &mut Requests,
+    engine: &Engine,
+) {
     let size = engine.size;
     if size.contains(&0) {
         return;
@@ -131,25 +140,27 @@ pub fn study_ui(ui: &mut Ui, view: &mut StudyView, state: &mut AppState, engine:
             ui.add_enabled_ui(!running, |ui| choices_ui(ui, &mut view.choices));
         });
     ui.add_space(4.0);
-    start_ui(ui, view, state, engine);
+    start_ui(ui, view, session, engine);
     if let Some(message) = &view.message {
         ui.label(RichText::new(message).weak());
     }
     if view.study().is_none() {
         return;
     }
-    export_ui(ui, state, "study", || view.asking.latest());
+    export_ui(ui, session, window, requests, "study", || {
+        view.asking.latest()
+    });
     ui.add_space(6.0);
     let picked = view.asking.view.picked_ui(ui, None);
     if let Some(setting) = picked.and_then(|picked| view.setting(picked)) {
-        view.message = Some(load(state, &setting));
+        view.message = Some(load(session, &setting));
     }
 }
 
 /// Shows a setting in the picture, or says why it cannot.
-fn load(state: &mut AppState, setting: &Setting) -> String {
+fn load(session: &mut Session, setting: &Setting) -> String {
     let words = setting.title();
-    if setting.load(&mut state.shown.scene) {
+    if setting.load(&mut session.shown.scene) {
         text!("engine-study-shown", setting = words)
     } else {
         text!("engine-study-not-shown", setting = words)
@@ -201,12 +212,12 @@ fn choices_ui(ui: &mut Ui, Choices { question, n }: &mut Choices) {
 }
 
 /// How far the study is, and its start.
-fn start_ui(ui: &mut Ui, view: &mut StudyView, state: &AppState, engine: &Engine) {
-    let request = view.choices.request(&state.shown.scene);
+fn start_ui(ui: &mut Ui, view: &mut StudyView, session: &Session, engine: &Engine) {
+    let request = view.choices.request(&session.shown.scene);
     let asked = view.asking.work.answered().map(|asked| &asked.question);
     let stale = asked.is_some_and(|question| {
         view.asking
-            .is_stale(&state.shown, |a, b| question.same(a, b))
+            .is_stale(&session.shown, |a, b| question.same(a, b))
     });
     let about = request.as_ref().map_or_else(
         |_| String::new(),
@@ -227,7 +238,7 @@ fn start_ui(ui: &mut Ui, view: &mut StudyView, state: &AppState, engine: &Engine
     {
         view.message = None;
         view.asking
-            .start(ui.ctx(), &state.shown, engine.size, question);
+            .start(ui.ctx(), &session.shown, engine.size, question);
     }
 }
 

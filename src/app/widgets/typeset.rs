@@ -2,8 +2,7 @@
 
 use super::letter::{append, lettered};
 use super::palette::vector_text;
-use super::symbol::Symbol;
-use crate::app::state::AppState;
+use super::symbol::{self, Symbol};
 use crate::figure::palette::Vector;
 use crate::text::text;
 use eframe::egui::accesskit::Role;
@@ -243,7 +242,7 @@ impl<'a> Run<'a> {
     }
 
     /// Paints the run from `left`, the middle of its left side. Its symbols light up what controls them.
-    pub fn paint(&self, ui: &mut Ui, state: &mut AppState, left: Pos2, place: Place<'_>) {
+    pub fn paint(&self, ui: &mut Ui, left: Pos2, place: Place<'_>) {
         let mut x = left.x;
         for (index, (piece, galley)) in self.pieces.iter().zip(&self.galleys).enumerate() {
             let size = vec2(galley.size().x, self.height);
@@ -253,7 +252,6 @@ impl<'a> Run<'a> {
                 // A symbol may stand more than once.
                 symbol_ui(
                     ui,
-                    state,
                     piece,
                     symbol,
                     rect,
@@ -276,40 +274,26 @@ impl<'a> Run<'a> {
 }
 
 /// Adds a run of pieces that stays on one line.
-pub fn run_ui(
-    ui: &mut Ui,
-    state: &mut AppState,
-    pieces: &[Piece],
-    size: f32,
-    place: Place<'_>,
-) -> Response {
+pub fn run_ui(ui: &mut Ui, pieces: &[Piece], size: f32, place: Place<'_>) -> Response {
     let run = Run::new(ui, pieces, size);
     let (rect, response) = ui.allocate_exact_size(vec2(run.width(), run.height), Sense::hover());
-    run.paint(ui, state, rect.left_center(), place);
+    run.paint(ui, rect.left_center(), place);
     response
 }
 
-fn symbol_ui(
-    ui: &mut Ui,
-    state: &mut AppState,
-    piece: &Piece,
-    symbol: Symbol,
-    rect: Rect,
-    place: Place<'_>,
-) {
+fn symbol_ui(ui: &mut Ui, piece: &Piece, symbol: Symbol, rect: Rect, place: Place<'_>) {
     let response = ui.interact(rect, place.id, Sense::click());
     response.widget_info(|| {
         WidgetInfo::labeled(Role::Button, true, format!("{symbol:?} {}", place.name))
     });
     if response.hovered() || response.has_focus() {
-        state.lit.next = Some(symbol);
+        symbol::light_up(ui.ctx(), symbol);
         ui.ctx().set_cursor_icon(CursorIcon::PointingHand);
     }
     if response.clicked() {
-        state.appearance.controls = true;
-        state.lit.seek = Some(symbol);
+        symbol::seek(ui.ctx(), symbol);
     }
-    if state.lit.now == Some(symbol) {
+    if symbol::is_lit(ui.ctx(), symbol) {
         let fill = ui.visuals().widgets.hovered.bg_fill;
         ui.painter().rect_filled(
             rect.shrink2(vec2(0.0, 2.0)).expand2(vec2(1.0, 0.0)),

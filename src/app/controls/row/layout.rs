@@ -1,7 +1,7 @@
 //! The layout of a row: label, control and the button that resets it.
 
 use crate::app::widgets::focus::{self, named};
-use crate::app::widgets::symbol::{Lit, Symbol};
+use crate::app::widgets::symbol::{self, Symbol};
 use crate::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
@@ -58,26 +58,19 @@ impl About<'_> {
 /// A row for a value, which `control` edits and resetting takes back to `default`.
 pub fn value_row<T: PartialEq>(
     ui: &mut Ui,
-    lit: &mut Lit,
     about: &About<'_>,
     default: T,
     value: &mut T,
     control: impl FnOnce(&mut Ui, &mut T),
 ) {
-    if row(ui, lit, about, *value != default, |ui| control(ui, value)) {
+    if row(ui, about, *value != default, |ui| control(ui, value)) {
         *value = default;
     }
 }
 
 /// Lays out one row and fills it with `control`. Returns whether the row is to be reset; the button for that
 /// is shown where it has been `changed`.
-pub fn row(
-    ui: &mut Ui,
-    lit: &mut Lit,
-    about: &About<'_>,
-    changed: bool,
-    control: impl FnOnce(&mut Ui),
-) -> bool {
+pub fn row(ui: &mut Ui, about: &About<'_>, changed: bool, control: impl FnOnce(&mut Ui)) -> bool {
     let size = vec2(ui.available_width(), ui.spacing().interact_size.y);
     let [least, greatest] = LABEL;
     let label_width = (LABEL_SHARE * size.x).clamp(least, greatest);
@@ -91,10 +84,11 @@ pub fn row(
         (width, width, 1.0)
     };
     let (rect, _) = ui.allocate_exact_size(vec2(size.x, lines * size.y), Sense::hover());
-    if about.symbol.is_some() && ui.rect_contains_pointer(rect) {
-        lit.next = about.symbol;
+    let is_lit = |symbol| symbol::is_lit(ui.ctx(), symbol);
+    if let Some(symbol) = about.symbol.filter(|_| ui.rect_contains_pointer(rect)) {
+        symbol::light_up(ui.ctx(), symbol);
     }
-    if about.symbol.is_some() && lit.now == about.symbol {
+    if about.symbol.is_some_and(is_lit) {
         let fill = ui.visuals().widgets.hovered.bg_fill.gamma_multiply(0.55);
         ui.painter()
             .rect_filled(rect.expand2(vec2(4.0, 2.0)), 6.0, fill);
@@ -127,10 +121,9 @@ pub fn row(
         )
         .on_hover_text(reason);
     }
-    if let Some(symbol) = about.symbol.filter(|symbol| lit.seek == Some(*symbol)) {
+    let is_found = |symbol| symbol::is_found(ui.ctx(), symbol);
+    if about.symbol.is_some_and(is_found) {
         ui.scroll_to_rect(rect, Some(Align::Center));
-        lit.next = Some(symbol);
-        lit.seek = None;
     }
     let by_key = focus::resets(ui, rect);
     let reset_rect = inner.with_min_x(rect.max.x - RESET).with_max_x(rect.max.x);

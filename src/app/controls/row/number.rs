@@ -3,7 +3,6 @@
 use super::expression::evaluate;
 use super::layout::{About, FIELD, row, value_row};
 use crate::app::widgets::focus::{aside, escaped, switch_named};
-use crate::app::widgets::symbol::Lit;
 use crate::scene::Rgb;
 use crate::text;
 use eframe::egui::accesskit::Role;
@@ -80,22 +79,17 @@ pub struct NumberRow<'a> {
 }
 
 /// A row with a slider and a field.
-pub fn number(ui: &mut Ui, lit: &mut Lit, spec: &NumberRow<'_>, value: &mut f64) {
-    value_row(ui, lit, &spec.about, spec.default, value, |ui, value| {
+pub fn number(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
+    value_row(ui, &spec.about, spec.default, value, |ui, value| {
         slider_and_field(ui, spec, value);
     });
 }
 
 /// The same for a whole number.
-pub fn whole(ui: &mut Ui, lit: &mut Lit, spec: &NumberRow<'_>, value: &mut u32) {
-    value_row(
-        ui,
-        lit,
-        &spec.about,
-        spec.default as u32,
-        value,
-        |ui, value| whole_slider(ui, spec, value),
-    );
+pub fn whole(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut u32) {
+    value_row(ui, &spec.about, spec.default as u32, value, |ui, value| {
+        whole_slider(ui, spec, value)
+    });
 }
 
 pub fn whole_slider(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut u32) {
@@ -121,7 +115,7 @@ pub fn coefficient_slider(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut Rgb) {
 }
 
 /// A field for each channel of a coefficient, below its slider.
-pub fn channels_row(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, value: &mut Rgb) {
+pub fn channels_row(ui: &mut Ui, about: &About<'_>, value: &mut Rgb) {
     let name = text!("controls-per-channel", name = about.name());
     let channels = About {
         letter: "",
@@ -130,7 +124,7 @@ pub fn channels_row(ui: &mut Ui, lit: &mut Lit, about: &About<'_>, value: &mut R
         room: FIELDS,
         ..about.clone()
     };
-    row(ui, lit, &channels, false, |ui| {
+    row(ui, &channels, false, |ui| {
         fields(
             ui,
             about.name(),

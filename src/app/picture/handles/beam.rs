@@ -5,8 +5,9 @@
 //! that even a cone as wide as a half-space has one. Pulled past the sphere's outline, the head goes round to the other
 //! side.
 
+use crate::app::session::Session;
 use crate::app::session::place::{Place, tidy};
-use crate::app::state::{AppState, Grip};
+use crate::app::session::window::Grip;
 use crate::app::widgets::lines::{line, outline};
 use crate::app::widgets::palette;
 use crate::figure::palette::Vector;
@@ -143,28 +144,28 @@ impl<'a> Beam<'a> {
 }
 
 /// Where the chosen light shines, if it has an axis.
-pub fn chosen<'a>(state: &'a AppState, view: &View) -> Option<Beam<'a>> {
-    let scene = &state.shown.scene;
+pub fn chosen<'a>(session: &'a Session, view: &View) -> Option<Beam<'a>> {
+    let scene = &session.shown.scene;
     scene
         .lights
-        .get(state.light)
+        .get(session.light)
         .and_then(|light| Beam::of(light, view, scene.camera.target))
 }
 
 /// Draws the outline of every area light, and where the chosen light shines.
-pub fn paint(painter: &Painter, state: &AppState, view: &View, place: Place) {
-    let scene = &state.shown.scene;
+pub fn paint(painter: &Painter, session: &Session, view: &View, place: Place) {
+    let scene = &session.shown.scene;
     for (index, light) in scene
         .lights
         .iter()
         .enumerate()
         .filter(|(_, light)| light.kind == LightKind::Area)
     {
-        let strength = if index == state.light { 1.0 } else { 0.5 };
+        let strength = if index == session.light { 1.0 } else { 0.5 };
         let stroke = Stroke::new(1.5, palette::vector(Vector::L).gamma_multiply(strength));
         area(painter, light, view, place, stroke);
     }
-    if let Some(beam) = chosen(state, view) {
+    if let Some(beam) = chosen(session, view) {
         beam.paint(painter, view, place);
     }
 }

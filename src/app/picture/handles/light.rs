@@ -8,8 +8,10 @@
 
 use super::beam::{self, MARGIN, on_sphere};
 use crate::app::controls::row::swatch;
+use crate::app::session::Session;
 use crate::app::session::place::{Place, tidy};
-use crate::app::state::{AppState, Grip, LightStart};
+use crate::app::session::window::WindowState;
+use crate::app::session::window::{Grip, LightStart};
 use crate::app::widgets::letter::letter;
 use crate::app::widgets::lines::{exact, line};
 use crate::app::widgets::palette;
@@ -73,8 +75,14 @@ fn middle(scene: &Scene, view: &View) -> DVec3 {
 }
 
 /// Draws the line from the light that is held or pointed at to the object's middle.
-pub fn paint_stem(painter: &Painter, state: &AppState, view: &View, place: Place) {
-    let scene = &state.shown.scene;
+pub fn paint_stem(
+    painter: &Painter,
+    session: &Session,
+    window: &WindowState,
+    view: &View,
+    place: Place,
+) {
+    let scene = &session.shown.scene;
     let middle = middle(scene, view);
     let pointer = painter.ctx().input(|input| input.pointer.hover_pos());
     let near = |at: Pos2| pointer.is_some_and(|pointer| pointer.distance(at) <= REACH);
@@ -83,7 +91,7 @@ pub fn paint_stem(painter: &Painter, state: &AppState, view: &View, place: Place
     };
     for (index, light) in scene.lights.iter().enumerate() {
         let (at, _) = marker(light, view, middle, place);
-        let wanted = match state.drag {
+        let wanted = match window.drag {
             Some(drag) => drag.grip == Grip::Light(index),
             None => near(at),
         };
@@ -101,8 +109,8 @@ pub fn paint_stem(painter: &Painter, state: &AppState, view: &View, place: Place
 }
 
 /// Draws the lights' handles; that of the chosen light is emphasised, those that are off look unlit.
-pub fn paint(painter: &Painter, state: &AppState, view: &View, place: Place) {
-    let scene = &state.shown.scene;
+pub fn paint(painter: &Painter, session: &Session, view: &View, place: Place) {
+    let scene = &session.shown.scene;
     let (middle, soloing) = (middle(scene, view), scene.soloing());
     let markers: Vec<(Pos2, Marker)> = scene
         .lights
@@ -111,12 +119,12 @@ pub fn paint(painter: &Painter, state: &AppState, view: &View, place: Place) {
         .collect();
     for (index, (light, (at, marker))) in scene.lights.iter().zip(&markers).enumerate() {
         let colour = light.shines(soloing).then(|| swatch(light.color));
-        paint_light(painter, *at, *marker, colour, index == state.light);
+        paint_light(painter, *at, *marker, colour, index == session.light);
     }
-    beam::chosen(state, view)
+    beam::chosen(session, view)
         .into_iter()
         .for_each(|beam| beam.paint_grips(painter, view, place));
-    paint_numbers(painter, state, place, &markers, foot(view, middle, place));
+    paint_numbers(painter, session, place, &markers, foot(view, middle, place));
 }
 
 pub fn area(rect: Rect) -> Area {
@@ -161,8 +169,8 @@ pub fn covered(scene: &Scene, view: &View, place: Place) -> Vec<Area> {
 }
 
 /// What the captions of panes cover, points.
-pub fn captions(state: &AppState, place: Place) -> Vec<Area> {
-    let (rect, view) = (place.rect, state.document.scene.compare.view);
+pub fn captions(session: &Session, place: Place) -> Vec<Area> {
+    let (rect, view) = (place.rect, session.document.scene.compare.view);
     if view == CompareView::Single {
         return Vec::new();
     }
@@ -190,7 +198,7 @@ pub fn captions(state: &AppState, place: Place) -> Vec<Area> {
 /// Writes the lights' numbers beside their handles, inside the picture, off one another and off the captions of panes.
 fn paint_numbers(
     painter: &Painter,
-    state: &AppState,
+    session: &Session,
     place: Place,
     markers: &[(Pos2, Marker)],
     foot: Option<DVec2>,
@@ -199,11 +207,11 @@ fn paint_numbers(
         .iter()
         .map(|(at, _)| area(Rect::from_center_size(*at, Vec2::splat(2.0 * RADIUS))))
         .collect();
-    taken.extend(captions(state, place));
+    taken.extend(captions(session, place));
     let orange = palette::readable(palette::vector(Vector::L), Color32::BLACK);
     let mut placer = Placer::new(area(place.rect.shrink(2.0)), f64::from(TEXT), &[], taken);
     for (index, (at, marker)) in markers.iter().enumerate() {
-        let font = FontId::proportional(if index == state.light { 15.0 } else { 14.0 });
+        let font = FontId::proportional(if index == session.light { 15.0 } else { 14.0 });
         let text = format!("L{}", index + 1);
         let size = painter
             .layout_no_wrap(text.clone(), font.clone(), orange)

@@ -3,8 +3,10 @@
 //! A vertex is dragged in the plane through it that is parallel to the picture. Where a polygon would cross itself it goes
 //! as far towards the pointer as it can.
 
+use crate::app::session::Session;
 use crate::app::session::place::{Place, tidy};
-use crate::app::state::{AppState, Grip};
+use crate::app::session::window::Grip;
+use crate::app::session::window::WindowState;
 use crate::app::widgets::letter::letter;
 use crate::app::widgets::palette;
 use crate::figure::palette::Vector;
@@ -23,8 +25,8 @@ const NEAR: f32 = 40.0;
 const HALVINGS: u32 = 12;
 
 /// The vertices in the picture, by their numbers.
-pub fn seen(state: &AppState, view: &View, place: Place) -> Vec<(u32, Pos2)> {
-    let object = &state.shown.scene.object;
+pub fn seen(session: &Session, view: &View, place: Place) -> Vec<(u32, Pos2)> {
+    let object = &session.shown.scene.object;
     let vertices = object.polygons().vertices;
     if object.kind != ObjectKind::Polygons || vertices.len() > MOST {
         return Vec::new();
@@ -97,14 +99,15 @@ pub fn go(object: &mut Object, v: u32, to: DVec3, unit: f64) {
 /// with their numbers.
 pub fn paint(
     painter: &Painter,
-    state: &AppState,
+    session: &Session,
+    window: &WindowState,
     view: &View,
     place: Place,
     pointer: Option<Pos2>,
 ) {
-    for (v, at) in seen(state, view, place) {
-        let held = state.drag.is_some_and(|drag| drag.grip == Grip::Vertex(v));
-        let chosen = held || state.vertex == v as usize;
+    for (v, at) in seen(session, view, place) {
+        let held = window.drag.is_some_and(|drag| drag.grip == Grip::Vertex(v));
+        let chosen = held || session.vertex == v as usize;
         let ways = [
             vec2(RADIUS, 0.0),
             vec2(0.0, RADIUS),

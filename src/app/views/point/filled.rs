@@ -4,9 +4,10 @@ use crate::analysis::{
     FilledLine, FilledPart, Here, LineValue, Product, Share, channels, digits, digits_below,
     percent,
 };
-use crate::app::state::AppState;
+use crate::app::session::Session;
 use crate::app::widgets::letter::set;
 use crate::app::widgets::palette::tone_text as colour;
+use crate::app::widgets::symbol;
 use crate::app::widgets::typeset::{Piece, Place, Run, formula, run_ui, spoken};
 use crate::text::text;
 use eframe::egui::accesskit::Role;
@@ -48,8 +49,8 @@ const COLUMN_GAPS: [f32; 2] = [9.0, 16.0];
 pub type Values = [(&'static str, String)];
 
 /// The whole formula at the probe.
-pub fn filled_ui(ui: &mut Ui, state: &mut AppState, here: Here<'_>) {
-    let chosen = newly_chosen(ui, state.light);
+pub fn filled_ui(ui: &mut Ui, session: &mut Session, here: Here<'_>) {
+    let chosen = newly_chosen(ui, session.light);
     ui.scope(|ui| {
         ui.spacing_mut().item_spacing = vec2(8.0, 2.0);
         bar_ui(ui, &here.shares());
@@ -57,9 +58,9 @@ pub fn filled_ui(ui: &mut Ui, state: &mut AppState, here: Here<'_>) {
         for part in here.filled() {
             match &part {
                 FilledPart::Line(line) if !line.parts.is_empty() => {
-                    fold_ui(ui, state, here, line, chosen);
+                    fold_ui(ui, session, here, line, chosen);
                 }
-                part => part_ui(ui, state, part, &[], Id::NULL),
+                part => part_ui(ui, part, &[], Id::NULL),
             }
         }
     });
@@ -75,13 +76,13 @@ fn newly_chosen(ui: &Ui, light: usize) -> bool {
     })
 }
 
-fn part_ui(ui: &mut Ui, state: &mut AppState, part: &FilledPart, values: &Values, id: Id) {
+fn part_ui(ui: &mut Ui, part: &FilledPart, values: &Values, id: Id) {
     match part {
         FilledPart::Note(text) => _ = ui.label(RichText::new(text).weak()),
         FilledPart::Evaluated(over) => {
             ui.label(RichText::new(text!("point-evaluated-mean", over = &over[..])).weak());
         }
-        FilledPart::Formula(formula) => formula_ui(ui, state, formula, values, id),
+        FilledPart::Formula(formula) => formula_ui(ui, formula, values, id),
         FilledPart::Heading { name, tone, share } => {
             ui.horizontal(|ui| {
                 ui.label(RichText::new(*name).color(colour(ui.visuals(), *tone)));
@@ -111,14 +112,13 @@ fn part_ui(ui: &mut Ui, state: &mut AppState, part: &FilledPart, values: &Values
             }
             .ui(
                 ui,
-                state,
                 Place {
                     id,
                     name: text!("point-at-probe"),
                 },
             );
         }
-        FilledPart::Line(line) => flat_ui(ui, state, line),
+        FilledPart::Line(line) => flat_ui(ui, line),
         FilledPart::Rule => {
             let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), 5.0), Sense::hover());
             let stroke = Stroke::new(1.0, ui.visuals().weak_text_color());
@@ -140,7 +140,7 @@ fn here_words(values: &Values, letter: &str) -> String {
 }
 
 /// A typeset formula that shrinks to fit the panel.
-pub fn formula_ui(ui: &mut Ui, state: &mut AppState, text: &str, values: &Values, id: Id) {
+pub fn formula_ui(ui: &mut Ui, text: &str, values: &Values, id: Id) {
     let visuals = ui.visuals();
     let pieces = formula(visuals, text, visuals.text_color(), |letter| {
         here_words(values, letter)
@@ -151,7 +151,6 @@ pub fn formula_ui(ui: &mut Ui, state: &mut AppState, text: &str, values: &Values
         let size = FORMULA * (ui.available_width() / width).clamp(LEAST_SCALE, 1.0);
         let run = run_ui(
             ui,
-            state,
             &pieces,
             size,
             Place {
@@ -176,7 +175,7 @@ fn channels_ui(ui: &mut Ui) {
 }
 
 /// A line that does not unfold; letters in place of its name light up their control.
-fn flat_ui(ui: &mut Ui, state: &mut AppState, line: &FilledLine) {
+fn flat_ui(ui: &mut Ui, line: &FilledLine) {
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), LINE), Sense::hover());
     response.widget_info(|| {
         WidgetInfo::labeled(
@@ -196,18 +195,18 @@ fn flat_ui(ui: &mut Ui, state: &mut AppState, line: &FilledLine) {
             name: text!("point-at-probe"),
         };
         let left = pos2(rect.min.x + FLAT_INDENT, rect.center().y);
-        Run::new(ui, &letters, LETTERS).paint(ui, state, left, place);
+        Run::new(ui, &letters, LETTERS).paint(ui, left, place);
     }
 }
 
 /// A line that unfolds to its parts, by a click, Enter or the space bar. That of a light unfolds, too, when its light has
 /// been `chosen`, and the others fold.
-fn fold_ui(ui: &mut Ui, state: &mut AppState, here: Here<'_>, line: &FilledLine, chosen: bool) {
+fn fold_ui(ui: &mut Ui, session: &mut Session, here: Here<'_>, line: &FilledLine, chosen: bool) {
     let id = ui.make_persistent_id(
         line.light
             .map_or_else(|| line.name.clone(), |index| format!("light {index}")),
     );
-    let own = line.light.is_none_or(|index| index == state.light);
+    let own = line.light.is_none_or(|index| index == session.light);
     let mut fold = CollapsingState::load_with_default_open(ui.ctx(), id, own);
     let (_, rect) = ui.allocate_space(vec2(ui.available_width(), LINE));
     let response = ui.interact(rect, id, Sense::click());
@@ -248,16 +247,16 @@ fn fold_ui(ui: &mut Ui, state: &mut AppState, here: Here<'_>, line: &FilledLine,
     paint(ui, line, rect);
     let light = line.light.and_then(|index| here.lights().nth(index));
     let values = light.map_or_else(Vec::new, |light| light.values());
-    let sought = state.lit.seek;
+    let sought = symbol::sought(ui.ctx());
     fold.show_body_unindented(ui, |ui| {
         for (number, part) in line.parts.iter().enumerate() {
-            part_ui(ui, state, part, &values, id.with(("part", number)));
+            part_ui(ui, part, &values, id.with(("part", number)));
         }
         ui.add_space(6.0);
     });
-    if let Some(index) = line.light.filter(|_| state.lit.seek != sought) {
+    if let Some(index) = line.light.filter(|_| symbol::sought(ui.ctx()) != sought) {
         // A symbol of this light was clicked: its controls are this light's.
-        state.light = index;
+        session.light = index;
     }
 }
 
@@ -413,7 +412,7 @@ struct Laid<'a> {
 }
 
 impl Table<'_> {
-    fn ui(&self, ui: &mut Ui, state: &mut AppState, place: Place<'_>) {
+    fn ui(&self, ui: &mut Ui, place: Place<'_>) {
         let gaps = self.heads.len() as f32;
         let room = (ui.available_width() - MARK).max(0.0);
         let natural = self.lay_out(ui, 1.0);
@@ -426,7 +425,7 @@ impl Table<'_> {
         let gap = ((room - total(&laid)) / gaps).clamp(COLUMN_GAPS[0], COLUMN_GAPS[1]);
         let (rect, _) =
             ui.allocate_exact_size(vec2(ui.available_width(), HEAD + 3.0 * ROW), Sense::hover());
-        self.paint(ui, state, &laid, rect, gap, place);
+        self.paint(ui, &laid, rect, gap, place);
         self.describe(ui, rect, place);
     }
 
@@ -486,15 +485,7 @@ impl Table<'_> {
         all
     }
 
-    fn paint(
-        &self,
-        ui: &mut Ui,
-        state: &mut AppState,
-        laid: &[Laid<'_>],
-        rect: Rect,
-        gap: f32,
-        place: Place<'_>,
-    ) {
+    fn paint(&self, ui: &mut Ui, laid: &[Laid<'_>], rect: Rect, gap: f32, place: Place<'_>) {
         let (plain, weak) = (ui.visuals().text_color(), ui.visuals().weak_text_color());
         let line = |channel: usize| rect.min.y + HEAD + ROW * (channel as f32 + 0.5);
         let text =
@@ -524,7 +515,6 @@ impl Table<'_> {
             let middle = rect.min.y + HEAD / 2.0;
             column.head.paint(
                 ui,
-                state,
                 pos2(left, middle),
                 Place {
                     id: place.id.with(index),

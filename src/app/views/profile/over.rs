@@ -2,9 +2,10 @@
 
 use super::Profiles;
 use crate::analysis::lay_out_profile;
+use crate::app::session::Session;
 use crate::app::session::appearance::ViewName;
 use crate::app::session::place::Place;
-use crate::app::state::AppState;
+use crate::app::session::window::WindowState;
 use crate::app::widgets::lines::line;
 use crate::app::widgets::theme::TEXT;
 use crate::figure::palette::{readable, shading};
@@ -22,11 +23,11 @@ const ACROSS: f32 = 26.0;
 const CASING: [u8; 3] = [0x14, 0x16, 0x1a];
 
 /// Takes where the picture is and where the pointer is on it: the plots lie under the one and mark the other.
-pub fn watch(ctx: &Context, state: &mut AppState, place: Place, pointer: Option<Pos2>) {
-    if !state.shows(ViewName::Profile) {
+pub fn watch(ctx: &Context, window: &mut WindowState, place: Place, pointer: Option<Pos2>) {
+    if !window.shows(ViewName::Profile) {
         return;
     }
-    let [from, to] = state.line.pixels(place.size);
+    let [from, to] = window.line.pixels(place.size);
     let along = to - from;
     let near = f64::from(NEAR * place.pixels_per_point);
     let share = |at: Pos2| {
@@ -36,36 +37,42 @@ pub fn watch(ctx: &Context, state: &mut AppState, place: Place, pointer: Option<
         ((0.0..=1.0).contains(&share) && aside <= near).then_some(share)
     };
     let pointed = pointer
-        .filter(|at| state.drag.is_none() && place.rect.contains(*at))
+        .filter(|at| window.drag.is_none() && place.rect.contains(*at))
         .and_then(share);
-    let mut profiles: Profiles = state.own.take();
+    let mut profiles: Profiles = window.own.take();
     // The plots may have been drawn before the picture.
     if profiles.picture != Some(place) || profiles.pointed[1] != pointed {
         (profiles.picture, profiles.pointed[1]) = (Some(place), pointed);
         ctx.request_repaint();
     }
-    state.own.put(profiles);
+    window.own.put(profiles);
 }
 
 /// Draws the line white on dark, so that it shows on any picture; in the active pane also the profile above it and the
 /// pointed place.
-pub fn paint(painter: &Painter, state: &AppState, place: Place, active: bool) {
-    if !state.shows(ViewName::Profile) {
+pub fn paint(
+    painter: &Painter,
+    session: &Session,
+    window: &WindowState,
+    place: Place,
+    active: bool,
+) {
+    if !window.shows(ViewName::Profile) {
         return;
     }
     if active {
-        curves(painter, state, place);
+        curves(painter, session, window, place);
     }
     let dark = |width| Stroke::new(width, Color32::from_black_alpha(150));
     let white = |width| Stroke::new(width, Color32::WHITE);
-    let ends = state.line.pixels(place.size).map(|end| place.point(end));
+    let ends = window.line.pixels(place.size).map(|end| place.point(end));
     painter.line_segment(ends, dark(3.5));
     painter.line_segment(ends, white(1.5));
     for end in ends {
         painter.circle(end, END, Color32::from_black_alpha(110), dark(4.0));
         painter.circle_stroke(end, END, white(2.0));
     }
-    let profiles: Option<&Profiles> = state.own.get().filter(|_| active);
+    let profiles: Option<&Profiles> = window.own.get().filter(|_| active);
     if let Some((profiles, share)) = profiles.and_then(|one| Some((one, one.pointed()?))) {
         let [from, to] = ends;
         let at = from + (to - from) * share as f32;
@@ -85,11 +92,11 @@ pub fn paint(painter: &Painter, state: &AppState, place: Place, active: bool) {
 
 /// The curves above the line: the intensity solid in the colour of the scene's own shading mode, the perceived brightness
 /// dashed.
-fn curves(painter: &Painter, state: &AppState, place: Place) {
-    let Some(taken) = state.own.get().and_then(Profiles::profile) else {
+fn curves(painter: &Painter, session: &Session, window: &WindowState, place: Place) {
+    let Some(taken) = window.own.get().and_then(Profiles::profile) else {
         return;
     };
-    let own = state.shown.scene.shading.mode;
+    let own = session.shown.scene.shading.mode;
     let mut traces = taken.traces.iter();
     let Some(trace) = traces.find(|trace| trace.mode == own) else {
         return;
@@ -106,13 +113,13 @@ fn curves(painter: &Painter, state: &AppState, place: Place) {
     let [r, g, b] = CASING;
     let dark = Stroke::new(4.5, Color32::from_rgb(r, g, b).gamma_multiply(0.8));
     let white = |width| Stroke::new(width, Color32::WHITE);
-    if state.appearance.profile.edges {
+    if window.appearance.profile.edges {
         for tick in &curves.ticks {
             draw(tick, dark, &[]);
             draw(tick, white(1.5), &[]);
         }
     }
-    if state.appearance.profile.brightness {
+    if window.appearance.profile.brightness {
         draw(&curves.perceived, dark, &[]);
         draw(&curves.perceived, white(1.6), &[6.0, 4.0]);
     }
