@@ -16,11 +16,14 @@
 
 use super::bars;
 use crate::app::controls;
+use crate::app::course::Course;
 use crate::app::engine::Engine;
 use crate::app::picture::{self, Room};
 use crate::app::session::appearance::ViewName;
+use crate::app::session::window::WindowState;
 use crate::app::shell::state::AppState;
 use crate::app::views::{self, RAIL};
+use crate::app::widgets::symbol;
 use eframe::egui::{
     Align2, Area, CentralPanel, Frame as Margins, Id, Margin, Order, Panel, Rect, Ui, Vec2, vec2,
 };
@@ -56,6 +59,7 @@ impl Layout {
     /// Shows everything but dialogs; returns the room that the picture has, if it is in sight.
     pub fn ui(&mut self, ui: &mut Ui, state: &mut AppState, engine: &mut Engine) -> Option<Room> {
         let size = ui.available_size();
+        state.window.appearance.controls |= symbol::opens_controls(ui.ctx());
         if state.window.picture_alone {
             return Some(self.picture_ui(ui, state, engine));
         }
@@ -90,14 +94,17 @@ impl Layout {
             return None;
         }
         state.window.enlarged = false;
-        self.make_room(state, size);
+        self.make_room(&mut state.window, &state.course, size);
         // A narrow window with a lesson has room for picture and question only.
-        if state.window.appearance.equation && size.y >= LOWEST && !(narrow && reads_lesson(state))
+        if state.window.appearance.equation
+            && size.y >= LOWEST
+            && !(narrow && reads_lesson(&state.window, &state.course))
         {
             Panel::top("equation").show(ui, |ui| {
                 bars::equation_ui(ui, &mut state.session, &mut state.window)
             });
         }
+        state.window.appearance.controls |= symbol::opens_controls(ui.ctx());
         // A card over the picture leaves no room for a drawer.
         if narrow && state.window.welcome {
             (
@@ -113,7 +120,10 @@ impl Layout {
         // Nothing is drawn of a scene that a scene file would refuse.
         state.session.commit();
         // A lesson says what its scenes show; what they show elsewhere would mislead.
-        if !(low || narrow && reads_lesson(state) || state.course.shows_step()) {
+        if !(low
+            || narrow && reads_lesson(&state.window, &state.course)
+            || state.course.shows_step())
+        {
             Panel::top("title").show(ui, |ui| {
                 bars::title_ui(
                     ui,
@@ -128,51 +138,43 @@ impl Layout {
     }
 
     fn picture_ui(&mut self, ui: &mut Ui, state: &mut AppState, engine: &mut Engine) -> Room {
+        let AppState {
+            session,
+            window,
+            course,
+            requests,
+            ..
+        } = state;
         let shown = CentralPanel::default().frame(Margins::NONE).show(ui, |ui| {
-            picture::picture_ui(
-                ui,
-                &mut state.session,
-                &mut state.window,
-                &mut state.course,
-                &mut state.requests,
-                engine,
-            )
+            picture::picture_ui(ui, session, window, course, requests, engine)
         });
         self.picture = Some(shown.response.rect);
-        state.session.commit();
+        session.commit();
         shown.inner
     }
 
     /// Closes a panel where there is no room for both: the one that was opened first, or at once the controls beside a lesson or
     /// answers that were handed in.
-    fn make_room(&mut self, state: &mut AppState, size: Vec2) {
-        let open = [
-            state.window.appearance.controls,
-            state.window.appearance.views,
-        ];
-        let beside = size.x < NARROW || !views::stands_below(&state.window);
+    fn make_room(&mut self, window: &mut WindowState, course: &Course, size: Vec2) {
+        let open = [window.appearance.controls, window.appearance.views];
+        let beside = size.x < NARROW || !views::stands_below(window);
         if open == [true, true] && beside && panel_room(size) < 2.0 * PANEL {
-            let reads = state.window.shows(ViewName::Course) && state.course.heading().is_some();
+            let reads = window.shows(ViewName::Course) && course.heading().is_some();
             let controls_first = match self.open {
                 [true, false] => true,
                 [false, true] => false,
                 _ => reads,
             };
-            (
-                state.window.appearance.controls,
-                state.window.appearance.views,
-            ) = (!controls_first, controls_first);
+            (window.appearance.controls, window.appearance.views) =
+                (!controls_first, controls_first);
         }
-        self.open = [
-            state.window.appearance.controls,
-            state.window.appearance.views,
-        ];
+        self.open = [window.appearance.controls, window.appearance.views];
     }
 }
 
 /// Whether a lesson is open and in sight.
-fn reads_lesson(state: &AppState) -> bool {
-    state.window.shows(ViewName::Course) && state.course.open.is_some()
+fn reads_lesson(window: &WindowState, course: &Course) -> bool {
+    window.shows(ViewName::Course) && course.open.is_some()
 }
 
 /// The width that panels may take, points: the picture has half of the window. In a narrow one there is one panel.
@@ -186,15 +188,17 @@ fn panel_room(size: Vec2) -> f32 {
 
 /// Controls at the left, the view at the right or below the picture, the rail.
 fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2) {
-    if state.window.appearance.stages {
+    let AppState {
+        session,
+        window,
+        course,
+        requests,
+        ..
+    } = state;
+
+    if window.appearance.stages {
         Panel::bottom("stages").show(ui, |ui| {
-            bars::stages_ui(
-                ui,
-                &mut state.session,
-                &mut state.window,
-                &mut state.course,
-                engine,
-            )
+            bars::stages_ui(ui, session, window, course, engine)
         });
     }
     Panel::right("rail")
@@ -203,34 +207,28 @@ fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2)
         .show(ui, |ui| {
             ui.add_space(4.0);
             let size = views::wide_size(ui.available_height());
-            views::rail_ui(ui, &mut state.window, false, size);
+            views::rail_ui(ui, window, false, size);
         });
     let room = panel_room(size);
-    let below = state.window.appearance.views && views::stands_below(&state.window);
-    let beside = state.window.appearance.views && !below;
+    let below = window.appearance.views && views::stands_below(window);
+    let beside = window.appearance.views && !below;
     let mut left = room;
-    if state.window.appearance.controls {
+    if window.appearance.controls {
         let most = if beside { room - PANEL } else { room };
         let panel = Panel::left("controls")
             .resizable(true)
             .default_size(PANEL.max(0.26 * size.x).min(360.0))
             .size_range(PANEL..=most.clamp(PANEL, 560.0));
         let shown = panel.show(ui, |ui| {
-            controls::controls_ui(
-                ui,
-                &mut state.session,
-                &mut state.window,
-                &mut state.requests,
-                engine,
-            )
+            controls::controls_ui(ui, session, window, requests, engine)
         });
         left -= shown.response.rect.width();
-        state.session.commit();
+        session.commit();
     }
     if beside {
         // A lesson is read, and has questions to be answered.
-        let course = state.window.appearance.view == ViewName::Course;
-        let (name, share, most) = if course {
+        let lesson = window.appearance.view == ViewName::Course;
+        let (name, share, most) = if lesson {
             ("course", 0.34, 520.0)
         } else {
             ("view", 0.26, 380.0)
@@ -240,15 +238,7 @@ fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2)
             .default_size(PANEL.max(share * size.x).min(most))
             .size_range(PANEL..=left.clamp(PANEL, 720.0))
             .show(ui, |ui| {
-                views::view_ui(
-                    ui,
-                    &mut state.session,
-                    &mut state.window,
-                    &mut state.course,
-                    &mut state.requests,
-                    engine,
-                    false,
-                )
+                views::view_ui(ui, session, window, course, requests, engine, false)
             });
     }
     if below {
@@ -258,26 +248,24 @@ fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2)
             .default_size(BELOW * height)
             .size_range(140.0..=(height - PICTURE).max(140.0))
             .show(ui, |ui| {
-                views::view_ui(
-                    ui,
-                    &mut state.session,
-                    &mut state.window,
-                    &mut state.course,
-                    &mut state.requests,
-                    engine,
-                    false,
-                )
+                views::view_ui(ui, session, window, course, requests, engine, false)
             });
     }
 }
 
 /// The rail at the bottom, and a drawer for what it opens: below a tall window's picture, beside or over a flat one's.
 fn drawer_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2, tall: bool) {
+    let AppState {
+        session,
+        window,
+        course,
+        requests,
+        ..
+    } = state;
+
     if tall {
         Panel::bottom("rail-below").show(ui, |ui| {
-            ui.horizontal(|ui| {
-                views::rail_ui(ui, &mut state.window, true, views::narrow_size(size.x))
-            });
+            ui.horizontal(|ui| views::rail_ui(ui, window, true, views::narrow_size(size.x)));
         });
     } else {
         Panel::right("rail")
@@ -285,33 +273,19 @@ fn drawer_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2,
             .exact_size(RAIL)
             .show(ui, |ui| {
                 let size = views::wide_size(ui.available_height());
-                views::rail_ui(ui, &mut state.window, true, size);
+                views::rail_ui(ui, window, true, size);
             });
     }
-    let controls = state.window.appearance.controls;
-    if !controls && !state.window.appearance.views {
+    let controls = window.appearance.controls;
+    if !controls && !window.appearance.views {
         return;
     }
-    let lesson = !controls && reads_lesson(state);
+    let lesson = !controls && reads_lesson(window, course);
     let mut show = |ui: &mut Ui| {
         if controls {
-            controls::controls_ui(
-                ui,
-                &mut state.session,
-                &mut state.window,
-                &mut state.requests,
-                engine,
-            );
+            controls::controls_ui(ui, session, window, requests, engine);
         } else {
-            views::view_ui(
-                ui,
-                &mut state.session,
-                &mut state.window,
-                &mut state.course,
-                &mut state.requests,
-                engine,
-                true,
-            );
+            views::view_ui(ui, session, window, course, requests, engine, true);
         }
     };
     let height = ui.available_height();
