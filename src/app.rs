@@ -9,7 +9,7 @@ mod engine;
 mod picture;
 mod session;
 mod shell;
-#[cfg_attr(target_arch = "wasm32", path = "app/page/start.rs")]
+#[cfg_attr(target_arch = "wasm32", path = "app/start/page.rs")]
 mod start;
 #[cfg_attr(target_arch = "wasm32", path = "app/page.rs")]
 mod system;

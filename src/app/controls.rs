@@ -7,15 +7,16 @@ mod object;
 pub mod row;
 pub mod sampling;
 pub mod scenes;
+pub mod vertices;
 
 use super::engine::Engine;
+use crate::analysis::grouped;
 use crate::app::controls::materials::{gallery_ui, matching_ui};
 use crate::app::controls::row::{About, View, parameter_with, row};
 use crate::app::session::Session;
 use crate::app::session::action::Action;
 use crate::app::session::action::Requests;
 use crate::app::session::window::WindowState;
-use crate::app::views::plan::grouped;
 use crate::app::widgets::focus::{keep_in_sight, named};
 use crate::app::widgets::symbol::{self, Symbol};
 use crate::scene::parameter::{Parameter, Slider};

@@ -5,7 +5,7 @@ mod scripts;
 #[path = "page/widgets.rs"]
 mod widgets;
 
-use crate::app::shell::dialog::{FileKind, Picked};
+use crate::app::widgets::dialog::{FileKind, Picked};
 use crate::app::widgets::theme;
 use crate::document::give;
 use crate::lesson::{are_there, take_texts};

@@ -1,6 +1,7 @@
 //! What every room draws with: letters, colours, signs, formulas, drawings, tables, and where the keyboard is.
 
 pub mod background;
+pub mod dialog;
 pub mod drawing;
 pub mod focus;
 pub mod heading;

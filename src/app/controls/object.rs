@@ -3,12 +3,12 @@
 use super::row::{
     About, NumberRow, SliderRange, View, axes, number, parameter, parameter_with, value_row, whole,
 };
+use super::vertices::{MOST_HANDLES, move_vertex};
+use crate::analysis::grouped;
 use crate::app::engine::Engine;
-use crate::app::picture::handles::{MOST as MOST_HANDLES, go};
 use crate::app::session::Session;
 use crate::app::session::action::Action;
 use crate::app::session::action::Requests;
-use crate::app::views::plan::grouped;
 use crate::app::widgets::symbol::Symbol;
 use crate::geometry::{divisions_for, triangles};
 use crate::scene::object::{FIT, KIND, NORMALS, RINGS, SEGMENTS, WEIGHTING, polygons_unused};
@@ -202,6 +202,6 @@ fn polygons_ui(ui: &mut Ui, vertex: &mut usize, object: &mut Object) {
         axes(ui, about.name, to);
     });
     if to != at {
-        go(object, number, to, f64::MIN_POSITIVE);
+        move_vertex(object, number, to, f64::MIN_POSITIVE);
     }
 }

@@ -10,7 +10,7 @@ mod vertex;
 
 pub use beam::{aim_at, cursor, open_to};
 pub use light::{REACH, apart, drag_light, scale_light, start};
-pub use vertex::{MOST, drag_to as drag_vertex, go, paint as paint_vertices, push as push_vertex};
+pub use vertex::{drag_to as drag_vertex, paint as paint_vertices, push as push_vertex};
 
 use crate::app::course::Course;
 use crate::app::session::Session;

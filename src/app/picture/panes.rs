@@ -10,6 +10,7 @@ use crate::app::session::action::Requests;
 use crate::app::session::place::Place;
 use crate::app::session::window::Grip;
 use crate::app::session::window::WindowState;
+use crate::app::views::compare::menu_ui;
 use crate::app::widgets::focus;
 use crate::app::widgets::letter::letter;
 use crate::app::widgets::palette;
@@ -373,41 +374,6 @@ fn name_ui(
         }
     }
     rect
-}
-
-/// What can be done with a pane.
-pub fn menu_ui(ui: &mut Ui, session: &mut Session, requests: &mut Requests, pane: usize) {
-    let scene = &session.document.scene;
-    let (last, reference) = (scene.pane_count() - 1, scene.reference_pane());
-    let mut asked = None;
-    let mut item = |enabled: bool, text: &str, action: Action| {
-        let button = eframe::egui::Button::new(text);
-        if ui.add_enabled(enabled, button).clicked() {
-            asked = Some(action);
-            ui.close();
-        }
-    };
-    item(
-        pane != reference,
-        text!("picture-make-reference"),
-        Action::Reference(pane),
-    );
-    item(
-        pane > 0,
-        text!("picture-move-earlier"),
-        Action::MovePane(pane, pane.saturating_sub(1)),
-    );
-    item(
-        pane < last,
-        text!("picture-move-later"),
-        Action::MovePane(pane, pane + 1),
-    );
-    item(
-        last > 0,
-        text!("picture-remove-pane"),
-        Action::RemovePane(pane),
-    );
-    requests.extend(asked);
 }
 
 /// Parts of a caption in one line, or where the room is too narrow in a line each, and in smaller type if need be.

@@ -1,13 +1,14 @@
 //! The scene in other programs' words, to read, to copy and to save: calls of OpenGL, shaders, or a whole program in C. The text
 //! is written in the background, and again when the scene has become another.
 
-use super::dialog::{Choice, CodeForm, Dialog, Language, both, buttons_ui, path_ui};
+use super::dialog::{CodeForm, Dialog, Language};
 use crate::analysis::Watch;
 use crate::app::session::document::Document;
 use crate::app::session::window::WindowState;
 use crate::app::shell::state::AppState;
 use crate::app::system;
 use crate::app::widgets::background::wake;
+use crate::app::widgets::dialog::{Choice, both, buttons_ui, path_ui};
 use crate::app::widgets::focus::{named, switch_named};
 use crate::document::save_code;
 use crate::export::{Export, Limit, Part, glsl_330, opengl_c, opengl_c_snippet};

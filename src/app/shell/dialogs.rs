@@ -2,7 +2,7 @@
 
 use super::code::{self, Writer, code_ui};
 use super::commands::SECTIONS;
-use super::dialog::{Choice, Dialog, ExportForm, FileTask, both, buttons_ui, path_ui, question_ui};
+use super::dialog::{Dialog, ExportForm, FileTask};
 use super::files::Files;
 use super::film::film_ui;
 use super::links;
@@ -12,6 +12,7 @@ use crate::app::shell::state::AppState;
 use crate::app::shell::state::Leaving;
 use crate::app::system;
 use crate::app::views::report;
+use crate::app::widgets::dialog::{Choice, both, buttons_ui, path_ui, question_ui};
 use crate::app::widgets::focus::{keep_in_sight, named};
 use crate::app::widgets::theme::text_field;
 use crate::lesson::MAX_NAME;

@@ -1,6 +1,6 @@
 //! Files, in the background: the window stays alive while a model is read or a picture is drawn.
 
-use super::dialog::{Dialog, ExportForm, FileTask, Picked};
+use super::dialog::{Dialog, ExportForm, FileTask};
 use super::film::FilmForm;
 use crate::analysis::{
     Codec, NormalField, ProfileQuestion, Watch, comparison_sheet, draw_normals, draw_overlay,
@@ -17,6 +17,7 @@ use crate::app::session::recovery;
 use crate::app::shell::state::AppState;
 use crate::app::system;
 use crate::app::widgets::background::{Task, wake};
+use crate::app::widgets::dialog::Picked;
 use crate::document::{load_with, save_film, save_picture, write_whole};
 use crate::geometry::Mesh;
 use crate::jobs::{Job, Work, model_from_bytes, model_to_bytes};

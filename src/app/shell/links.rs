@@ -1,12 +1,13 @@
 //! Links: copying that of what is seen, opening one, and showing it to a room as a QR code.
 
-use super::dialog::{Choice, Dialog, LinkCode, PageForm};
+use super::dialog::{Dialog, LinkCode, PageForm};
 use crate::app::session::action::{Action, Turn};
 use crate::app::session::appearance::ViewName;
 use crate::app::session::document::{Document, Origin};
 use crate::app::session::place::{ProbePoint, ProfileLine};
 use crate::app::shell::state::AppState;
 use crate::app::system;
+use crate::app::widgets::dialog::Choice;
 use crate::app::widgets::focus::named;
 use crate::app::widgets::theme::text_field;
 use crate::figure::QrCode;

@@ -4,7 +4,6 @@ use super::report::{ReportView, export_ui};
 use crate::analysis::{self, Answer, Comparison};
 use crate::app::controls::row::parameter;
 use crate::app::engine::Engine;
-use crate::app::picture::panes::menu_ui;
 use crate::app::session::Session;
 use crate::app::session::action::Action;
 use crate::app::session::action::Requests;
@@ -329,4 +328,39 @@ fn figures_ui(
         };
         Some((Box::new(Comparison(figures.to_vec())), scene))
     });
+}
+
+/// What can be done with a pane.
+pub fn menu_ui(ui: &mut Ui, session: &mut Session, requests: &mut Requests, pane: usize) {
+    let scene = &session.document.scene;
+    let (last, reference) = (scene.pane_count() - 1, scene.reference_pane());
+    let mut asked = None;
+    let mut item = |enabled: bool, text: &str, action: Action| {
+        let button = Button::new(text);
+        if ui.add_enabled(enabled, button).clicked() {
+            asked = Some(action);
+            ui.close();
+        }
+    };
+    item(
+        pane != reference,
+        text!("picture-make-reference"),
+        Action::Reference(pane),
+    );
+    item(
+        pane > 0,
+        text!("picture-move-earlier"),
+        Action::MovePane(pane, pane.saturating_sub(1)),
+    );
+    item(
+        pane < last,
+        text!("picture-move-later"),
+        Action::MovePane(pane, pane + 1),
+    );
+    item(
+        last > 0,
+        text!("picture-remove-pane"),
+        Action::RemovePane(pane),
+    );
+    requests.extend(asked);
 }

@@ -12,8 +12,6 @@ use crate::app::session::window::WindowState;
 use crate::text::text;
 use eframe::egui::{RichText, Ui};
 
-pub use crate::analysis::grouped;
-
 /// Frames for each time that is measured, and about how often they are: of everything, and of each change.
 const FRAMES: u32 = 30;
 const ROUNDS: f64 = 5.0;

@@ -3,6 +3,7 @@
 //! A vertex is dragged in the plane through it that is parallel to the picture. Where a polygon would cross itself it goes
 //! as far towards the pointer as it can.
 
+use crate::app::controls::vertices::{MOST_HANDLES, move_vertex};
 use crate::app::session::Session;
 use crate::app::session::place::{Place, tidy};
 use crate::app::session::window::Grip;
@@ -10,25 +11,19 @@ use crate::app::session::window::WindowState;
 use crate::app::widgets::letter::letter;
 use crate::app::widgets::palette;
 use crate::figure::palette::Vector;
-use crate::scene::{GREATEST_LENGTH, Object, ObjectKind, Scene, View};
+use crate::scene::{Object, ObjectKind, Scene, View};
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Shape, Stroke, vec2};
 use glam::{DVec2, DVec3};
-
-/// More vertices than this have no handles: they would hide the picture.
-pub const MOST: usize = 64;
 
 /// From a diamond's middle to its corners, points.
 const RADIUS: f32 = 6.0;
 /// So near to the pointer a vertex shows its number, points.
 const NEAR: f32 = 40.0;
-/// How often the way to a place that cannot be reached is halved.
-const HALVINGS: u32 = 12;
-
 /// The vertices in the picture, by their numbers.
 pub fn seen(session: &Session, view: &View, place: Place) -> Vec<(u32, Pos2)> {
     let object = &session.shown.scene.object;
     let vertices = object.polygons().vertices;
-    if object.kind != ObjectKind::Polygons || vertices.len() > MOST {
+    if object.kind != ObjectKind::Polygons || vertices.len() > MOST_HANDLES {
         return Vec::new();
     }
     let at = |vertex: &DVec3| view.project(*vertex).map(|(pixel, _)| place.point(pixel));
@@ -47,7 +42,7 @@ pub fn drag_to(object: &mut Object, v: u32, view: &View, pixel: DVec2) {
     let depth = (from - view.eye).dot(view.forward);
     if depth > 0.0 {
         let unit = view.world_per_pixel(depth);
-        go(object, v, tidy(view.unproject(pixel, depth), unit), unit);
+        move_vertex(object, v, tidy(view.unproject(pixel, depth), unit), unit);
     }
 }
 
@@ -57,42 +52,12 @@ pub fn push(scene: &mut Scene, v: u32, view: &View, step: f64) {
     let Some(from) = scene.object.polygons().vertices.get(v as usize).copied() else {
         return;
     };
-    go(
+    move_vertex(
         &mut scene.object,
         v,
         tidy(from - view.forward * (step * unit), unit * 1e-3),
         unit * 1e-3,
     );
-}
-
-/// Moves a vertex to `to`, or as far that way as its polygons let it; places are kept to the digits of `unit`.
-pub fn go(object: &mut Object, v: u32, to: DVec3, unit: f64) {
-    let polygons = object.polygons();
-    let Some(from) = polygons.vertices.get(v as usize).copied() else {
-        return;
-    };
-    let allowed = |to: DVec3| {
-        let mut moved = polygons.clone();
-        moved.vertices.make_mut()[v as usize] = to;
-        to.is_finite() && to.abs().max_element() <= GREATEST_LENGTH && moved.spoilt_by(v).is_none()
-    };
-    let mut reached = to;
-    if !allowed(to) {
-        let (mut near, mut far) = (0.0, 1.0);
-        reached = from;
-        for _ in 0..HALVINGS {
-            let middle = 0.5 * (near + far);
-            let between = tidy(from.lerp(to, middle), unit);
-            if allowed(between) {
-                (near, reached) = (middle, between);
-            } else {
-                far = middle;
-            }
-        }
-    }
-    if reached != from {
-        object.vertices_mut()[v as usize] = reached;
-    }
 }
 
 /// Draws the diamonds, white with a dark rim so that they show on any picture, the chosen one filled; those near the pointer
@@ -140,57 +105,5 @@ pub fn paint(
                 Color32::WHITE,
             );
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn square() -> Object {
-        Object {
-            kind: ObjectKind::Polygons,
-            vertices: [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]
-                .map(|[x, y]| DVec3::new(x, y, 0.0))
-                .to_vec()
-                .into(),
-            faces: vec![vec![0, 1, 2, 3].into()].into(),
-            ..Object::default()
-        }
-    }
-
-    #[test]
-    fn a_vertex_goes_as_far_as_its_polygons_let_it() {
-        let mut object = square();
-        go(&mut object, 0, DVec3::new(0.3, 0.2, 0.0), 1e-3);
-        assert_eq!(object.vertices[0], DVec3::new(0.3, 0.2, 0.0));
-        // Beyond the opposite corner the edges would cross: it stops before the diagonal is full.
-        go(&mut object, 0, DVec3::new(0.3, 1.7, 0.0), 1e-3);
-        let stopped = object.vertices[0];
-        assert!(
-            stopped.x == 0.3 && (0.9..1.0).contains(&stopped.y),
-            "{stopped}"
-        );
-        assert!(object.polygons().spoilt_by(0).is_none());
-        go(&mut object, 0, DVec3::NAN, 1e-3);
-        go(&mut object, 0, DVec3::splat(1e300), 1e-3);
-        go(&mut object, 7, DVec3::ZERO, 1e-3);
-        assert!(object.vertices.iter().all(|vertex| vertex.length() < 1e30));
-        // A place beyond an obstacle that is itself free is reached.
-        go(&mut object, 0, DVec3::new(-1.0, -1.0, 0.5), 1e-3);
-        assert_eq!(object.vertices[0], DVec3::new(-1.0, -1.0, 0.5));
-    }
-
-    #[test]
-    fn a_quadrilateral_that_is_not_written_down_becomes_so() {
-        let mut object = Object {
-            kind: ObjectKind::Polygons,
-            ..Object::default()
-        };
-        go(&mut object, 2, DVec3::new(1.0, 1.0, 0.0), 1e-3);
-        assert_eq!(
-            (object.vertices.len(), object.vertices[2]),
-            (4, DVec3::new(1.0, 1.0, 0.0))
-        );
     }
 }
