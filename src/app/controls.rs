@@ -160,7 +160,7 @@ static SECTIONS: [Section; 8] = [
         open: Open::WhenAbout,
         symbols: &[Symbol::Normal],
         items: &[Own(|ui, session, _, requests, engine| {
-            object::object_ui(ui, session, requests, engine)
+            object::object_ui(ui, session, requests, engine);
         })],
     },
     Section {

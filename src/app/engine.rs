@@ -76,7 +76,7 @@ impl Engine {
     pub fn update(
         &mut self,
         ctx: &Context,
-        session: &mut Session,
+        session: &Session,
         window: &mut WindowState,
         size: [u32; 2],
         smooth: bool,
@@ -196,7 +196,7 @@ impl Engine {
     pub fn point_at(
         &mut self,
         ctx: &Context,
-        session: &mut Session,
+        session: &Session,
         window: &mut WindowState,
         pointer: Option<DVec2>,
         reach: f64,

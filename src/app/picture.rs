@@ -46,7 +46,7 @@ pub struct Room {
 
 /// Shows the picture, or the panes of a comparison, and does what the pointer asks for.
 pub fn picture_ui(
-    ui: &mut Ui,
+    ui: &Ui,
     session: &mut Session,
     window: &mut WindowState,
     course: &mut Course,
@@ -123,7 +123,7 @@ pub fn picture_ui(
 fn pointed(
     ui: &Ui,
     session: &mut Session,
-    window: &mut WindowState,
+    window: &WindowState,
     response: &Response,
     panes: &[PanePlace],
 ) -> Option<Place> {

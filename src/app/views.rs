@@ -86,7 +86,7 @@ pub static GROUPS: [Group; 5] = [
                 name: "view-curves",
                 wide: false,
                 show: |ui, p| {
-                    p.with(|p, own| curves_ui(ui, own, p.session, p.window, p.requests, p.engine))
+                    p.with(|p, own| curves_ui(ui, own, p.session, p.window, p.requests, p.engine));
                 },
             },
         ],
@@ -100,7 +100,7 @@ pub static GROUPS: [Group; 5] = [
                 name: "view-profile",
                 wide: true,
                 show: |ui, p| {
-                    p.with(|p, own| profile_ui(ui, own, p.session, p.window, p.requests, p.engine))
+                    p.with(|p, own| profile_ui(ui, own, p.session, p.window, p.requests, p.engine));
                 },
             },
             View {
@@ -108,7 +108,7 @@ pub static GROUPS: [Group; 5] = [
                 name: "view-scan-line",
                 wide: false,
                 show: |ui, p| {
-                    p.with(|p, own| scan_ui(ui, own, p.session, p.window, p.requests, p.engine))
+                    p.with(|p, own| scan_ui(ui, own, p.session, p.window, p.requests, p.engine));
                 },
             },
         ],
@@ -122,7 +122,7 @@ pub static GROUPS: [Group; 5] = [
                 name: "view-compare",
                 wide: false,
                 show: |ui, p| {
-                    p.with(|p, own| compare_ui(ui, own, p.session, p.window, p.requests, p.engine))
+                    p.with(|p, own| compare_ui(ui, own, p.session, p.window, p.requests, p.engine));
                 },
             },
             View {
@@ -130,7 +130,7 @@ pub static GROUPS: [Group; 5] = [
                 name: "view-defects",
                 wide: false,
                 show: |ui, p| {
-                    p.with(|p, own| defects_ui(ui, own, p.session, p.window, p.requests, p.engine))
+                    p.with(|p, own| defects_ui(ui, own, p.session, p.window, p.requests, p.engine));
                 },
             },
         ],
@@ -144,7 +144,7 @@ pub static GROUPS: [Group; 5] = [
                 name: "view-plan",
                 wide: false,
                 show: |ui, p| {
-                    p.with(|p, own| plan_ui(ui, own, p.session, p.window, p.requests, p.engine))
+                    p.with(|p, own| plan_ui(ui, own, p.session, p.window, p.requests, p.engine));
                 },
             },
             View {
@@ -152,7 +152,7 @@ pub static GROUPS: [Group; 5] = [
                 name: "view-study",
                 wide: true,
                 show: |ui, p| {
-                    p.with(|p, own| study_ui(ui, own, p.session, p.window, p.requests, p.engine))
+                    p.with(|p, own| study_ui(ui, own, p.session, p.window, p.requests, p.engine));
                 },
             },
             View {
@@ -160,7 +160,7 @@ pub static GROUPS: [Group; 5] = [
                 name: "view-stability",
                 wide: false,
                 show: |ui, p| {
-                    p.with(|p, own| stability_ui(ui, own, p.session, p.window, p.requests))
+                    p.with(|p, own| stability_ui(ui, own, p.session, p.window, p.requests));
                 },
             },
         ],

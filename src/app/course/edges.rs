@@ -18,7 +18,7 @@ const MOST: usize = 6000;
 struct Edges(Option<NormalField>);
 
 /// Takes the polygons of the picture, where a step shows their edges.
-pub fn watch(window: &mut WindowState, course: &mut Course, engine: &Engine) {
+pub fn watch(window: &mut WindowState, course: &Course, engine: &Engine) {
     if course.shows_edges() {
         let mut edges: Edges = window.own.take();
         engine.update_field(&mut edges.0);

@@ -25,7 +25,7 @@ const LABEL: f32 = 84.0;
 const DAY: f64 = 86_400.0;
 
 /// The answers, with what is known of their marks.
-pub fn handed_in_ui(ui: &mut Ui, course: &mut Course, session: &mut Session) {
+pub fn handed_in_ui(ui: &mut Ui, course: &mut Course, session: &Session) {
     let own = course.own.clone();
     let Some(handed_in) = &mut course.handed_in else {
         return;

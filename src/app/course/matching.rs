@@ -104,7 +104,7 @@ struct Matching {
 pub fn match_ui(
     ui: &mut Ui,
     open: &Open,
-    session: &mut Session,
+    session: &Session,
     window: &mut WindowState,
     question: &Question,
     controls: &[String],

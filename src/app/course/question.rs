@@ -125,7 +125,7 @@ fn contents_ui(
 fn check_ui(
     ui: &mut Ui,
     course: &mut Course,
-    session: &mut Session,
+    session: &Session,
     requests: &mut Requests,
     entered: bool,
 ) {

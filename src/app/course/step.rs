@@ -120,7 +120,7 @@ fn prepare(ui: &Ui, course: &mut Course) {
 }
 
 /// The way to the list, and which lesson it is, or that these are answers.
-pub fn head_ui(ui: &mut Ui, course: &mut Course, requests: &mut Requests) {
+pub fn head_ui(ui: &mut Ui, course: &Course, requests: &mut Requests) {
     let Some(heading) = course.heading() else {
         return;
     };
@@ -304,7 +304,7 @@ pub fn back_ui(ui: &mut Ui, requests: &mut Requests) {
 }
 
 /// The way back to the step's scene, where it was changed.
-fn again_ui(ui: &mut Ui, course: &Course, session: &mut Session, requests: &mut Requests) {
+fn again_ui(ui: &mut Ui, course: &Course, session: &Session, requests: &mut Requests) {
     let Some(open) = &course.open else { return };
     let Some(staged) = &open.staged else { return };
     if session.document.scene == staged.scene {

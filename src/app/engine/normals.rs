@@ -34,7 +34,7 @@ impl NormalsDrawing {
     pub fn update(
         &mut self,
         ctx: &Context,
-        session: &mut Session,
+        session: &Session,
         window: &mut WindowState,
         pane: usize,
         engine: &PaneEngine,
@@ -98,7 +98,7 @@ impl NormalsDrawing {
     pub fn point_at(
         &mut self,
         ctx: &Context,
-        session: &mut Session,
+        session: &Session,
         window: &mut WindowState,
         engine: &PaneEngine,
         pointer: Option<DVec2>,

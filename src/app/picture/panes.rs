@@ -121,10 +121,10 @@ pub fn on_wipe(session: &Session, panes: &[PanePlace], point: Pos2, reach: f32) 
 
 /// The captions of panes that are compared, and what else stands over them.
 pub fn captions_ui(
-    ui: &mut Ui,
-    session: &mut Session,
-    window: &mut WindowState,
-    course: &mut Course,
+    ui: &Ui,
+    session: &Session,
+    window: &WindowState,
+    course: &Course,
     requests: &mut Requests,
     engine: &Engine,
     panes: &[PanePlace],
@@ -324,8 +324,8 @@ fn smaller(font: &FontId, share: f32) -> FontId {
 
 /// A pane's name, by which it is dragged to the place of another; a click opens its menu. Returns where it stands.
 fn name_ui(
-    ui: &mut Ui,
-    session: &mut Session,
+    ui: &Ui,
+    session: &Session,
     requests: &mut Requests,
     panes: &[PanePlace],
     pane: &PanePlace,

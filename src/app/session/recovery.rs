@@ -122,7 +122,7 @@ impl Recovery {
         &mut self,
         ctx: &Context,
         session: &mut Session,
-        window: &mut WindowState,
+        window: &WindowState,
         leaving: bool,
     ) {
         if let Some((_, Err(error))) = Job::take(&mut self.writing) {

@@ -37,7 +37,7 @@ pub fn menus_ui(
     ui: &mut Ui,
     session: &mut Session,
     window: &mut WindowState,
-    course: &mut Course,
+    course: &Course,
     requests: &mut Requests,
     low: bool,
 ) {
@@ -46,7 +46,7 @@ pub fn menus_ui(
     MenuBar::new().ui(ui, |ui| {
         if narrow {
             ui.menu_button(text!("menu"), |ui| {
-                each_menu_ui(ui, session, window, requests)
+                each_menu_ui(ui, session, window, requests);
             });
             mode_list_ui(ui, session, requests);
         } else {
@@ -74,18 +74,13 @@ pub fn menus_ui(
     ui.add_space(3.0);
 }
 
-fn each_menu_ui(
-    ui: &mut Ui,
-    session: &mut Session,
-    window: &mut WindowState,
-    requests: &mut Requests,
-) {
+fn each_menu_ui(ui: &mut Ui, session: &Session, window: &mut WindowState, requests: &mut Requests) {
     for section in MENUS
         .iter()
         .filter_map(|menu| SECTIONS.iter().find(|section| section.key == *menu))
     {
         ui.menu_button(section.title(), |ui| {
-            menu_ui(ui, session, window, requests, section.key)
+            menu_ui(ui, session, window, requests, section.key);
         });
     }
 }
@@ -93,7 +88,7 @@ fn each_menu_ui(
 /// The items of a menu.
 fn menu_ui(
     ui: &mut Ui,
-    session: &mut Session,
+    session: &Session,
     window: &mut WindowState,
     requests: &mut Requests,
     menu: &str,
@@ -168,9 +163,9 @@ pub fn equation_ui(ui: &mut Ui, session: &mut Session, window: &mut WindowState)
 /// The scene's title and sentence; the scenes before and after it, and all of them.
 pub fn title_ui(
     ui: &mut Ui,
-    session: &mut Session,
-    window: &mut WindowState,
-    course: &mut Course,
+    session: &Session,
+    window: &WindowState,
+    course: &Course,
     requests: &mut Requests,
 ) {
     ui.add_space(2.0);
@@ -192,12 +187,7 @@ pub fn title_ui(
 }
 
 /// From the right to the left: all scenes, the next one, the one before.
-fn scene_buttons_ui(
-    ui: &mut Ui,
-    window: &mut WindowState,
-    course: &mut Course,
-    requests: &mut Requests,
-) {
+fn scene_buttons_ui(ui: &mut Ui, window: &WindowState, course: &Course, requests: &mut Requests) {
     let all = if ui.available_width() < 480.0 {
         "▦".to_owned()
     } else {
@@ -243,7 +233,7 @@ fn recent_ui(ui: &mut Ui, window: &mut WindowState, requests: &mut Requests) {
 }
 
 /// The shading modes, a button each.
-fn modes_ui(ui: &mut Ui, session: &mut Session, requests: &mut Requests) {
+fn modes_ui(ui: &mut Ui, session: &Session, requests: &mut Requests) {
     let present = session.shown.scene.shading.mode;
     for (index, mode) in ShadingMode::VALUES.iter().enumerate() {
         let name = format!("{} {}", index + 1, mode.label());
@@ -255,7 +245,7 @@ fn modes_ui(ui: &mut Ui, session: &mut Session, requests: &mut Requests) {
 }
 
 /// The shading modes as a list, named as large as the room allows.
-fn mode_list_ui(ui: &mut Ui, session: &mut Session, requests: &mut Requests) {
+fn mode_list_ui(ui: &mut Ui, session: &Session, requests: &mut Requests) {
     let present = session.shown.scene.shading.mode;
     let list = ComboBox::from_id_salt("modes")
         .selected_text(present.label())
@@ -282,7 +272,7 @@ pub fn stages_ui(
     ui: &mut Ui,
     session: &mut Session,
     window: &mut WindowState,
-    course: &mut Course,
+    course: &Course,
     engine: &Engine,
 ) {
     ui.add_space(2.0);

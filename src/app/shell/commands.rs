@@ -374,12 +374,7 @@ fn next_view(appearance: &mut Appearance) {
 /// Turns the keys pressed in this frame into actions. What has the focus keeps its keys, digits as well, unless it is the
 /// picture: they may be meant for a field. Function keys and those with Ctrl are always the window's, but for those that
 /// fields know too.
-pub fn listen(
-    ctx: &Context,
-    window: &mut WindowState,
-    course: &mut Course,
-    requests: &mut Requests,
-) {
+pub fn listen(ctx: &Context, window: &WindowState, course: &Course, requests: &mut Requests) {
     let free = ctx.memory(|memory| {
         memory
             .focused()
@@ -482,7 +477,7 @@ impl AppState {
                 self.follow_document();
             }
             Action::ResetCamera => {
-                orbit::reset(&mut self.session.shown, &self.session.opened, size)
+                orbit::reset(&mut self.session.shown, &self.session.opened, size);
             }
             Action::Shade { mode, renormalise } => {
                 self.session.shown.scene.shading.mode = mode;

@@ -12,7 +12,7 @@ use eframe::egui::{Ui, Visuals, vec2};
 const SIZE: f32 = 18.0;
 
 /// The equation as `state`'s scene has it; what it leaves out is pale.
-pub fn equation_ui(ui: &mut Ui, session: &mut Session) {
+pub fn equation_ui(ui: &mut Ui, session: &Session) {
     let parts = equation_letters(&session.shown.scene);
     let width = ui.available_width();
     ui.scope(|ui| {

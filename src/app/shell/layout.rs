@@ -76,7 +76,7 @@ impl Layout {
                 &mut state.course,
                 &mut state.requests,
                 low,
-            )
+            );
         });
         if state.window.enlarged && state.window.appearance.views {
             CentralPanel::default().show(ui, |ui| {
@@ -88,7 +88,7 @@ impl Layout {
                     &mut state.requests,
                     engine,
                     narrow,
-                )
+                );
             });
             state.session.commit();
             return None;
@@ -101,7 +101,7 @@ impl Layout {
             && !(narrow && reads_lesson(&state.window, &state.course))
         {
             Panel::top("equation").show(ui, |ui| {
-                bars::equation_ui(ui, &mut state.session, &mut state.window)
+                bars::equation_ui(ui, &mut state.session, &mut state.window);
             });
         }
         state.window.appearance.controls |= symbol::opens_controls(ui.ctx());
@@ -131,7 +131,7 @@ impl Layout {
                     &mut state.window,
                     &mut state.course,
                     &mut state.requests,
-                )
+                );
             });
         }
         Some(self.picture_ui(ui, state, engine))
@@ -187,7 +187,7 @@ fn panel_room(size: Vec2) -> f32 {
 }
 
 /// Controls at the left, the view at the right or below the picture, the rail.
-fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2) {
+fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, size: Vec2) {
     let AppState {
         session,
         window,
@@ -198,7 +198,7 @@ fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2)
 
     if window.appearance.stages {
         Panel::bottom("stages").show(ui, |ui| {
-            bars::stages_ui(ui, session, window, course, engine)
+            bars::stages_ui(ui, session, window, course, engine);
         });
     }
     Panel::right("rail")
@@ -220,7 +220,7 @@ fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2)
             .default_size(PANEL.max(0.26 * size.x).min(360.0))
             .size_range(PANEL..=most.clamp(PANEL, 560.0));
         let shown = panel.show(ui, |ui| {
-            controls::controls_ui(ui, session, window, requests, engine)
+            controls::controls_ui(ui, session, window, requests, engine);
         });
         left -= shown.response.rect.width();
         session.commit();
@@ -238,7 +238,7 @@ fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2)
             .default_size(PANEL.max(share * size.x).min(most))
             .size_range(PANEL..=left.clamp(PANEL, 720.0))
             .show(ui, |ui| {
-                views::view_ui(ui, session, window, course, requests, engine, false)
+                views::view_ui(ui, session, window, course, requests, engine, false);
             });
     }
     if below {
@@ -248,13 +248,13 @@ fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2)
             .default_size(BELOW * height)
             .size_range(140.0..=(height - PICTURE).max(140.0))
             .show(ui, |ui| {
-                views::view_ui(ui, session, window, course, requests, engine, false)
+                views::view_ui(ui, session, window, course, requests, engine, false);
             });
     }
 }
 
 /// The rail at the bottom, and a drawer for what it opens: below a tall window's picture, beside or over a flat one's.
-fn drawer_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine, size: Vec2, tall: bool) {
+fn drawer_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, size: Vec2, tall: bool) {
     let AppState {
         session,
         window,

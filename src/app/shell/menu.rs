@@ -19,7 +19,7 @@ const TICK: f32 = 16.0;
 /// The items of the menu of this key.
 pub fn commands_ui(
     ui: &mut Ui,
-    session: &mut Session,
+    session: &Session,
     window: &mut WindowState,
     requests: &mut Requests,
     menu: &str,
@@ -43,7 +43,7 @@ pub fn commands_ui(
 
 fn item_ui(
     ui: &mut Ui,
-    session: &mut Session,
+    session: &Session,
     window: &mut WindowState,
     requests: &mut Requests,
     command: &Command,
@@ -92,7 +92,7 @@ fn item_ui(
 }
 
 /// Whether what a command switches is on; none where it does something else.
-fn is_on(command: &Command, session: &mut Session, window: &mut WindowState) -> Option<bool> {
+fn is_on(command: &Command, session: &Session, window: &mut WindowState) -> Option<bool> {
     let shading = &session.shown.scene.shading;
     match command.actions.first()? {
         Action::Show(switch) => Some(*switch(&mut window.appearance)),

@@ -331,7 +331,7 @@ fn figures_ui(
 }
 
 /// What can be done with a pane.
-pub fn menu_ui(ui: &mut Ui, session: &mut Session, requests: &mut Requests, pane: usize) {
+pub fn menu_ui(ui: &mut Ui, session: &Session, requests: &mut Requests, pane: usize) {
     let scene = &session.document.scene;
     let (last, reference) = (scene.pane_count() - 1, scene.reference_pane());
     let mut asked = None;

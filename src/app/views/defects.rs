@@ -102,7 +102,7 @@ pub fn defects_ui(
     CollapsingHeader::new(title)
         .default_open(flat)
         .show(ui, |ui| {
-            conditions_ui(ui, view, session, window, requests, size)
+            conditions_ui(ui, view, session, window, requests, size);
         });
     ui.collapsing(text!("picture-vertex-normal"), |ui| {
         normal_ui(ui, &mut view.normal, session, window, requests, size);
@@ -113,7 +113,7 @@ pub fn defects_ui(
 fn card_ui(
     ui: &mut Ui,
     view: &mut DefectsView,
-    session: &mut Session,
+    session: &Session,
     requests: &mut Requests,
     index: usize,
     defect: &'static Defect,

@@ -160,7 +160,7 @@ fn pixel_ui(ui: &mut Ui, probe: &Probe, hit: &ProbeHit) {
 /// The vectors and the angles between them for the chosen light, drawn, built and in numbers.
 fn vectors_ui(
     ui: &mut Ui,
-    session: &mut Session,
+    session: &Session,
     window: &mut WindowState,
     engine: &Engine,
     here: Here<'_>,

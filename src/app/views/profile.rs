@@ -67,7 +67,7 @@ pub fn profile_ui(
             profiles.plots.choice_ui(ui);
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 popup_ui(ui, text!("line-save"), |ui| {
-                    profiles.export_ui(ui, session, window, requests)
+                    profiles.export_ui(ui, session, window, requests);
                 });
                 popup_ui(ui, text!("line-viewing"), |ui| eye_ui(ui, window));
                 perceived_ui(ui, &mut window.appearance.profile);
@@ -78,7 +78,7 @@ pub fn profile_ui(
             perceived_ui(ui, &mut window.appearance.profile);
             popup_ui(ui, text!("line-viewing"), |ui| eye_ui(ui, window));
             popup_ui(ui, text!("line-save"), |ui| {
-                profiles.export_ui(ui, session, window, requests)
+                profiles.export_ui(ui, session, window, requests);
             });
         });
     }
@@ -270,7 +270,7 @@ impl Profiles {
 }
 
 /// A switch for each curve and for the marks of edges. They are the plots' legend.
-fn switches_ui(ui: &mut Ui, session: &mut Session, window: &mut WindowState) {
+fn switches_ui(ui: &mut Ui, session: &Session, window: &mut WindowState) {
     let own = session.shown.scene.shading.mode;
     let appearance = &mut window.appearance.profile;
     for &mode in ShadingMode::VALUES {

@@ -479,7 +479,7 @@ pub fn export_ui(
 }
 
 /// Writes the answer that is about to be saved, as the path's ending says.
-pub fn save(session: &mut Session, window: &mut WindowState, path: &Path) -> Result<(), String> {
+pub fn save(session: &mut Session, window: &WindowState, path: &Path) -> Result<(), String> {
     let export = window
         .own
         .get::<Export>()

@@ -242,7 +242,7 @@ impl<'a> Run<'a> {
     }
 
     /// Paints the run from `left`, the middle of its left side. Its symbols light up what controls them.
-    pub fn paint(&self, ui: &mut Ui, left: Pos2, place: Place<'_>) {
+    pub fn paint(&self, ui: &Ui, left: Pos2, place: Place<'_>) {
         let mut x = left.x;
         for (index, (piece, galley)) in self.pieces.iter().zip(&self.galleys).enumerate() {
             let size = vec2(galley.size().x, self.height);
@@ -281,7 +281,7 @@ pub fn run_ui(ui: &mut Ui, pieces: &[Piece], size: f32, place: Place<'_>) -> Res
     response
 }
 
-fn symbol_ui(ui: &mut Ui, piece: &Piece, symbol: Symbol, rect: Rect, place: Place<'_>) {
+fn symbol_ui(ui: &Ui, piece: &Piece, symbol: Symbol, rect: Rect, place: Place<'_>) {
     let response = ui.interact(rect, place.id, Sense::click());
     response.widget_info(|| {
         WidgetInfo::labeled(Role::Button, true, format!("{symbol:?} {}", place.name))

@@ -88,7 +88,7 @@ pub fn number(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
 /// The same for a whole number.
 pub fn whole(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut u32) {
     value_row(ui, &spec.about, spec.default as u32, value, |ui, value| {
-        whole_slider(ui, spec, value)
+        whole_slider(ui, spec, value);
     });
 }
 

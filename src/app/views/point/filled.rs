@@ -485,7 +485,7 @@ impl Table<'_> {
         all
     }
 
-    fn paint(&self, ui: &mut Ui, laid: &[Laid<'_>], rect: Rect, gap: f32, place: Place<'_>) {
+    fn paint(&self, ui: &Ui, laid: &[Laid<'_>], rect: Rect, gap: f32, place: Place<'_>) {
         let (plain, weak) = (ui.visuals().text_color(), ui.visuals().weak_text_color());
         let line = |channel: usize| rect.min.y + HEAD + ROW * (channel as f32 + 0.5);
         let text =
