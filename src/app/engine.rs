@@ -191,15 +191,14 @@ impl Engine {
         self.refined.samples.max(1)
     }
 
-    /// Lights up the faces of the vertex within `reach` pixels of the pointer, or else of the one that is kept; a click
+    /// Lights up the faces of the vertex `near` the pointer, within so many pixels, or else of the one that is kept; a click
     /// keeps what is under it.
     pub fn point_at(
         &mut self,
         ctx: &Context,
         session: &Session,
         window: &mut WindowState,
-        pointer: Option<DVec2>,
-        reach: f64,
+        near: Option<(DVec2, f64)>,
         clicked: bool,
     ) {
         self.normals.point_at(
@@ -207,8 +206,7 @@ impl Engine {
             session,
             window,
             &self.panes[self.active],
-            pointer,
-            reach,
+            near,
             clicked,
         );
     }

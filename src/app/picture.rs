@@ -71,8 +71,8 @@ pub fn picture_ui(
         course,
         requests,
         &response,
-        whole,
         &Pointed {
+            whole,
             place,
             view,
             grips: handles::grips(session, window, course, &view, place),
@@ -93,8 +93,7 @@ pub fn picture_ui(
         ui.ctx(),
         session,
         window,
-        pointer,
-        f64::from(NEAR_VERTEX * place.pixels_per_point),
+        pointer.map(|at| (at, f64::from(NEAR_VERTEX * place.pixels_per_point))),
         clicked,
     );
     course::watch_edges(window, course, engine);
@@ -112,7 +111,15 @@ pub fn picture_ui(
     {
         paint_over(ui, session, window, course, engine, pane.place, pane.pane);
     }
-    panes::captions_ui(ui, session, window, course, requests, engine, &panes, whole);
+    panes::captions_ui(
+        ui,
+        session,
+        window,
+        course,
+        requests,
+        engine,
+        (&panes, whole),
+    );
     Room {
         whole: whole.size,
         pane: place.size,
@@ -167,6 +174,8 @@ fn keep_arrows(ui: &Ui, response: &Response) {
 
 /// The pane that the pointer is about, and what it can take hold of there.
 struct Pointed {
+    /// The place of all panes.
+    whole: Place,
     place: Place,
     view: View,
     grips: Vec<(Grip, Pos2)>,
@@ -227,10 +236,9 @@ fn gesture(
     course: &mut Course,
     requests: &mut Requests,
     response: &Response,
-    whole: Place,
     pointed: &Pointed,
 ) {
-    let place = pointed.place;
+    let (whole, place) = (pointed.whole, pointed.place);
     if let Some(fingers) = ui.input(InputState::multi_touch) {
         // Two fingers move the camera, whatever the first of them had taken hold of.
         window.drag = None;
@@ -268,7 +276,7 @@ fn gesture(
     }
     if let Some(at) = response.interact_pointer_pos() {
         if response.dragged() {
-            drag(session, window, course, response, at, whole, pointed);
+            drag(session, window, course, response, at, pointed);
             ui.ctx().set_cursor_icon(CursorIcon::Grabbing);
         }
         if response.double_clicked() || response.long_touched() {
@@ -338,7 +346,6 @@ fn drag(
     course: &mut Course,
     response: &Response,
     at: Pos2,
-    whole: Place,
     pointed: &Pointed,
 ) {
     let Some(Drag {
@@ -350,7 +357,9 @@ fn drag(
     else {
         return;
     };
-    let Pointed { place, view, .. } = pointed;
+    let Pointed {
+        whole, place, view, ..
+    } = pointed;
     let pixel = place.pixel(at) + grab;
     let scene = &mut session.shown.scene;
     let span = scene.camera.span(place.size.map(f64::from)).max(1.0);

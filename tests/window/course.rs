@@ -171,7 +171,7 @@ fn a_lesson_alone_says_what_its_scenes_show() {
         harness.query_by_label(&document.title()).is_some()
     };
     assert!(!titled(&harness));
-    // The probe is marked where the step speaks of it.
+    // The probe is marked where numbers of the step are taken at it.
     let probe = |harness: &Harness<'_, App>| harness.state().state().course.shows_probe();
     assert!(probe(&harness));
     next(&mut harness);

@@ -11,7 +11,7 @@ use crate::lesson::{
     Staged, Step, are_there, find, value_of,
 };
 use crate::scene::Scene;
-use crate::text::{Language, in_language, language, text};
+use crate::text::{Language, language, text};
 use egui_commonmark::CommonMarkCache;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
@@ -457,25 +457,16 @@ impl Course {
         self.in_view().is_some_and(shows)
     }
 
-    /// Whether the step speaks of the probe, in either language, so that its place is marked without vectors too. Where a place
-    /// is asked for, a mark would look like an answer.
+    /// Returns whether the step's numbers or its answer are taken at the probe, so that its place is marked without vectors too. Where
+    /// a place is asked for, a mark would look like an answer.
     pub fn shows_probe(&self) -> bool {
-        let Some(open) = self.in_view() else {
-            return false;
+        let asks_place = |open: &Open| {
+            let kind = open.question().map(|question| &question.kind);
+            matches!(kind, Some(Kind::Point { .. }))
         };
-        let asks = open
-            .question()
-            .is_some_and(|question| matches!(question.kind, Kind::Point { .. }));
-        let Some(Ok(known)) = open.known() else {
-            return false;
-        };
-        let speaks = |language: Language| {
-            let word = in_language(language, || text!("course-probe"));
-            [&known.text, &known.ask]
-                .iter()
-                .any(|words| words.to_lowercase().contains(word))
-        };
-        open.current().stage.probe.is_some() && !asks && Language::ALL.into_iter().any(speaks)
+        let at_probe = |open: &Open| matches!(open.known(), Some(Ok(known)) if known.at_probe);
+        self.in_view()
+            .is_some_and(|open| at_probe(open) && !asks_place(open))
     }
 
     /// The lesson that is open, or that was answered last, with its answers, where there are any.

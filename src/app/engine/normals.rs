@@ -94,15 +94,14 @@ impl NormalsDrawing {
         (self.drawn, self.lit) = (Some(key), None);
     }
 
-    /// Lights up the vertex within `reach` pixels of the pointer, or else the one that is kept.
+    /// Lights up the vertex that is `near` the pointer, within so many pixels, or else the one that is kept.
     pub fn point_at(
         &mut self,
         ctx: &Context,
         session: &Session,
         window: &mut WindowState,
         engine: &PaneEngine,
-        pointer: Option<DVec2>,
-        reach: f64,
+        near: Option<(DVec2, f64)>,
         clicked: bool,
     ) {
         // A coarser picture is dragged in: nothing is pointed at.
@@ -112,8 +111,9 @@ impl NormalsDrawing {
         let (Some(field), Some(scene)) = (&self.field, engine.drawn()) else {
             return;
         };
-        let near = |pixel| field.vertex_near(engine.renderer(), &self.seen, pixel, reach);
-        let hovered = pointer.and_then(near).map(|vertex| vertex.index);
+        let vertex =
+            |(pixel, reach)| field.vertex_near(engine.renderer(), &self.seen, pixel, reach);
+        let hovered = near.and_then(vertex).map(|vertex| vertex.index);
         if clicked {
             window.pointed.kept = hovered.and_then(|vertex| field.point_of(vertex));
         }

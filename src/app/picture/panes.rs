@@ -127,9 +127,12 @@ pub fn captions_ui(
     course: &Course,
     requests: &mut Requests,
     engine: &Engine,
-    panes: &[PanePlace],
-    whole: Place,
+    (panes, whole): (&[PanePlace], Place),
 ) {
+    let grips = |pane: &PanePlace| {
+        let view = View::new(&session.panes.scene(pane.pane).camera, pane.place.size);
+        handles::grips(session, window, course, &view, pane.place)
+    };
     let figures = &engine.figures;
     let hidden = course.hides();
     let font = TextStyle::Body.resolve(ui.style());
@@ -167,17 +170,7 @@ pub fn captions_ui(
                 }
                 let text = caption_in(&painter, one, figures, &font, room);
                 let corners = [Align2::LEFT_BOTTOM, Align2::RIGHT_BOTTOM];
-                measured(
-                    &painter,
-                    session,
-                    window,
-                    course,
-                    pane,
-                    (room, name),
-                    &text,
-                    corners,
-                    &font,
-                );
+                measured(&painter, &grips(pane), (room, name), &text, corners, &font);
             }
         }
         CompareView::Wipe => {
@@ -195,17 +188,7 @@ pub fn captions_ui(
                 }
                 let text = caption_in(&painter, one, figures, &font, room);
                 let corners = [bottom, bottom];
-                measured(
-                    &painter,
-                    session,
-                    window,
-                    course,
-                    pane,
-                    (room, name),
-                    &text,
-                    corners,
-                    &font,
-                );
+                measured(&painter, &grips(pane), (room, name), &text, corners, &font);
             }
             let held = window.drag.is_some_and(|drag| drag.grip == Grip::Wipe);
             wipe(&painter, wipe_line(session, whole), whole, held);
@@ -234,10 +217,7 @@ pub fn captions_ui(
                 let corners = [Align2::LEFT_BOTTOM; 2];
                 measured(
                     &painter,
-                    session,
-                    window,
-                    course,
-                    &panes[0],
+                    &grips(&panes[0]),
                     (rect, name),
                     &parts,
                     corners,
@@ -417,10 +397,7 @@ fn plate(painter: &Painter, galley: Arc<Galley>, rect: Rect) {
 /// Writes what is measured of a pane into one of the corners or below its name, whichever no handle stands in.
 fn measured(
     painter: &Painter,
-    session: &Session,
-    window: &WindowState,
-    course: &Course,
-    pane: &PanePlace,
+    grips: &[(Grip, Pos2)],
     (room, name): (Rect, Rect),
     parts: &[String],
     corners: [Align2; 2],
@@ -428,8 +405,6 @@ fn measured(
 ) {
     let galley = fitting(painter, parts, font, room.width() - 2.0 * PADDING.x);
     let size = galley.size() + 2.0 * PADDING;
-    let view = View::new(&session.panes.scene(pane.pane).camera, pane.place.size);
-    let grips = handles::grips(session, window, course, &view, pane.place);
     let free = |rect: Rect| {
         let near = rect.expand(CLEAR);
         !grips.iter().any(|(_, at)| near.contains(*at))

@@ -35,7 +35,7 @@ const NARROW: f32 = 860.0;
 /// Menus at the left, modes in the middle; the scene's title too where the window is `low`.
 pub fn menus_ui(
     ui: &mut Ui,
-    session: &mut Session,
+    session: &Session,
     window: &mut WindowState,
     course: &Course,
     requests: &mut Requests,
