@@ -10,7 +10,8 @@ mod disk;
 mod error;
 mod names;
 
-use crate::analysis::{About as Analysed, Answer, Figure, Format};
+use crate::analysis::report::Figure;
+use crate::analysis::{About as Analysed, Answer, Format};
 use crate::animation::{FilmFormat, Sweep, write_film};
 use crate::export::Export;
 use crate::figure::{Drawing, Paper};

@@ -8,10 +8,12 @@ mod growth;
 
 pub use growth::Growth;
 
-use super::panes_on_sheet;
+use super::codec::Codec;
+use super::comparison::panes_on_sheet;
 use super::plan_words::stage_words;
 use super::report::{About, Answer, Column, Part, Report, Table, as_it_is, cells, fixed, word};
-use super::{Codec, Question, Subject, Watch, median_and_spread};
+use super::study::median_and_spread;
+use super::{Question, Subject, Watch};
 use crate::render::{
     Memory, Renderer, Report as Drawn, SimdLevel, Stage, coarseness, coarser_size,
 };

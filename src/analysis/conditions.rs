@@ -9,8 +9,9 @@
 //!
 //! They assume besides that the equation takes nothing else that varies; [`Assumption`] lists what a scene can have that does.
 
+use super::comparison::{ErrorFigures, LinearPicture, error_figures, region_errors};
 use super::report::{About, Answer, Column, Report, Table, cells, grouped};
-use super::{ErrorFigures, LinearPicture, Question, Subject, Watch, error_figures, region_errors};
+use super::{Question, Subject, Watch};
 use crate::geometry::Mesh;
 use crate::render::{Cued, Plan, Renderer};
 use crate::scene::{

@@ -1,6 +1,7 @@
 //! The lobe of reflection: what a point sends to every side from one light.
 
-use super::{ProbeHit, luminance};
+use super::perception::luminance;
+use super::probe::ProbeHit;
 use crate::illumination::{Equation, ShadingPoint, V3};
 use crate::scene::{Backfacing, Light, LightKind, Rgb, Scene};
 use glam::DVec3;

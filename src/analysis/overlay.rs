@@ -37,13 +37,13 @@ pub enum OverlayLayer {
     Lobe,
     /// The vectors once more in a corner, seen from the side: V points at the eye, so in the picture itself it is a point.
     SideView,
-    /// The intensity along a line. It belongs to no point and is drawn by [`draw_profile`](crate::analysis::draw_profile).
+    /// The intensity along a line. It belongs to no point and is drawn by [`draw_profile`](crate::analysis::profile::draw_profile).
     Profile,
     /// Where the defects of interpolated shading are. They belong to no point and are drawn by
-    /// [`draw_defects`](crate::analysis::draw_defects).
+    /// [`draw_defects`](crate::analysis::defects::draw_defects).
     Defects,
     /// A needle at the centre of each polygon that is seen. Like the next it belongs to no point and is drawn by
-    /// [`Needles`](crate::analysis::Needles).
+    /// [`Needles`](crate::analysis::normals::Needles).
     FaceNormals,
     /// A needle at each vertex that is seen.
     VertexNormals,
@@ -72,12 +72,12 @@ impl OverlayLayer {
         )
     }
 
-    /// Whether it is drawn by an [`Overlay`](crate::analysis::Overlay).
+    /// Whether it is drawn by an [`Overlay`](crate::analysis::probe::Overlay).
     pub fn of_overlay(self) -> bool {
         self.of_point() || self == Self::Lights
     }
 
-    /// Whether it is drawn by [`Needles`](crate::analysis::Needles).
+    /// Whether it is drawn by [`Needles`](crate::analysis::normals::Needles).
     pub fn of_needles(self) -> bool {
         matches!(self, Self::FaceNormals | Self::VertexNormals)
     }

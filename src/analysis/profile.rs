@@ -18,9 +18,10 @@ pub use picture::{
 };
 pub use plots::{Abscissa, Compared, compared_plots, mode_dash, profile_plots};
 
+use super::codec::Codec;
 use super::perception::{Perception, Viewing, blur_line};
 use super::report::{About, Answer, Cell, Column, Part, Report, Table};
-use super::{Codec, Question, Subject, Watch};
+use super::{Question, Subject, Watch};
 use crate::render::{Piece, Renderer};
 use crate::scene::{Choice, Scene, ShadingMode};
 use crate::text::text;

@@ -14,7 +14,8 @@ use std::sync::Arc;
 /// What is asked of a scene: plain data, so that it can be kept, compared and sent elsewhere.
 ///
 /// ```
-/// use shading_lab::analysis::{About, Answer, NormalsQuestion, Question, Subject, unwatched};
+/// use shading_lab::analysis::{About, Answer, Question, Subject, unwatched};
+/// use shading_lab::analysis::normals::NormalsQuestion;
 /// use shading_lab::scene::{Scene, presets};
 ///
 /// let scene = presets::find("vertex-normals").expect("a built-in scene").scene();

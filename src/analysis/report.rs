@@ -5,7 +5,7 @@
 
 mod csv;
 
-use super::Plot;
+use crate::figure::Plot;
 use crate::figure::{Drawing, Paper, PlotStyle, lay_out_sheet};
 use crate::render::Frame;
 use crate::scene::Scene;
@@ -352,7 +352,7 @@ pub enum Cell {
 
 /// A row of cells.
 macro_rules! cells {
-    ($($cell:expr),* $(,)?) => { vec![$($crate::analysis::Cell::from($cell)),*] };
+    ($($cell:expr),* $(,)?) => { vec![$($crate::analysis::report::Cell::from($cell)),*] };
 }
 pub(crate) use cells;
 

@@ -16,7 +16,7 @@ use super::state::AppState;
 use super::system;
 use super::terms;
 use super::theme::ThemeChoice;
-use crate::analysis::stage_words;
+use crate::analysis::plan_words::stage_words;
 use crate::render::StageRun;
 use crate::scene::{Choice, ShadingMode};
 use crate::text::{Language, text};

@@ -10,7 +10,7 @@ use super::scan::ScanView;
 use super::state::AppState;
 use super::system;
 use super::views::after;
-use crate::analysis::ScanLevel;
+use crate::analysis::scan::ScanLevel;
 use crate::link::is_link;
 use crate::scene::{Light, Scene, ShadingMode};
 use crate::text;

@@ -9,7 +9,8 @@ use super::report::{ReportView, export_ui};
 use super::row::parameter;
 use super::state::AppState;
 use super::theme::text_field;
-use crate::analysis::{self, Answer, Comparison};
+use crate::analysis::comparison::Comparison;
+use crate::analysis::{self, Answer};
 use crate::scene::compare::{DIFFERENCE, GAIN};
 use crate::scene::shading::{INTERPOLATION, MODE};
 use crate::scene::{

@@ -6,7 +6,9 @@
 use super::engine::Engine;
 use super::report::{ReportView, export_ui};
 use super::state::AppState;
-use crate::analysis::{About, Answer, Curves, PlotKind};
+use crate::analysis::curves::Curves;
+use crate::analysis::{About, Answer};
+use crate::figure::PlotKind;
 use crate::text::text;
 use eframe::egui::Ui;
 

@@ -12,10 +12,10 @@ use super::place::Place;
 use super::report::{Pending, export_ui};
 use super::state::AppState;
 use super::{Origin, focus};
-use crate::analysis::{
-    CONDITIONS, ConditionsQuestion, DEFECTS, Defect, DefectMark, DefectsQuestion, NormalsQuestion,
-    PlotKind, defect_marks,
-};
+use crate::analysis::conditions::{CONDITIONS, ConditionsQuestion};
+use crate::analysis::defects::{DEFECTS, Defect, DefectMark, DefectsQuestion, defect_marks};
+use crate::analysis::normals::NormalsQuestion;
+use crate::figure::PlotKind;
 use crate::figure::palette::Vector;
 use crate::scene::{
     Light, LightKind, NormalSource, Object, ObjectKind, Projection, Scene, ShadingMode, Viewer,

@@ -2,7 +2,7 @@
 
 use super::lines;
 use super::theme::TEXT;
-use crate::analysis::Plot;
+use crate::figure::Plot;
 use crate::figure::{Drawing, Paper, PlotStyle, Set, Shape, Text, can_be_filled, short};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{

@@ -7,10 +7,15 @@ mod refined;
 use super::appearance::{Overlays, ViewName};
 use super::place::ProbePoint;
 use super::state::AppState;
-use crate::analysis::{
-    Brightest, Curves, ErrorFigures, NormalField, Overlay, OverlayOptions, PaneFigures, Probe,
-    Scan, ScanError, brightest, difference_picture, difference_scale, error_figures, scan_drawn,
+use crate::analysis::comparison::{
+    Brightest, ErrorFigures, PaneFigures, brightest, difference_picture, difference_scale,
+    error_figures,
 };
+use crate::analysis::curves::Curves;
+use crate::analysis::normals::NormalField;
+use crate::analysis::overlay::OverlayOptions;
+use crate::analysis::probe::{Overlay, Probe};
+use crate::analysis::scan::{Scan, ScanError, scan_drawn};
 use crate::figure::Area;
 use crate::render::{Frame, Report, Term, coarseness};
 use crate::scene::{CompareView, DifferenceKind, Image, Scene};

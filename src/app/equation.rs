@@ -4,7 +4,7 @@
 use super::palette::tone_text;
 use super::state::AppState;
 use super::typeset::{Piece, Place, formula, run_ui};
-use crate::analysis::{Letters, equation_letters};
+use crate::analysis::probe::{Letters, equation_letters};
 use crate::text::text;
 use eframe::egui::{Ui, Visuals, vec2};
 

@@ -12,10 +12,12 @@ use super::profile::appearance::ProfileAppearance;
 use super::recovery;
 use super::state::AppState;
 use super::system;
-use crate::analysis::{
-    Codec, NormalField, ProfileQuestion, Watch, comparison_sheet, draw_normals, draw_overlay,
-    draw_panes, draw_profile, panes_on_sheet, probe, profile,
-};
+use crate::analysis::Watch;
+use crate::analysis::codec::Codec;
+use crate::analysis::comparison::{comparison_sheet, draw_panes, panes_on_sheet};
+use crate::analysis::normals::{NormalField, draw_normals};
+use crate::analysis::probe::{draw_overlay, probe};
+use crate::analysis::profile::{ProfileQuestion, draw_profile, profile};
 use crate::animation::write_film;
 use crate::document::{load_with, save_film, save_picture, write_whole};
 use crate::geometry::Mesh;

@@ -4,7 +4,7 @@ use super::letter::set;
 use super::palette::tone_text as colour;
 use super::state::AppState;
 use super::typeset::{Piece, Place, Run, formula, run_ui, spoken};
-use crate::analysis::{
+use crate::analysis::probe::{
     FilledLine, FilledPart, Here, LineValue, Product, Share, channels, digits, digits_below,
     percent,
 };

@@ -8,7 +8,7 @@ use super::letter::letter;
 use super::palette;
 use super::place::Place;
 use super::state::{AppState, Grip};
-use crate::analysis::{PaneFigures, caption, error_line, pane_areas};
+use crate::analysis::comparison::{PaneFigures, caption, error_line, pane_areas};
 use crate::figure::palette::Vector;
 use crate::scene::{AmbientSource, CompareView, View};
 use crate::text;

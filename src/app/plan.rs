@@ -6,11 +6,13 @@ use super::engine::Engine;
 use super::report::{Offer, Pending, ReportView, export_ui};
 use super::state::AppState;
 use super::study::duration;
-use crate::analysis::{About, Answer, BenchQuestion, FramePlan};
+use crate::analysis::bench::BenchQuestion;
+use crate::analysis::plan::FramePlan;
+use crate::analysis::{About, Answer};
 use crate::text::text;
 use eframe::egui::{RichText, Ui};
 
-pub use crate::analysis::grouped;
+pub use crate::analysis::report::grouped;
 
 /// Frames for each time that is measured, and about how often they are: of everything, and of each change.
 const FRAMES: u32 = 30;

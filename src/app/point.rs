@@ -10,7 +10,7 @@ use super::palette::vector_text;
 use super::report::export_ui;
 use super::state::AppState;
 use super::theme::TEXT;
-use crate::analysis::{
+use crate::analysis::probe::{
     ConstructionStep, Here, LightHere, Probe, ProbeHit, Probed, VectorsShown, WorkedStep, digits,
     draw_vectors,
 };

@@ -18,10 +18,12 @@ use super::report::export_ui;
 use super::row::{About, NumberRow, SliderRange, number};
 use super::state::AppState;
 use super::symbol::Lit;
-use crate::analysis::{
-    Answer, Codec, Compared, PERCEIVED_WIDTH, Perception, Profile, ProfileQuestion, ResponseModel,
-    TakenProfile, Viewing, Watch, mode_dash, perceived_picture,
+use crate::analysis::codec::Codec;
+use crate::analysis::perception::{Perception, ResponseModel, Viewing};
+use crate::analysis::profile::{
+    Compared, PERCEIVED_WIDTH, Profile, ProfileQuestion, TakenProfile, mode_dash, perceived_picture,
 };
+use crate::analysis::{Answer, Watch};
 use crate::figure::{Dash, Ink, dashes};
 use crate::jobs::{Background, Request, Work};
 use crate::render::Frame;

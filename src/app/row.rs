@@ -17,7 +17,7 @@ pub use widgets::{axes, swatch};
 
 use super::palette::vector_text;
 use super::symbol::{Lit, Symbol};
-use crate::analysis::specular_vector;
+use crate::analysis::probe::specular_vector;
 use crate::figure::palette::Vector;
 use crate::scene::parameter::{Access, Kind, Limits, Parameter, Slider, Unit, defaults};
 use crate::scene::{ChoiceOption, Rgb, Scene};

@@ -2,7 +2,9 @@
 
 use super::background::wake;
 use super::document::{Document, same_model};
-use crate::analysis::{Codec, SamplingError, Watch, sampling_error_with};
+use crate::analysis::Watch;
+use crate::analysis::codec::Codec;
+use crate::analysis::sampling::{SamplingError, sampling_error_with};
 use crate::jobs::{Background, Request, Work};
 use eframe::egui::Context;
 use serde::{Deserialize, Serialize};

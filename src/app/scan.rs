@@ -19,7 +19,7 @@ use super::state::AppState;
 use super::symbol::Symbol;
 use super::theme::TEXT;
 use super::typeset::{self, Piece, run_ui};
-use crate::analysis::{Carried, Mix, Scan, ScanLevel, ScanStop};
+use crate::analysis::scan::{Carried, Mix, Scan, ScanLevel, ScanStop};
 use crate::figure::palette::{ALPHA, Vector};
 use crate::figure::{PlotStyle, Set};
 use crate::text::text;

@@ -5,8 +5,9 @@ use super::background::wake;
 use super::engine::Engine;
 use super::report::{Offer, Pending, Picked, WIDE, export_ui, words_ui};
 use super::state::AppState;
-use crate::analysis::{
-    CaseResult, HALF_A_CODE_VALUE, Section, StabilityQuestion, case_pictures, stability_cases,
+use crate::analysis::report::Section;
+use crate::analysis::stability::{
+    CaseResult, HALF_A_CODE_VALUE, StabilityQuestion, case_pictures, stability_cases,
 };
 use crate::jobs::Request;
 use crate::scene::Scene;

@@ -4,7 +4,7 @@ use super::engine::Engine;
 use super::report::{Offer, Pending, Picked, export_ui};
 use super::state::AppState;
 use super::theme::text_field;
-use crate::analysis::{Method, Setting, Study, StudyQuestion, study_point};
+use crate::analysis::study::{Method, Setting, Study, StudyQuestion, study_point};
 use crate::scene::{Choice, Interpolation, Scene};
 use crate::text::text;
 use eframe::egui::{CollapsingHeader, Response, RichText, Ui};

@@ -3,7 +3,7 @@
 
 use super::palette::tone_text;
 use super::state::AppState;
-use crate::analysis::{Tone, specular_vector};
+use crate::analysis::probe::{Tone, specular_vector};
 use crate::figure::palette::Vector;
 use crate::scene::{Material, Rgb, Scene};
 use crate::text::text;

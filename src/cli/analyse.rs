@@ -7,14 +7,23 @@ use super::input::{
 use super::output::{Failure, check_picture_target, print, print_json, progress_bar};
 use clap::Args;
 use glam::DVec2;
-use shading_lab::analysis::{
-    About, Analysis, BenchQuestion, ComparisonQuestion, ConditionsQuestion, CurvesQuestion,
-    DefectsQuestion, Format, Method, NormalsQuestion, PERCEIVED_WIDTH, Perception, PlanQuestion,
-    PlotKind, ProbeQuestion, ProfileQuestion, Question, ResponseModel, Scan, ScanQuestion,
-    StabilityQuestion, Stop, StudyQuestion, Subject, Viewing, perceived_picture, stability_cases,
-};
+use shading_lab::analysis::bench::BenchQuestion;
+use shading_lab::analysis::comparison::ComparisonQuestion;
+use shading_lab::analysis::conditions::ConditionsQuestion;
+use shading_lab::analysis::curves::CurvesQuestion;
+use shading_lab::analysis::defects::DefectsQuestion;
+use shading_lab::analysis::normals::NormalsQuestion;
+use shading_lab::analysis::perception::{Perception, ResponseModel, Viewing};
+use shading_lab::analysis::plan::PlanQuestion;
+use shading_lab::analysis::probe::ProbeQuestion;
+use shading_lab::analysis::profile::{PERCEIVED_WIDTH, ProfileQuestion, perceived_picture};
+use shading_lab::analysis::scan::{Scan, ScanQuestion, Stop};
+use shading_lab::analysis::stability::{StabilityQuestion, stability_cases};
+use shading_lab::analysis::study::{Method, StudyQuestion};
+use shading_lab::analysis::{About, Analysis, Format, Question, Subject};
 use shading_lab::document::{check_target, json_text, save_answer, save_picture};
 use shading_lab::figure::Paper;
+use shading_lab::figure::PlotKind;
 use shading_lab::jobs::nanoseconds;
 use shading_lab::render::{SimdLevel, check_memory_for};
 use shading_lab::scene::{Choice, Interpolation, Object, Scene, ShadingMode};

@@ -3,7 +3,7 @@
 use super::input::{SceneArguments, output_ending_in, parse_size, whole};
 use super::output::{Failure, check_picture_target, progress_bar};
 use clap::Args;
-use shading_lab::analysis::{comparison_sheet, draw_panes, panes_on_sheet};
+use shading_lab::analysis::comparison::{comparison_sheet, draw_panes, panes_on_sheet};
 use shading_lab::animation::{
     Course, FilmFormat, MOST_FRAMES, Sweep, SweepError, USUAL_FRAMES, USUAL_RATE,
 };

@@ -4,8 +4,9 @@ use crate::common::any_scene::{AnyScene, any_scene};
 use crate::common::reasons::Judge;
 use glam::DVec3;
 use rayon::prelude::*;
-use shading_lab::analysis::{
-    FilledPart, Here, LightHere, LineValue, ProbeHit, ReflectionLobe, ZeroCause, ZeroCauses, probe,
+use shading_lab::analysis::lobe::ReflectionLobe;
+use shading_lab::analysis::probe::{
+    FilledPart, Here, LightHere, LineValue, ProbeHit, ZeroCause, ZeroCauses, probe,
 };
 use shading_lab::render::Renderer;
 use shading_lab::scene::{

@@ -2,10 +2,11 @@
 //! stand in a picture.
 
 use glam::{DVec2, DVec3, Vec3};
-use shading_lab::analysis::{
-    About, Answer, LitVertex, NeedleKind, Needles, NormalField, NormalsQuestion, OverlayLayer,
-    OverlayOptions, Question, Subject, VertexNormal, unwatched,
+use shading_lab::analysis::normals::{
+    LitVertex, NeedleKind, Needles, NormalField, NormalsQuestion, VertexNormal,
 };
+use shading_lab::analysis::overlay::{OverlayLayer, OverlayOptions};
+use shading_lab::analysis::{About, Answer, Question, Subject, unwatched};
 use shading_lab::export::glsl_330;
 use shading_lab::geometry::{Corner, Mesh, NO_NORMAL, NormalOrigin, tessellate};
 use shading_lab::render::Renderer;

@@ -1,7 +1,7 @@
 //! An area light's points against many points: the error falls as their number grows.
 
 use glam::DVec3;
-use shading_lab::analysis::{SamplingError, sampling_error_with};
+use shading_lab::analysis::sampling::{SamplingError, sampling_error_with};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{AreaShape, Light, LightKind, Scene, presets};
 

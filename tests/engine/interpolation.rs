@@ -7,7 +7,8 @@ use crate::common::properties;
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
-use shading_lab::analysis::{ProfileQuestion, probe, profile};
+use shading_lab::analysis::probe::probe;
+use shading_lab::analysis::profile::{ProfileQuestion, profile};
 use shading_lab::geometry::read_obj;
 use shading_lab::render::Renderer;
 use shading_lab::scene::{

@@ -5,7 +5,9 @@ use crate::common::reasons::Judge;
 use crate::common::textbook::field_edge;
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
-use shading_lab::analysis::{Probe, ProfileQuestion, ZeroCause, luminance, probe, profile};
+use shading_lab::analysis::perception::luminance;
+use shading_lab::analysis::probe::{Probe, ZeroCause, probe};
+use shading_lab::analysis::profile::{ProfileQuestion, profile};
 use shading_lab::render::{Renderer, srgb};
 use shading_lab::scene::{
     Attenuation, Encoding, GREATEST_INTENSITY, Interpolation, Light, Material, ObjectKind,

@@ -6,9 +6,9 @@ use super::letters::{attenuation_law, equation_letters, plain_formula};
 use super::products::{Here, LightHere, Product};
 use super::{CueTerms, Probe, ProbeHit, probe};
 use crate::analysis::report::{About, Answer, Cell, Column, Report, Section, Table};
-use crate::analysis::{
-    Part, Question, REFERENCE_SAMPLES, SamplingError, Subject, Watch, cells, sampling_error_with,
-};
+use crate::analysis::report::{Part, cells};
+use crate::analysis::sampling::{REFERENCE_SAMPLES, SamplingError, sampling_error_with};
+use crate::analysis::{Question, Subject, Watch};
 use crate::figure::palette::Vector;
 use crate::scene::Choice;
 use crate::text;

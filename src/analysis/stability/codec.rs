@@ -1,7 +1,7 @@
 //! The results of cases as bytes: a case by its name, its pictures and its scene with it.
 
 use super::{CaseResult, stability_cases};
-use crate::analysis::{from_bytes, to_bytes};
+use crate::analysis::codec::{from_bytes, to_bytes};
 use std::sync::Arc;
 
 pub fn results_to_bytes(results: &[Arc<CaseResult>]) -> Vec<u8> {

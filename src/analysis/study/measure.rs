@@ -2,7 +2,8 @@
 
 use super::historic::{Historic, cannot_draw};
 use super::{Method, Omission, Setting, Study, StudyQuestion, StudyRow, median_and_spread};
-use crate::analysis::{LinearPicture, Watch, region_errors};
+use crate::analysis::Watch;
+use crate::analysis::comparison::{LinearPicture, region_errors};
 use crate::geometry::{Mesh, VertexMesh, tessellate};
 use crate::illumination::Equation;
 use crate::render::{Renderer, Stage};

@@ -2,7 +2,9 @@
 
 use super::data::Open;
 use super::parts::waiting_ui;
-use crate::analysis::{Codec, LinearPicture, Watch, error_figures};
+use crate::analysis::Watch;
+use crate::analysis::codec::Codec;
+use crate::analysis::comparison::{LinearPicture, error_figures};
 use crate::app::background::{PICTURES, wake};
 use crate::app::focus::named;
 use crate::app::palette::vector_text;

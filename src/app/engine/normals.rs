@@ -2,7 +2,8 @@
 
 use super::super::state::AppState;
 use super::pane::{PaneEngine, drawing, lettering, overlay_options, upload};
-use crate::analysis::{LitVertex, Needles, NormalField, OverlayOptions, SeenNormals};
+use crate::analysis::normals::{LitVertex, Needles, NormalField, SeenNormals};
+use crate::analysis::overlay::OverlayOptions;
 use crate::scene::{Camera, Scene, ShadingMode, View};
 use eframe::egui::{Context, TextureHandle, TextureOptions};
 use glam::DVec2;

@@ -9,9 +9,11 @@ use super::profile::Perceived;
 use super::sampling::AreaLight;
 use super::scenes::Thumbnails;
 use super::{App, system};
-use crate::analysis::{
-    BenchQuestion, DefectsQuestion, ProfileQuestion, StabilityQuestion, StudyQuestion,
-};
+use crate::analysis::bench::BenchQuestion;
+use crate::analysis::defects::DefectsQuestion;
+use crate::analysis::profile::ProfileQuestion;
+use crate::analysis::stability::StabilityQuestion;
+use crate::analysis::study::StudyQuestion;
 use crate::document::{Loaded, load};
 use crate::jobs::{Request, Served, serve, served};
 use crate::link;

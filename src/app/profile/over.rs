@@ -6,7 +6,7 @@ use super::super::place::Place;
 use super::super::state::AppState;
 use super::super::theme::TEXT;
 use super::Profiles;
-use crate::analysis::lay_out_profile;
+use crate::analysis::profile::lay_out_profile;
 use crate::figure::palette::{readable, shading};
 use eframe::egui::{Color32, Context, Painter, Pos2, Stroke, vec2};
 use glam::DVec2;

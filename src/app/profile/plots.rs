@@ -4,7 +4,7 @@
 use super::super::drawing::{boxed, colour_of, drawing_ui, plot_style};
 use super::super::lines;
 use super::super::place::Place;
-use crate::analysis::{Abscissa, Compared, Profile, TakenProfile, compared_plots};
+use crate::analysis::profile::{Abscissa, Compared, Profile, TakenProfile, compared_plots};
 use crate::figure::{Drawing, Plot, PlotStyle, Text, lay_out_bare, short};
 use crate::text::{Language, language, text};
 use eframe::egui::{Label, Pos2, Rect, RichText, Sense, Stroke, TextStyle, Ui, pos2, vec2};

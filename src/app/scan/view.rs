@@ -3,7 +3,7 @@
 use super::super::action::Walk;
 use super::super::document::same_model;
 use super::super::engine::Engine;
-use crate::analysis::{Scan, lay_out_scan, scan_room};
+use crate::analysis::scan::{Scan, lay_out_scan, scan_room};
 use crate::figure::{Drawing, PlotStyle};
 use crate::geometry::Mesh;
 use crate::scene::Scene;

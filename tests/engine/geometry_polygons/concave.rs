@@ -5,7 +5,9 @@
 
 use crate::common::dice::Dice;
 use glam::{DVec2, DVec3};
-use shading_lab::analysis::{Grid, NormalField, probe, scan_in_grid};
+use shading_lab::analysis::normals::NormalField;
+use shading_lab::analysis::probe::probe;
+use shading_lab::analysis::scan::{Grid, scan_in_grid};
 use shading_lab::geometry::{Mesh, NormalOrigin, read_obj, tessellate};
 use shading_lab::render::{Per, Renderer};
 use shading_lab::scene::{

@@ -3,8 +3,9 @@
 //! Its net has R for its pole, where the highlight is: meridians run from R to the horizon, parallels about R become the
 //! horizon. The greatest reflection is a little longer than a unit vector, so that R does not cover it.
 
+use crate::analysis::curves::highlight_half_width;
+use crate::analysis::lobe::ReflectionLobe;
 use crate::analysis::overlay::Sketch;
-use crate::analysis::{ReflectionLobe, curves::highlight_half_width};
 use crate::figure::Shape;
 use crate::figure::palette;
 use crate::scene::{ReflectionModel, Scene};
