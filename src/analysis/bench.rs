@@ -442,7 +442,7 @@ impl Answer for Bench {
         report
     }
 
-    fn json(&self, about: &About<'_>) -> Value {
+    fn value(&self, about: &About<'_>) -> Value {
         let stage = |(stage, ms): &(Stage, f64)| (word(stage), json!({ "median_ms": ms }));
         let change = |(name, changed): &(&str, Option<Changed>)| {
             let mut figures = json!({ "median_ms": changed.map(|changed| changed.whole) });

@@ -12,7 +12,7 @@
 use super::comparison::{ErrorFigures, LinearPicture, error_figures, region_errors};
 use super::report::{About, Answer, Column, Report, Table, cells, grouped};
 use super::{Question, Subject, Watch};
-use crate::geometry::Mesh;
+use crate::geometry::{Mesh, angle};
 use crate::render::{Cued, Plan, Renderer};
 use crate::scene::{
     Attenuation, Compare, FlatAt, Light, LightKind, NormalSource, PatternKind, Rgb, Scene,
@@ -178,7 +178,7 @@ fn same_polygon(renderer: &mut Renderer, scene: &Scene) -> Vec<bool> {
         normals
     });
     let same = |pair| match pair {
-        (Some(a), Some(b)) => angle(a, b) < ROUNDING,
+        (Some(a), Some(b)) => angle(a, b).to_degrees() < ROUNDING,
         _ => true,
     };
     exact.into_iter().zip(flat).map(same).collect()
@@ -264,7 +264,7 @@ fn variation(mesh: &Mesh, place: DVec3) -> Variation {
             let cosine = normal.dot(*way);
             (low, high) = (low.min(cosine), high.max(cosine));
             for other in &corners[..index] {
-                degrees = degrees.max(angle(*way, *other));
+                degrees = degrees.max(angle(*way, *other).to_degrees());
             }
         }
         Variation {
@@ -287,18 +287,13 @@ fn leaning(mesh: &Mesh, scene: &Scene, normals: NormalSource) -> f64 {
         corners
             .map(|&vertex| vertices.normals[vertex as usize].as_dvec3())
             .filter(|_| normal != DVec3::ZERO)
-            .map(|own| angle(normal, own))
+            .map(|own| angle(normal, own).to_degrees())
             .fold(0.0, f64::max)
     };
     (0..mesh.face_count())
         .into_par_iter()
         .map(of_face)
         .reduce(|| 0.0, f64::max)
-}
-
-/// Degrees.
-fn angle(a: DVec3, b: DVec3) -> f64 {
-    a.cross(b).length().atan2(a.dot(b)).to_degrees()
 }
 
 impl Conditions {
@@ -423,7 +418,7 @@ impl Answer for Conditions {
         Some(table)
     }
 
-    fn json(&self, about: &About<'_>) -> Value {
+    fn value(&self, about: &About<'_>) -> Value {
         let [light, viewer, surface] = CONDITIONS.map(|(_, holds)| holds(self));
         json!({
             "scene": about.name,

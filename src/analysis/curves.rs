@@ -170,7 +170,7 @@ impl Answer for Curves {
         report
     }
 
-    fn json(&self, about: &About<'_>) -> Value {
+    fn value(&self, about: &About<'_>) -> Value {
         let plots = self.plots(about.scene);
         json!({ "pixel": self.pixel, "light": self.light, "plots": plots })
     }

@@ -358,7 +358,7 @@ impl Answer for MeasuredDefects {
         [1600, 900]
     }
 
-    fn json(&self, about: &About<'_>) -> Value {
+    fn value(&self, about: &About<'_>) -> Value {
         json!({ "scene": about.name, "size": about.scene.image.size, "pixel": self.pixel, "defects": self.defects })
     }
 }

@@ -317,7 +317,7 @@ impl Answer for TakenProfile {
         [1600, 1200]
     }
 
-    fn json(&self, _: &About<'_>) -> Value {
+    fn value(&self, _: &About<'_>) -> Value {
         let Self { profile, question } = self;
         let table = self.samples();
         let keys = || {

@@ -24,7 +24,6 @@ use std::sync::Arc;
 /// let answer = question.answer(&subject, &unwatched)?;
 ///
 /// let about = About { name: "vertex-normals", scene: &subject.scene };
-/// let answer: &dyn Answer = &answer;
 /// println!("{}", answer.text(&about)); // as the command `normals` prints it
 /// assert_eq!(answer.object(&about)["vertex"]["vertex"], 0); // as with `--json`
 /// # Ok::<(), String>(())
@@ -72,9 +71,7 @@ impl Subject {
 
     /// A renderer that has the model and the clock.
     pub fn renderer(&self) -> Renderer {
-        let mut renderer = Renderer::with_clock(self.clock);
-        renderer.set_model(self.model.clone());
-        renderer
+        Renderer::with_clock(self.clock).with_model(self.model.clone())
     }
 }
 

@@ -5,8 +5,7 @@
 
 mod csv;
 
-use crate::figure::Plot;
-use crate::figure::{Drawing, Paper, PlotStyle, lay_out_sheet};
+use crate::figure::{Drawing, Paper, Plot, PlotStyle, lay_out_sheet};
 use crate::render::Frame;
 use crate::scene::Scene;
 use crate::text::{Language, in_language, text};
@@ -40,8 +39,8 @@ pub trait Answer: Debug + Send + Sync {
     /// Words, numbers, tables and plots, in the present language.
     fn report(&self, about: &About<'_>) -> Report;
 
-    /// The object that `--json` prints; [`dyn Answer::object`] asks for it in English.
-    fn json(&self, about: &About<'_>) -> Value;
+    /// What [`Self::object`] has, with its words in the present language.
+    fn value(&self, about: &About<'_>) -> Value;
 
     /// The rows for a file, where they are more than the report shows.
     fn table(&self) -> Option<Table> {
@@ -65,6 +64,35 @@ pub trait Answer: Debug + Send + Sync {
             drawing: drawing(),
             title: titles.join("; "),
         })
+    }
+
+    /// Returns the rows as CSV: the answer's own table, or that of the report which has keys, or the samples of all curves.
+    fn csv(&self, about: &About<'_>) -> String {
+        in_language(Language::English, || {
+            self.table()
+                .unwrap_or_else(|| self.report(about).rows())
+                .to_csv()
+        })
+    }
+
+    /// Returns the object that programs read, whatever the language.
+    fn object(&self, about: &About<'_>) -> Value {
+        in_language(Language::English, || self.value(about))
+    }
+
+    /// Returns that object as text, as `--json` prints it. JSON has no infinity; it becomes null.
+    fn json(&self, about: &About<'_>) -> String {
+        format!("{:#}\n", self.object(about))
+    }
+
+    /// Returns the report for a terminal. One without a title is its table.
+    fn text(&self, about: &About<'_>) -> String {
+        let report = self.report(about);
+        if report.title.is_empty() {
+            self.csv(about)
+        } else {
+            report.text()
+        }
     }
 }
 
@@ -162,25 +190,10 @@ impl Report {
             }
         })
     }
-}
 
-impl dyn Answer + '_ {
-    /// The rows as CSV: the answer's own table, or that of the report which has keys, or the samples of all curves.
-    pub fn csv(&self, about: &About<'_>) -> String {
-        in_language(Language::English, || self.rows(about))
-    }
-
-    /// The object that programs read, whatever the language.
-    pub fn object(&self, about: &About<'_>) -> Value {
-        in_language(Language::English, || self.json(about))
-    }
-
-    fn rows(&self, about: &About<'_>) -> String {
-        if let Some(table) = self.table() {
-            return table.to_csv();
-        }
-        let report = self.report(about);
-        let mut tables = report.parts().filter_map(|part| {
+    /// The table that has keys, or the samples of all curves.
+    fn rows(&self) -> Table {
+        let mut tables = self.parts().filter_map(|part| {
             if let Part::Table(table) = part {
                 Some(table)
             } else {
@@ -188,22 +201,17 @@ impl dyn Answer + '_ {
             }
         });
         let own = tables.find(|table| table.columns.iter().any(|column| column.key.is_some()));
-        own.map_or_else(|| samples(report.plots()).to_csv(), Table::to_csv)
+        own.map_or_else(|| samples(self.plots()), Table::clone)
     }
 
-    /// The report for a terminal. One without a title is its table.
-    pub fn text(&self, about: &About<'_>) -> String {
-        let report = self.report(about);
-        if report.title.is_empty() {
-            return self.csv(about);
-        }
-        let sections: Vec<String> = report
+    fn text(&self) -> String {
+        let sections: Vec<String> = self
             .sections
             .iter()
             .map(Section::text)
             .filter(|text| !text.is_empty())
             .collect();
-        format!("{}\n\n{}", report.title, sections.join("\n"))
+        format!("{}\n\n{}", self.title, sections.join("\n"))
             .trim_end()
             .to_owned()
             + "\n"

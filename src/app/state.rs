@@ -281,10 +281,9 @@ impl AppState {
     }
 }
 
-/// Tables and keys in which panes do not differ.
+/// Tables and keys in which panes do not differ here.
 fn is_shared(parameter: &Parameter) -> bool {
-    ["version", "about", "camera", "image"].contains(&parameter.section())
-        || parameter.key == "object.path"
+    Compare::shares(parameter.key) || parameter.section() == "about"
 }
 
 /// Sends each change of the active pane to the document, or to the pane; a change of the first pane alone is kept from the

@@ -65,8 +65,7 @@ impl Animate {
             .scenes()
             .try_for_each(|scene| check_memory_for(&scene, loaded.model.as_deref(), 1))
             .map_err(Failure::work)?;
-        let mut renderer = Renderer::default();
-        renderer.set_model(loaded.model);
+        let mut renderer = loaded.renderer();
         let bar = progress_bar(sweep.count().into(), text!("cli-drawing"));
         let mut draw = |scene: &Scene| {
             let frame = drawn(&mut renderer, scene, self.samples);

@@ -65,8 +65,7 @@ impl Render {
             )?;
         }
         check_memory_for(scene, loaded.model.as_deref(), 1).map_err(Failure::work)?;
-        let mut renderer = Renderer::default();
-        renderer.set_model(loaded.model);
+        let (mut renderer, scene) = (loaded.renderer(), &loaded.scene);
         let bar = progress_bar(
             u64::from(self.samples) * which.len() as u64,
             text!("cli-drawing"),

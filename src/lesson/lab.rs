@@ -116,8 +116,7 @@ impl Lab {
             };
             scene.image.size = [scaled(width), scaled(height)];
         }
-        let mut renderer = Renderer::with_clock(no_clock);
-        renderer.set_model(staged.model.clone());
+        let renderer = Renderer::with_clock(no_clock).with_model(staged.model.clone());
         Self {
             model: staged.model.clone(),
             inner: RefCell::new(Inner {

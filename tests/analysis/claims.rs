@@ -398,8 +398,7 @@ fn examine(seed: u64) -> Result<Met, String> {
     if scene.validate().is_err() || scene.lights.len() > 10 {
         return Ok(Met::new());
     }
-    let mut renderer = Renderer::default();
-    renderer.set_model(model.clone());
+    let mut renderer = Renderer::default().with_model(model.clone());
     let mut checker = Checker {
         scene: &scene,
         judge: Judge::new(&scene, model.as_deref()),

@@ -515,8 +515,7 @@ fn a_model_without_normals_is_shaded_with_the_weighting_that_it_asks_for() {
         (scene.object.normals, scene.object.weighting) = (normals, weighting);
         scene.shading.mode = ShadingMode::Gouraud;
         scene.image.size = [48, 48];
-        let mut renderer = Renderer::default();
-        renderer.set_model(Some(corner.clone()));
+        let mut renderer = Renderer::default().with_model(Some(corner.clone()));
         renderer.render(&scene).pixels.clone()
     };
     let by_angle = draw(NormalSource::Averaged, Weighting::Angle);

@@ -9,8 +9,7 @@ use shading_lab::analysis::profile::{
     Abscissa, Compared, Profile, ProfileError, ProfileQuestion, Trace, compared_plots,
     perceived_picture, profile,
 };
-use shading_lab::figure::Plot;
-use shading_lab::figure::{Paper, PlotStyle, lay_out_bare};
+use shading_lab::figure::{Paper, Plot, PlotStyle, lay_out_bare};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
     Choice, Interpolation, Light, LightKind, NormalSource, ObjectKind, Projection, Rgb, Scene,

@@ -41,8 +41,7 @@ fn polygon(points: &[[f32; 2]]) -> (Renderer, Scene) {
     scene.object.kind = ObjectKind::Obj;
     scene.object.normals = NormalSource::Averaged;
     scene.shading.mode = ShadingMode::Gouraud;
-    let mut renderer = Renderer::default();
-    renderer.set_model(Some(Arc::new(mesh)));
+    let renderer = Renderer::default().with_model(Some(Arc::new(mesh)));
     (renderer, scene)
 }
 

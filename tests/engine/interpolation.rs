@@ -438,8 +438,7 @@ fn a_polygon_of_twenty_thousand_corners_is_drawn_and_read_along_a_line() {
     (scene.object.kind, scene.object.path) = (ObjectKind::Obj, Some("rim.obj".into()));
     (scene.shading.mode, scene.shading.interpolation) =
         (ShadingMode::Gouraud, Interpolation::Scanline);
-    let mut renderer = Renderer::default();
-    renderer.set_model(Some(std::sync::Arc::new(model)));
+    let mut renderer = Renderer::default().with_model(Some(std::sync::Arc::new(model)));
     let began = std::time::Instant::now();
     renderer.render(&scene);
     assert!(renderer.report().covered > 2000);

@@ -4,8 +4,7 @@
 use crate::analysis::lobe::ReflectionLobe;
 use crate::analysis::probe::ProbeHit;
 use crate::analysis::probe::exponent;
-use crate::figure::short;
-use crate::figure::{Axis, Curve, Dash, Direction, Ink, Mark, Plot, PlotKind, Tag};
+use crate::figure::{Axis, Curve, Dash, Direction, Ink, Mark, Plot, PlotKind, Tag, short};
 use crate::illumination::half_width;
 use crate::scene::{Distribution, ReflectionModel, Scene};
 use crate::text::{fixed, text};

@@ -131,7 +131,7 @@ impl Answer for Probed {
         report
     }
 
-    fn json(&self, _: &About<'_>) -> Value {
+    fn value(&self, _: &About<'_>) -> Value {
         let Probe {
             pixel,
             hit,

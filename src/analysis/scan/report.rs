@@ -167,7 +167,7 @@ impl Answer for ScanStop {
         Some(table)
     }
 
-    fn json(&self, _: &About<'_>) -> Value {
+    fn value(&self, _: &About<'_>) -> Value {
         json!(self)
     }
 

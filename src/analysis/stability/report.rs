@@ -171,7 +171,7 @@ impl Answer for Catalogue {
         })
     }
 
-    fn json(&self, _: &About<'_>) -> Value {
+    fn value(&self, _: &About<'_>) -> Value {
         json!({ "cases": self.results.iter().map(|result| json!(**result)).collect::<Vec<_>>() })
     }
 }

@@ -188,8 +188,7 @@ struct Exact {
 
 impl Measure {
     fn new(scene: &Scene, model: Option<Arc<Mesh>>, clock: fn() -> u64) -> Self {
-        let mut renderer = Renderer::with_clock(clock);
-        renderer.set_model(model.clone());
+        let renderer = Renderer::with_clock(clock).with_model(model.clone());
         let (historic, exact) = (Historic::default(), HashMap::new());
         Self {
             scene: scene.clone(),

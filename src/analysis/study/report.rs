@@ -6,8 +6,7 @@ use crate::analysis::report::{
     About, Answer, Column, Figure, Part, Report, Table, as_it_is, fixed,
 };
 use crate::analysis::{Question, Subject, Watch};
-use crate::figure::{Axis, Curve, Dash, Ink, Plot, PlotKind, Point};
-use crate::figure::{Paper, PlotStyle, lay_out};
+use crate::figure::{Axis, Curve, Dash, Ink, Paper, Plot, PlotKind, PlotStyle, Point, lay_out};
 use crate::scene::{Choice, Interpolation, ShadingMode};
 use crate::text::text;
 use glam::DVec2;
@@ -113,7 +112,7 @@ impl Answer for Study {
         })
     }
 
-    fn json(&self, about: &About<'_>) -> Value {
+    fn value(&self, about: &About<'_>) -> Value {
         let orders =
             |of: fn(&Series) -> Option<Fit>, value: fn(Fit) -> f64| -> Map<String, Value> {
                 let one = |method: &Method| {

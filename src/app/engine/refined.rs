@@ -83,8 +83,7 @@ impl Work for Supersampled {
     const CODECS: Option<(Codec<Self>, Codec<Pictures>)> = Some((Codec::plain(), CODEC));
 
     fn run(&self, watch: &dyn Watch<Pictures>) -> Result<Pictures, String> {
-        let mut renderer = Renderer::default();
-        renderer.set_model(self.model.clone());
+        let mut renderer = Renderer::default().with_model(self.model.clone());
         let mut pictures = None;
         let all = SAMPLES.iter().sum::<u32>() * self.panes.len() as u32;
         let (mut done, mut before) = (0, nanoseconds());

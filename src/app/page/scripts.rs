@@ -80,5 +80,5 @@ fn timed(link: &str, size: [u32; 2], frames: u32) -> Result<String, JsValue> {
         name: "",
         scene: &subject.scene,
     };
-    Ok(bench.json(&about).to_string())
+    Ok(bench.object(&about).to_string())
 }

@@ -556,8 +556,7 @@ fn a_model_of_concave_polygons_has_the_files_numbers() {
     let mut scene = Scene::default();
     scene.image.size = [300, 200];
     (scene.object.kind, scene.object.path) = (ObjectKind::Obj, Some("ten.obj".into()));
-    let mut renderer = Renderer::default();
-    renderer.set_model(Some(Arc::clone(&mesh)));
+    let mut renderer = Renderer::default().with_model(Some(Arc::clone(&mesh)));
     renderer.render(&scene);
     assert_eq!(renderer.report().faces, 10);
     let field = NormalField::new(&renderer, &scene.object);

@@ -1,8 +1,7 @@
 //! Where the lights are: a sun for one that stands somewhere, parallel rays for one that only has a direction.
 
 use crate::analysis::overlay::Sketch;
-use crate::figure::palette;
-use crate::figure::{Area, Shape};
+use crate::figure::{Area, Shape, palette};
 use crate::scene::{Light, LightKind, View};
 use glam::DVec2;
 

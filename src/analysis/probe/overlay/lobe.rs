@@ -6,8 +6,7 @@
 use crate::analysis::curves::highlight_half_width;
 use crate::analysis::lobe::ReflectionLobe;
 use crate::analysis::overlay::Sketch;
-use crate::figure::Shape;
-use crate::figure::palette;
+use crate::figure::{Shape, palette};
 use crate::scene::{ReflectionModel, Scene};
 use glam::{DVec2, DVec3};
 
