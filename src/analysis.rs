@@ -25,4 +25,5 @@ pub mod stability;
 pub mod study;
 
 pub use question::{ANALYSES, Analysis, Format, Question, Subject, Watch, unwatched};
+#[doc(inline)]
 pub use report::{About, Answer, Report};

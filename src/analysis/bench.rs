@@ -26,7 +26,7 @@ use serde_json::{Map, Value, json};
 use std::cell::Cell;
 
 /// Frames that warm caches and buffers up before any is counted.
-pub const WARM_UP: u32 = 2;
+pub(super) const WARM_UP: u32 = 2;
 
 /// The time of a frame.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -164,7 +164,7 @@ pub const CHANGES: [(&str, Change); 5] = [
 ];
 
 /// What a change is of, in words.
-pub fn change_name(name: &str) -> &'static str {
+pub(super) fn change_name(name: &str) -> &'static str {
     match name {
         "light" => text!("engine-change-light"),
         "camera" => text!("engine-change-camera"),
@@ -175,7 +175,7 @@ pub fn change_name(name: &str) -> &'static str {
 }
 
 /// The scene with a change of a number.
-pub fn changed(scene: &Scene, change: Change, number: u32) -> Option<Scene> {
+pub(super) fn changed(scene: &Scene, change: Change, number: u32) -> Option<Scene> {
     let mut scene = scene.clone();
     change(&mut scene, number.into())?;
     Some(scene)
@@ -340,7 +340,7 @@ impl StageTimes {
 }
 
 /// The median of nanoseconds, in milliseconds; of an even number the mean of the middle two.
-pub fn median_ms(times: &mut [u64]) -> f64 {
+pub(super) fn median_ms(times: &mut [u64]) -> f64 {
     median_and_spread(times).0
 }
 

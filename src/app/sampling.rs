@@ -4,7 +4,7 @@ use super::background::wake;
 use super::document::{Document, same_model};
 use crate::analysis::Watch;
 use crate::analysis::codec::Codec;
-use crate::analysis::sampling::{SamplingError, sampling_error_with};
+use crate::analysis::sampling::{SamplingError, sampling_error};
 use crate::jobs::{Background, Request, Work};
 use eframe::egui::Context;
 use serde::{Deserialize, Serialize};
@@ -31,7 +31,7 @@ impl Work for Request<AreaLight> {
 
     fn run(&self, _: &dyn Watch<Self::Answer>) -> Result<Self::Answer, String> {
         let subject = self.subject();
-        Ok(sampling_error_with(
+        Ok(sampling_error(
             &mut subject.renderer(),
             &subject.scene,
             self.question.0,

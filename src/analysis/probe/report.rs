@@ -7,7 +7,7 @@ use super::products::{Here, LightHere, Product};
 use super::{CueTerms, Probe, ProbeHit, probe};
 use crate::analysis::report::{About, Answer, Cell, Column, Report, Section, Table};
 use crate::analysis::report::{Part, cells};
-use crate::analysis::sampling::{REFERENCE_SAMPLES, SamplingError, sampling_error_with};
+use crate::analysis::sampling::{REFERENCE_SAMPLES, SamplingError, sampling_error};
 use crate::analysis::{Question, Subject, Watch};
 use crate::figure::palette::Vector;
 use crate::scene::Choice;
@@ -45,7 +45,7 @@ impl Question for ProbeQuestion {
             0
         };
         let sampling = (0..lights)
-            .map(|light| sampling_error_with(&mut renderer, &subject.scene, light))
+            .map(|light| sampling_error(&mut renderer, &subject.scene, light))
             .collect();
         Ok(Probed { probe, sampling })
     }
