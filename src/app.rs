@@ -439,8 +439,7 @@ impl App {
         let Document { scene, model, .. } = &self.state.session.document;
         let mut scene = scene.clone();
         scene.image.size = self.room.whole;
-        let mut renderer = Renderer::default();
-        renderer.set_model(model.clone());
+        let mut renderer = Renderer::default().with_model(model.clone());
         let over = files::Over::new(&self.state);
         let Some(frame) = files::picture(&mut renderer, &scene, 1, Some(&over), &mut |_| true)
         else {

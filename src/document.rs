@@ -11,14 +11,15 @@ mod disk;
 mod error;
 mod names;
 
-use crate::analysis::{About as Analysed, Answer, Figure, Format};
+use crate::analysis::report::Figure;
+use crate::analysis::{About as Analysed, Answer, Format, Subject};
 use crate::animation::{FilmFormat, Sweep, write_film};
 use crate::export::Export;
 use crate::figure::{Drawing, Paper};
 use crate::geometry::{Mesh, ObjError, read_obj};
 use crate::link::{self, Link, Shown};
 use crate::picture::{PictureError, PictureText, read_scene_text, write_png};
-use crate::render::{Frame, can_be_had};
+use crate::render::{Frame, Renderer, can_be_had};
 use crate::scene::{About, Choice, NormalSource, Object, ObjectKind, Scene, nearest, presets};
 use crate::text::{Message, excerpt, text};
 #[cfg(not(target_arch = "wasm32"))]
@@ -50,9 +51,24 @@ pub struct Loaded {
 }
 
 impl Loaded {
+    /// Returns a renderer that has the model.
+    pub fn renderer(&self) -> Renderer {
+        Renderer::default().with_model(self.model.clone())
+    }
+
     /// Describes the parts of its model's file that are not drawn, if any.
     pub fn warning(&self) -> Option<String> {
         undrawn(&self.scene.object, self.model.as_deref())
+    }
+}
+
+impl From<Loaded> for Subject {
+    /// The scene with its model, and no clock.
+    fn from(loaded: Loaded) -> Self {
+        Self {
+            model: loaded.model,
+            ..Self::new(loaded.scene)
+        }
     }
 }
 
@@ -484,7 +500,7 @@ pub fn save_answer(
     };
     match format {
         Format::Csv => write_text(path, &answer.csv(about)),
-        Format::Json => write_text(path, &json_text(answer, about)),
+        Format::Json => write_text(path, &answer.json(about)),
         Format::Svg => match figure()? {
             Figure::Drawing { drawing, title } => write_text(path, &drawing.to_svg(&title)),
             Figure::Picture { .. } => Err(SaveError::Nothing {
@@ -515,9 +531,4 @@ pub fn save_drawing(path: &Path, drawing: &Drawing, title: &str) -> Result<(), S
         path: path.to_owned(),
     })?;
     write_picture(path, &frame, None, &[])
-}
-
-/// Returns one JSON object. JSON has no infinity; it becomes null.
-pub fn json_text(answer: &dyn Answer, about: &Analysed<'_>) -> String {
-    format!("{:#}\n", answer.object(about))
 }

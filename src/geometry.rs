@@ -8,10 +8,12 @@ mod primitives;
 mod sizes;
 mod surface;
 mod teapot;
+mod vector;
 mod vertex_normals;
 
 pub use mesh::{Corner, Mesh, NO_NORMAL, VertexMesh};
 pub use obj::{ObjError, read_obj};
 pub use primitives::{divisions_for, tessellate, triangles};
 pub use surface::{Ray, Surface, SurfaceHit, TOGETHER};
+pub(crate) use vector::{angle, cross, dot, sub};
 pub use vertex_normals::{FaceShare, NormalOrigin, VertexShares};

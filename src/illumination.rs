@@ -19,6 +19,7 @@ pub use pattern::Fields;
 pub use real::{Real, Scalar, V3};
 pub(crate) use source::direction;
 pub use source::{BRIGHTEST, Source, area_hull, area_samples, attenuation_at, rectangle_axes};
+pub(crate) use specular::reflect;
 pub use specular::{
     Lobe, ShadingPoint, SpecularForm, blinn_from_phong, half_width, phong_from_blinn,
     roughness_from_exponent,

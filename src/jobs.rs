@@ -10,7 +10,8 @@ mod page;
 #[cfg(target_arch = "wasm32")]
 mod worker;
 
-use crate::analysis::{Codec, Question, Subject, Watch};
+use crate::analysis::codec::Codec;
+use crate::analysis::{Question, Subject, Watch};
 use crate::geometry::Mesh;
 use crate::scene::Scene;
 use crate::text::{in_language, language, text};

@@ -24,12 +24,14 @@
 //! ```
 //!
 //! More examples are in `docs/library.md`, and at the items that most programs begin with: [`document::load`],
-//! [`scene::Scene`], [`render::Renderer`], [`analysis::probe`], [`analysis::Question`], [`figure::Plot`], [`geometry::Mesh`],
+//! [`scene::Scene`], [`render::Renderer`], [`analysis::probe`](fn@analysis::probe::probe), [`analysis::Question`], [`figure::Plot`], [`geometry::Mesh`],
 //! [`picture::write_png`], [`link::read`], [`export::glsl_330`] and [`lesson::Lesson`].
 
 pub mod analysis;
 pub mod animation;
+// The program's own window, reached by the binary and the tests: no part of the library's interface.
 #[cfg(feature = "app")]
+#[doc(hidden)]
 pub mod app;
 pub mod document;
 pub mod export;

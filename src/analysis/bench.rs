@@ -8,10 +8,12 @@ mod growth;
 
 pub use growth::Growth;
 
-use super::panes_on_sheet;
+use super::codec::Codec;
+use super::comparison::panes_on_sheet;
 use super::plan_words::stage_words;
 use super::report::{About, Answer, Column, Part, Report, Table, as_it_is, cells, fixed, word};
-use super::{Codec, Question, Subject, Watch, median_and_spread};
+use super::study::median_and_spread;
+use super::{Question, Subject, Watch};
 use crate::render::{
     Memory, Renderer, Report as Drawn, SimdLevel, Stage, coarseness, coarser_size,
 };
@@ -24,7 +26,7 @@ use serde_json::{Map, Value, json};
 use std::cell::Cell;
 
 /// Number of uncounted frames that first warm up caches and buffers.
-pub const WARM_UP: u32 = 2;
+pub(super) const WARM_UP: u32 = 2;
 
 /// The question for the time of a frame.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -162,7 +164,7 @@ pub const CHANGES: [(&str, Change); 5] = [
 ];
 
 /// Describes the subject of a change.
-pub fn change_name(name: &str) -> &'static str {
+pub(super) fn change_name(name: &str) -> &'static str {
     match name {
         "light" => text!("engine-change-light"),
         "camera" => text!("engine-change-camera"),
@@ -173,7 +175,7 @@ pub fn change_name(name: &str) -> &'static str {
 }
 
 /// Returns the scene with a change of a number.
-pub fn changed(scene: &Scene, change: Change, number: u32) -> Option<Scene> {
+pub(super) fn changed(scene: &Scene, change: Change, number: u32) -> Option<Scene> {
     let mut scene = scene.clone();
     change(&mut scene, number.into())?;
     Some(scene)
@@ -338,7 +340,7 @@ impl StageTimes {
 }
 
 /// Returns the median of nanoseconds, in milliseconds; of an even number the mean of the middle two.
-pub fn median_ms(times: &mut [u64]) -> f64 {
+pub(super) fn median_ms(times: &mut [u64]) -> f64 {
     median_and_spread(times).0
 }
 
@@ -440,7 +442,7 @@ impl Answer for Bench {
         report
     }
 
-    fn json(&self, about: &About<'_>) -> Value {
+    fn value(&self, about: &About<'_>) -> Value {
         let stage = |(stage, ms): &(Stage, f64)| (word(stage), json!({ "median_ms": ms }));
         let change = |(name, changed): &(&str, Option<Changed>)| {
             let mut figures = json!({ "median_ms": changed.map(|changed| changed.whole) });

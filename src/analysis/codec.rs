@@ -31,11 +31,11 @@ impl<T> Clone for Codec<T> {
 impl<T> Copy for Codec<T> {}
 
 /// Serializes a value; empty if that is impossible.
-pub fn to_bytes<T: Serialize>(value: &T) -> Vec<u8> {
+pub(crate) fn to_bytes<T: Serialize>(value: &T) -> Vec<u8> {
     postcard::to_stdvec(value).unwrap_or_default()
 }
 
 /// Deserializes bytes that [`to_bytes`] made; none where they are not valid.
-pub fn from_bytes<T: DeserializeOwned>(bytes: &[u8]) -> Option<T> {
+pub(crate) fn from_bytes<T: DeserializeOwned>(bytes: &[u8]) -> Option<T> {
     postcard::from_bytes(bytes).ok()
 }

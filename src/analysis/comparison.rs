@@ -12,7 +12,6 @@ use super::report::{About, Answer, Column, Part, Report, Table, as_it_is, cells,
 use super::{Question, Subject, Watch};
 use crate::scene::Scene;
 use crate::text;
-use crate::text::Language;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
@@ -372,8 +371,8 @@ impl Answer for Comparison {
         report
     }
 
-    fn json(&self, about: &About<'_>) -> Value {
-        let panes = text::in_language(Language::English, || self.named(about.scene));
+    fn value(&self, about: &About<'_>) -> Value {
+        let panes = self.named(about.scene);
         json!({ "scene": about.name, "size": about.scene.image.size, "panes": panes })
     }
 }

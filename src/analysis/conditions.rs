@@ -10,9 +10,10 @@
 //! They also assume that nothing else in the equation varies; [`Assumption`] lists the properties of a scene that
 //! can.
 
+use super::comparison::{ErrorFigures, LinearPicture, error_figures, region_errors};
 use super::report::{About, Answer, Column, Report, Table, cells, grouped};
-use super::{ErrorFigures, LinearPicture, Question, Subject, Watch, error_figures, region_errors};
-use crate::geometry::Mesh;
+use super::{Question, Subject, Watch};
+use crate::geometry::{Mesh, angle};
 use crate::render::{Cued, Plan, Renderer};
 use crate::scene::{
     Attenuation, Compare, FlatAt, Light, LightKind, NormalSource, PatternKind, Rgb, Scene,
@@ -179,7 +180,7 @@ fn same_polygon(renderer: &mut Renderer, scene: &Scene) -> Vec<bool> {
         normals
     });
     let same = |pair| match pair {
-        (Some(a), Some(b)) => angle(a, b) < ROUNDING,
+        (Some(a), Some(b)) => angle(a, b).to_degrees() < ROUNDING,
         _ => true,
     };
     exact.into_iter().zip(flat).map(same).collect()
@@ -266,7 +267,7 @@ fn variation(mesh: &Mesh, place: DVec3) -> Variation {
             let cosine = normal.dot(*way);
             (low, high) = (low.min(cosine), high.max(cosine));
             for other in &corners[..index] {
-                degrees = degrees.max(angle(*way, *other));
+                degrees = degrees.max(angle(*way, *other).to_degrees());
             }
         }
         Variation {
@@ -289,18 +290,13 @@ fn leaning(mesh: &Mesh, scene: &Scene, normals: NormalSource) -> f64 {
         corners
             .map(|&vertex| vertices.normals[vertex as usize].as_dvec3())
             .filter(|_| normal != DVec3::ZERO)
-            .map(|own| angle(normal, own))
+            .map(|own| angle(normal, own).to_degrees())
             .fold(0.0, f64::max)
     };
     (0..mesh.face_count())
         .into_par_iter()
         .map(of_face)
         .reduce(|| 0.0, f64::max)
-}
-
-/// Returns the angle between two vectors, degrees.
-fn angle(a: DVec3, b: DVec3) -> f64 {
-    a.cross(b).length().atan2(a.dot(b)).to_degrees()
 }
 
 impl Conditions {
@@ -427,7 +423,7 @@ impl Answer for Conditions {
         Some(table)
     }
 
-    fn json(&self, about: &About<'_>) -> Value {
+    fn value(&self, about: &About<'_>) -> Value {
         let [light, viewer, surface] = CONDITIONS.map(|(_, holds)| holds(self));
         json!({
             "scene": about.name,

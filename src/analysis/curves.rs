@@ -11,9 +11,12 @@ pub use attenuation::{Distances, attenuation_plot};
 pub use highlight::{COURSE, exponent_plot, highlight_half_width, lobe_plot};
 pub use reflectance::{READ_AT, reflectance_plot};
 
+use super::lobe::ReflectionLobe;
+use super::probe::{Probe, ProbeHit};
 use super::probe::{clearest_pixel, probe};
 use super::report::{About, Answer, Part, Report};
-use super::{Plot, PlotKind, Probe, ProbeHit, Question, ReflectionLobe, Subject, Watch};
+use super::{Question, Subject, Watch};
+use crate::figure::{Plot, PlotKind};
 use crate::render::Renderer;
 use crate::scene::Scene;
 use crate::text;
@@ -167,7 +170,7 @@ impl Answer for Curves {
         report
     }
 
-    fn json(&self, about: &About<'_>) -> Value {
+    fn value(&self, about: &About<'_>) -> Value {
         let plots = self.plots(about.scene);
         json!({ "pixel": self.pixel, "light": self.light, "plots": plots })
     }

@@ -13,9 +13,11 @@ pub use edges::{SharedVertices, Silhouette};
 pub use inside::{Orientation, PerspectiveDistortion, VertexNormals};
 
 use super::codec::Codec;
+use super::probe::clearest_pixel;
 use super::question::{Watch, unwatched};
 use super::report::{About, Answer, Column, Part, Report, Table, cells};
-use super::{PlotKind, Question, Subject, clearest_pixel};
+use super::{Question, Subject};
+use crate::figure::PlotKind;
 use crate::render::Renderer;
 use crate::scene::{Compare, Interpolation, Scene, ShadingMode};
 use crate::text;
@@ -357,7 +359,7 @@ impl Answer for MeasuredDefects {
         [1600, 900]
     }
 
-    fn json(&self, about: &About<'_>) -> Value {
+    fn value(&self, about: &About<'_>) -> Value {
         json!({ "scene": about.name, "size": about.scene.image.size, "pixel": self.pixel, "defects": self.defects })
     }
 }

@@ -1,7 +1,8 @@
 //! The lobe of reflection: the light that a point reflects in every direction from one light.
 
-use super::{ProbeHit, luminance};
-use crate::illumination::{Equation, ShadingPoint, V3};
+use super::perception::luminance;
+use super::probe::ProbeHit;
+use crate::illumination::{Equation, ShadingPoint, V3, reflect};
 use crate::scene::{Backfacing, Light, LightKind, Rgb, Scene};
 use glam::DVec3;
 
@@ -143,7 +144,7 @@ impl ReflectionLobe {
 /// matches to the last digit.
 fn mirrored(n: DVec3, l: DVec3) -> Option<DVec3> {
     let (n, l) = (V3::from(n), V3::from(l));
-    let r = DVec3::from(n.scale_add(2.0 * n.dot(l), -l));
+    let r = DVec3::from(reflect(n, l, n.dot(l)));
     // A normal that is not of unit length does not mirror.
     if (r.length() - 1.0).abs() < UPRIGHT {
         Some(r)

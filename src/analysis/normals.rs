@@ -11,7 +11,7 @@ mod report;
 pub use needles::{LitVertex, Needle, NeedleKind, Needles, draw_normals};
 pub use report::{FoundNormal, NormalsQuestion};
 
-use crate::geometry::{Mesh, NormalOrigin, VertexMesh};
+use crate::geometry::{Mesh, NormalOrigin, VertexMesh, angle};
 use crate::render::Renderer;
 use crate::scene::{NormalSource, Object, Projection, View, Weighting};
 use glam::{DVec2, DVec3};
@@ -194,7 +194,7 @@ impl NormalField {
                 share.weight
             },
             share: share.share,
-            angle: angle_between(share.normal, normal).to_degrees(),
+            angle: angle(share.normal, normal).to_degrees(),
         });
         Some(VertexNormal {
             vertex,
@@ -295,11 +295,6 @@ impl NormalField {
     fn position(&self, vertex: u32) -> DVec3 {
         self.vertices.origin + self.vertices.positions[vertex as usize].as_dvec3()
     }
-}
-
-/// Returns the angle in radians, without the loss of digits that the cosine has near 0 and π.
-fn angle_between(a: DVec3, b: DVec3) -> f64 {
-    a.cross(b).length().atan2(a.dot(b))
 }
 
 /// Returns the median length of an even selection of edges, so that a large mesh costs no more than a small one.

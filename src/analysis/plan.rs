@@ -252,7 +252,7 @@ impl Answer for FramePlan {
         Some(table)
     }
 
-    fn json(&self, about: &About<'_>) -> Value {
+    fn value(&self, about: &About<'_>) -> Value {
         let mut object =
             json!({ "scene": about.name, "size": about.scene.image.size, "terms": self.terms });
         let Some(saved) = &self.measured else {

@@ -212,7 +212,7 @@ fn in_degrees<S: Serializer>(radians: &f64, serializer: S) -> Result<S::Ok, S::E
 /// normal that the mode has there. A pixel outside the picture sees nothing.
 ///
 /// ```
-/// use shading_lab::analysis::probe;
+/// use shading_lab::analysis::probe::probe;
 /// use shading_lab::render::Renderer;
 /// use shading_lab::scene::Scene;
 ///

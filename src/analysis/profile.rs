@@ -18,9 +18,10 @@ pub use picture::{
 };
 pub use plots::{Abscissa, Compared, compared_plots, mode_dash, profile_plots};
 
+use super::codec::Codec;
 use super::perception::{Perception, Viewing, blur_line};
 use super::report::{About, Answer, Cell, Column, Part, Report, Table};
-use super::{Codec, Question, Subject, Watch};
+use super::{Question, Subject, Watch};
 use crate::render::{Piece, Renderer};
 use crate::scene::{Choice, Scene, ShadingMode};
 use crate::text::text;
@@ -318,7 +319,7 @@ impl Answer for TakenProfile {
         [1600, 1200]
     }
 
-    fn json(&self, _: &About<'_>) -> Value {
+    fn value(&self, _: &About<'_>) -> Value {
         let Self { profile, question } = self;
         let table = self.samples();
         let keys = || {

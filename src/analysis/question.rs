@@ -14,7 +14,8 @@ use std::sync::Arc;
 /// A question about a scene: plain data, so that it can be stored, compared and sent elsewhere.
 ///
 /// ```
-/// use shading_lab::analysis::{About, Answer, NormalsQuestion, Question, Subject, unwatched};
+/// use shading_lab::analysis::{About, Answer, Question, Subject, unwatched};
+/// use shading_lab::analysis::normals::NormalsQuestion;
 /// use shading_lab::scene::{Scene, presets};
 ///
 /// let scene = presets::find("vertex-normals").expect("a built-in scene").scene();
@@ -23,7 +24,6 @@ use std::sync::Arc;
 /// let answer = question.answer(&subject, &unwatched)?;
 ///
 /// let about = About { name: "vertex-normals", scene: &subject.scene };
-/// let answer: &dyn Answer = &answer;
 /// println!("{}", answer.text(&about)); // as the command `normals` prints it
 /// assert_eq!(answer.object(&about)["vertex"]["vertex"], 0); // as with `--json`
 /// # Ok::<(), String>(())
@@ -72,9 +72,7 @@ impl Subject {
 
     /// Returns a renderer that has the model and the clock.
     pub fn renderer(&self) -> Renderer {
-        let mut renderer = Renderer::with_clock(self.clock);
-        renderer.set_model(self.model.clone());
-        renderer
+        Renderer::with_clock(self.clock).with_model(self.model.clone())
     }
 }
 

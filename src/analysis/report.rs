@@ -6,8 +6,7 @@
 
 mod csv;
 
-use super::Plot;
-use crate::figure::{Drawing, Paper, PlotStyle, lay_out_sheet};
+use crate::figure::{Drawing, Paper, Plot, PlotStyle, lay_out_sheet};
 use crate::render::Frame;
 use crate::scene::Scene;
 use crate::text::{Language, in_language, text};
@@ -41,8 +40,8 @@ pub trait Answer: Debug + Send + Sync {
     /// Returns text, numbers, tables and plots, in the current language.
     fn report(&self, about: &About<'_>) -> Report;
 
-    /// Returns the object that `--json` prints; [`dyn Answer::object`] requests it in English.
-    fn json(&self, about: &About<'_>) -> Value;
+    /// Returns what [`Self::object`] returns, with its words in the current language.
+    fn value(&self, about: &About<'_>) -> Value;
 
     /// Returns the rows for a file, where they are more than the report shows.
     fn table(&self) -> Option<Table> {
@@ -66,6 +65,35 @@ pub trait Answer: Debug + Send + Sync {
             drawing: drawing(),
             title: titles.join("; "),
         })
+    }
+
+    /// Returns the rows as CSV: the answer's own table, or that of the report which has keys, or the samples of all curves.
+    fn csv(&self, about: &About<'_>) -> String {
+        in_language(Language::English, || {
+            self.table()
+                .unwrap_or_else(|| self.report(about).rows())
+                .to_csv()
+        })
+    }
+
+    /// Returns the object that programs read, whatever the language.
+    fn object(&self, about: &About<'_>) -> Value {
+        in_language(Language::English, || self.value(about))
+    }
+
+    /// Returns that object as text, as `--json` prints it. JSON has no infinity; it becomes null.
+    fn json(&self, about: &About<'_>) -> String {
+        format!("{:#}\n", self.object(about))
+    }
+
+    /// Returns the report for a terminal. One without a title is its table.
+    fn text(&self, about: &About<'_>) -> String {
+        let report = self.report(about);
+        if report.title.is_empty() {
+            self.csv(about)
+        } else {
+            report.text()
+        }
     }
 }
 
@@ -163,26 +191,10 @@ impl Report {
             }
         })
     }
-}
 
-impl dyn Answer + '_ {
-    /// Returns the rows as CSV: the answer's own table, or the report's table that has keys, or the samples of all
-    /// curves.
-    pub fn csv(&self, about: &About<'_>) -> String {
-        in_language(Language::English, || self.rows(about))
-    }
-
-    /// Returns the object that programs read, whatever the language.
-    pub fn object(&self, about: &About<'_>) -> Value {
-        in_language(Language::English, || self.json(about))
-    }
-
-    fn rows(&self, about: &About<'_>) -> String {
-        if let Some(table) = self.table() {
-            return table.to_csv();
-        }
-        let report = self.report(about);
-        let mut tables = report.parts().filter_map(|part| {
+    /// Returns the table that has keys, or the samples of all curves.
+    fn rows(&self) -> Table {
+        let mut tables = self.parts().filter_map(|part| {
             if let Part::Table(table) = part {
                 Some(table)
             } else {
@@ -190,22 +202,17 @@ impl dyn Answer + '_ {
             }
         });
         let own = tables.find(|table| table.columns.iter().any(|column| column.key.is_some()));
-        own.map_or_else(|| samples(report.plots()).to_csv(), Table::to_csv)
+        own.map_or_else(|| samples(self.plots()), Table::clone)
     }
 
-    /// Returns the report for a terminal. One without a title is only its table.
-    pub fn text(&self, about: &About<'_>) -> String {
-        let report = self.report(about);
-        if report.title.is_empty() {
-            return self.csv(about);
-        }
-        let sections: Vec<String> = report
+    fn text(&self) -> String {
+        let sections: Vec<String> = self
             .sections
             .iter()
             .map(Section::text)
             .filter(|text| !text.is_empty())
             .collect();
-        format!("{}\n\n{}", report.title, sections.join("\n"))
+        format!("{}\n\n{}", self.title, sections.join("\n"))
             .trim_end()
             .to_owned()
             + "\n"
@@ -354,7 +361,7 @@ pub enum Cell {
 
 /// Makes a row of cells.
 macro_rules! cells {
-    ($($cell:expr),* $(,)?) => { vec![$($crate::analysis::Cell::from($cell)),*] };
+    ($($cell:expr),* $(,)?) => { vec![$($crate::analysis::report::Cell::from($cell)),*] };
 }
 pub(crate) use cells;
 

@@ -28,7 +28,7 @@ pub struct SamplingError {
 /// The equation is evaluated where the shading mode evaluates it, in double precision; of all lights only this one
 /// differs, so that only its terms are evaluated. Shadows are ignored: every point of the light reaches every point
 /// of the object.
-pub fn sampling_error_with(
+pub fn sampling_error(
     renderer: &mut Renderer,
     scene: &Scene,
     light: usize,

@@ -10,7 +10,7 @@ pub mod scenes;
 pub mod vertices;
 
 use super::engine::Engine;
-use crate::analysis::grouped;
+use crate::analysis::report::grouped;
 use crate::app::controls::materials::{gallery_ui, matching_ui};
 use crate::app::controls::row::{About, View, parameter_with, row};
 use crate::app::session::Session;

@@ -4,10 +4,15 @@ mod normals;
 mod pane;
 mod refined;
 
-use crate::analysis::{
-    Brightest, Curves, ErrorFigures, NormalField, Overlay, OverlayOptions, PaneFigures, Probe,
-    Scan, ScanError, brightest, difference_picture, difference_scale, error_figures, scan_drawn,
+use crate::analysis::comparison::{
+    Brightest, ErrorFigures, PaneFigures, brightest, difference_picture, difference_scale,
+    error_figures,
 };
+use crate::analysis::curves::Curves;
+use crate::analysis::normals::NormalField;
+use crate::analysis::overlay::OverlayOptions;
+use crate::analysis::probe::{Overlay, Probe};
+use crate::analysis::scan::{Scan, ScanError, scan_drawn};
 use crate::app::session::Session;
 use crate::app::session::appearance::{Overlays, ViewName};
 use crate::app::session::place::ProbePoint;

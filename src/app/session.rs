@@ -271,10 +271,9 @@ impl Session {
     }
 }
 
-/// Tables and keys in which panes do not differ.
+/// Returns whether panes cannot differ in a parameter here.
 fn is_shared(parameter: &Parameter) -> bool {
-    ["version", "about", "camera", "image"].contains(&parameter.section())
-        || parameter.key == "object.path"
+    Compare::shares(parameter.key) || parameter.section() == "about"
 }
 
 /// Sends each change of the active pane to the document, or to the pane; a change of the first pane alone is kept from the

@@ -7,14 +7,22 @@ use super::input::{
 use super::output::{Failure, check_picture_target, print, print_json, progress_bar};
 use clap::Args;
 use glam::DVec2;
-use shading_lab::analysis::{
-    About, Analysis, BenchQuestion, ComparisonQuestion, ConditionsQuestion, CurvesQuestion,
-    DefectsQuestion, Format, Method, NormalsQuestion, PERCEIVED_WIDTH, Perception, PlanQuestion,
-    PlotKind, ProbeQuestion, ProfileQuestion, Question, ResponseModel, Scan, ScanQuestion,
-    StabilityQuestion, Stop, StudyQuestion, Subject, Viewing, perceived_picture, stability_cases,
-};
-use shading_lab::document::{check_target, json_text, save_answer, save_picture};
-use shading_lab::figure::Paper;
+use shading_lab::analysis::bench::BenchQuestion;
+use shading_lab::analysis::comparison::ComparisonQuestion;
+use shading_lab::analysis::conditions::ConditionsQuestion;
+use shading_lab::analysis::curves::CurvesQuestion;
+use shading_lab::analysis::defects::DefectsQuestion;
+use shading_lab::analysis::normals::NormalsQuestion;
+use shading_lab::analysis::perception::{Perception, ResponseModel, Viewing};
+use shading_lab::analysis::plan::PlanQuestion;
+use shading_lab::analysis::probe::ProbeQuestion;
+use shading_lab::analysis::profile::{PERCEIVED_WIDTH, ProfileQuestion, perceived_picture};
+use shading_lab::analysis::scan::{Scan, ScanQuestion, Stop};
+use shading_lab::analysis::stability::{StabilityQuestion, stability_cases};
+use shading_lab::analysis::study::{Method, StudyQuestion};
+use shading_lab::analysis::{About, Analysis, Answer, Format, Question, Subject};
+use shading_lab::document::{check_target, save_answer, save_picture};
+use shading_lab::figure::{Paper, PlotKind};
 use shading_lab::jobs::nanoseconds;
 use shading_lab::render::{SimdLevel, check_memory_for};
 use shading_lab::scene::{Choice, Interpolation, Object, Scene, ShadingMode};
@@ -85,28 +93,14 @@ impl<A: Asks> Analyse<A> {
     pub fn run(self, earlier: &[String]) -> Result<(), Failure> {
         self.about.check()?;
         let loaded = self.scene.load(earlier)?;
-        self.about.run(
-            &loaded.name,
-            Subject {
-                scene: loaded.scene,
-                model: loaded.model,
-                clock: nanoseconds,
-            },
-        )
+        self.about.run(&loaded.name.clone(), loaded.into())
     }
 }
 
 impl<A: Asks> Catalogued<A> {
     pub fn run_alone(self) -> Result<(), Failure> {
         self.check()?;
-        self.run(
-            A::NAME,
-            Subject {
-                scene: Scene::default(),
-                model: None,
-                clock: nanoseconds,
-            },
-        )
+        self.run(A::NAME, Subject::new(Scene::default()))
     }
 
     /// Refuses files that cannot be written, before any work is done.
@@ -142,6 +136,7 @@ impl<A: Asks> Catalogued<A> {
     /// nothing else is requested.
     fn run(self, name: &str, mut subject: Subject) -> Result<(), Failure> {
         let Self { asked, mut output } = self;
+        subject.clock = nanoseconds;
         if !A::SIZES_FIGURE {
             subject.scene.image.size = output.size.take().unwrap_or(subject.scene.image.size);
         }
@@ -164,7 +159,7 @@ impl<A: Asks> Catalogued<A> {
         let answer = pool
             .install(|| question.answer(&subject, &watch))
             .map_err(Failure::input);
-        let answer: &dyn shading_lab::analysis::Answer = &answer?;
+        let answer = answer?;
         let mut silent = asked.also(&subject)?;
         let about = About {
             name,
@@ -184,12 +179,12 @@ impl<A: Asks> Catalogued<A> {
             (path, format)
         });
         for (path, format) in [csv, file].into_iter().flatten() {
-            save_answer(&path, format, answer, &about, look)?;
+            save_answer(&path, format, &answer, &about, look)?;
             silent = true;
         }
         drop(bar);
         if output.json {
-            print_json(&json_text(answer, &about))?;
+            print_json(&answer.json(&about))?;
         } else if !silent {
             print(&answer.text(&about))?;
         }

@@ -3,7 +3,7 @@
 use super::input::{SceneArguments, output_ending_in, parse_size, whole};
 use super::output::{Failure, check_picture_target, progress_bar};
 use clap::Args;
-use shading_lab::analysis::{comparison_sheet, draw_panes, panes_on_sheet};
+use shading_lab::analysis::comparison::{comparison_sheet, draw_panes, panes_on_sheet};
 use shading_lab::animation::{
     Course, FilmFormat, MOST_FRAMES, Sweep, SweepError, USUAL_FRAMES, USUAL_RATE,
 };
@@ -65,8 +65,7 @@ impl Animate {
             .scenes()
             .try_for_each(|scene| check_memory_for(&scene, loaded.model.as_deref(), 1))
             .map_err(Failure::work)?;
-        let mut renderer = Renderer::default();
-        renderer.set_model(loaded.model);
+        let mut renderer = loaded.renderer();
         let bar = progress_bar(sweep.count().into(), text!("cli-drawing"));
         let mut draw = |scene: &Scene| {
             let frame = drawn(&mut renderer, scene, self.samples);

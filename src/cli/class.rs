@@ -4,7 +4,7 @@ use super::input::{STDIN, is_stdin, output_file, stdin};
 use super::output::{Failure, columns, print, print_json, progress_bar};
 use clap::Args;
 use serde_json::{Value, json};
-use shading_lab::analysis::{Cell, Column, Table};
+use shading_lab::analysis::report::{Cell, Column, Table};
 use shading_lab::document::{check_target, write_whole};
 use shading_lab::lesson::{
     Class, ClassQuestion, Given, Group, Handed, Student, Unreadable, answer_parts, class_sheet,

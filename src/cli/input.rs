@@ -5,7 +5,7 @@ use clap::Args;
 use clap::builder::{PathBufValueParser, PossibleValue, TypedValueParser};
 use glam::DVec2;
 use serde::Serialize;
-use shading_lab::analysis::word;
+use shading_lab::analysis::report::word;
 use shading_lab::document::{LoadError, Loaded, STDOUT, is_picture, load_bytes, load_with};
 use shading_lab::lesson::Lesson;
 use shading_lab::scene::materials::{self, NamedMaterial};

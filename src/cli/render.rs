@@ -7,11 +7,12 @@ use super::input::{
 use super::output::{Failure, check_picture_target, progress_bar};
 use clap::Args;
 use glam::DVec2;
-use shading_lab::analysis::{
-    NormalField, OverlayLayer, OverlayOptions, ProfileQuestion, clearest_pixel, comparison_sheet,
-    defects, draw_defects, draw_normals, draw_overlay, draw_panes, draw_profile, panes_on_sheet,
-    probe, profile,
-};
+use shading_lab::analysis::comparison::{comparison_sheet, draw_panes, panes_on_sheet};
+use shading_lab::analysis::defects::{defects, draw_defects};
+use shading_lab::analysis::normals::{NormalField, draw_normals};
+use shading_lab::analysis::overlay::{OverlayLayer, OverlayOptions};
+use shading_lab::analysis::probe::{clearest_pixel, draw_overlay, probe};
+use shading_lab::analysis::profile::{ProfileQuestion, draw_profile, profile};
 use shading_lab::document::{check_target, save_picture};
 use shading_lab::render::{Frame, Renderer, check_memory_for};
 use shading_lab::scene::{Choice, CompareView, Scene};
@@ -64,8 +65,7 @@ impl Render {
             )?;
         }
         check_memory_for(scene, loaded.model.as_deref(), 1).map_err(Failure::work)?;
-        let mut renderer = Renderer::default();
-        renderer.set_model(loaded.model);
+        let (mut renderer, scene) = (loaded.renderer(), &loaded.scene);
         let bar = progress_bar(
             u64::from(self.samples) * which.len() as u64,
             text!("cli-drawing"),

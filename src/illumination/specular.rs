@@ -151,7 +151,7 @@ impl SpecularForm {
 
 /// Returns `R = 2N(N·L) − L`, L mirrored at N.
 #[inline(always)]
-pub(super) fn reflect<R: Real>(n: V3<R>, l: V3<R>, n_dot_l: R) -> V3<R> {
+pub(crate) fn reflect<R: Real>(n: V3<R>, l: V3<R>, n_dot_l: R) -> V3<R> {
     n.scale_add(n_dot_l + n_dot_l, -l)
 }
 

@@ -5,11 +5,15 @@
 
 use super::Staged;
 use super::budget::{Account, Budget, TooHeavy, triangles_of};
-use crate::analysis::{
-    About, Answer, ConditionsQuestion, DefectsQuestion, FramePlan, LinearPicture, PlanQuestion,
-    Probe, Probed, ProfileQuestion, Question, Subject, curves::highlight_half_width, error_figures,
-    luminance, probe, unwatched,
-};
+use crate::analysis::comparison::{LinearPicture, error_figures};
+use crate::analysis::conditions::ConditionsQuestion;
+use crate::analysis::curves::highlight_half_width;
+use crate::analysis::defects::DefectsQuestion;
+use crate::analysis::perception::luminance;
+use crate::analysis::plan::{FramePlan, PlanQuestion};
+use crate::analysis::probe::{Probe, Probed, probe};
+use crate::analysis::profile::ProfileQuestion;
+use crate::analysis::{About, Answer, Question, Subject, unwatched};
 use crate::expression::{Expression, Part, Quantities, Todo, Value};
 use crate::geometry::Mesh;
 use crate::render::{Frame, Renderer};
@@ -115,8 +119,7 @@ impl Lab {
             };
             scene.image.size = [scaled(width), scaled(height)];
         }
-        let mut renderer = Renderer::with_clock(no_clock);
-        renderer.set_model(staged.model.clone());
+        let renderer = Renderer::with_clock(no_clock).with_model(staged.model.clone());
         Self {
             model: staged.model.clone(),
             inner: RefCell::new(Inner {
@@ -316,10 +319,10 @@ impl LabPlace<'_> {
     pub(super) fn profile(
         &self,
         modes: &[ShadingMode],
-    ) -> Result<crate::analysis::Profile, String> {
+    ) -> Result<crate::analysis::profile::Profile, String> {
         let question = self.profile_question(modes)?;
         let profile = |renderer: &mut Renderer, scene: &Scene| {
-            crate::analysis::profile(renderer, scene, &question)
+            crate::analysis::profile::profile(renderer, scene, &question)
         };
         self.render(PROFILE * modes.len() as u64, profile)?
             .map_err(|error| error.to_string())

@@ -2,7 +2,8 @@
 
 use super::LabPlace;
 use super::question::{CurveOf, Extreme, Find, Goal, Kind, MatchValues, Question, RightIf};
-use crate::analysis::{LinearPicture, error_figures, luminance};
+use crate::analysis::comparison::{LinearPicture, error_figures};
+use crate::analysis::perception::luminance;
 use crate::expression::Expression;
 use crate::scene::parameter::{Parameter, Slider};
 use crate::scene::{Rgb, ShadingMode};

@@ -6,10 +6,11 @@ use super::page::{Axes, axis_name, blocks, data, escaped, inline, page, picture}
 use super::{
     Budget, Kind, Lab, LabPlace, Lesson, LessonError, Question, Solution, Stage, Staged, Step,
 };
-use crate::analysis::{
-    NormalField, OverlayLayer, OverlayOptions, ProfileQuestion, VertexNormal, comparison_sheet,
-    draw_normals, draw_overlay, draw_panes, draw_profile, panes_on_sheet, probe, profile,
-};
+use crate::analysis::comparison::{comparison_sheet, draw_panes, panes_on_sheet};
+use crate::analysis::normals::{NormalField, VertexNormal, draw_normals};
+use crate::analysis::overlay::{OverlayLayer, OverlayOptions};
+use crate::analysis::probe::{draw_overlay, probe};
+use crate::analysis::profile::{ProfileQuestion, draw_profile, profile};
 use crate::figure::{Drawing, Shape};
 use crate::render::{Frame, Renderer};
 use crate::scene::parameter::Parameter;

@@ -58,6 +58,12 @@ impl Compare {
     pub const MAX_GAIN: f64 = 64.0;
     /// The most keys that one pane replaces.
     pub const MAX_SETTINGS: usize = 64;
+
+    /// Returns whether all panes have the same value of a key.
+    pub fn shares(key: &str) -> bool {
+        let shared = ["version", "camera", "image", "compare", "object.path"];
+        shared.iter().any(|shared| is_inside(key, shared))
+    }
 }
 
 choices! {
@@ -365,9 +371,6 @@ fn short_words(setting: &str) -> Option<String> {
     }
 }
 
-/// Tables and keys that all panes share.
-const SHARED: [&str; 5] = ["version", "camera", "image", "compare", "object.path"];
-
 /// Returns the problems of the panes of an otherwise valid scene.
 pub(super) fn problems(scene: &Scene) -> Vec<Finding> {
     let Compare { panes, view, .. } = &scene.compare;
@@ -398,7 +401,7 @@ fn pane_problems(scene: &Scene, index: usize, pane: &Pane) -> Vec<Finding> {
     }
     let shared = |setting: &String| {
         let name = setting.split_once('=').map_or("", |(name, _)| name.trim());
-        SHARED.iter().any(|shared| is_inside(name, shared))
+        Compare::shares(name)
     };
     if let Some(at) = pane.set.iter().position(shared) {
         let expected = text!("expected-pane-key");

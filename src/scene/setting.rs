@@ -13,8 +13,7 @@ pub fn setting_words(setting: &str) -> String {
         return setting.to_owned();
     };
     let written = written.trim_matches(['"', '\'']);
-    let (number, pattern) = without_number(key);
-    let Some(parameter) = Parameter::all().find(|parameter| parameter.key == pattern) else {
+    let Some((parameter, light)) = Parameter::of_key(key) else {
         return format!("{key}: {written}");
     };
     let value = match &parameter.kind {
@@ -32,7 +31,7 @@ pub fn setting_words(setting: &str) -> String {
         _ => with_minus(written),
     };
     let name = parameter.name();
-    match number {
+    match light {
         Some(light) => text!(
             "report-setting-of-light",
             light = light + 1,
@@ -41,16 +40,6 @@ pub fn setting_words(setting: &str) -> String {
         ),
         None => text!("report-setting", name = name, value = value),
     }
-}
-
-/// Splits `light.0.position` into its number and the key with `N` in its place.
-fn without_number(key: &str) -> (Option<u32>, String) {
-    let found = key
-        .split('.')
-        .find_map(|part| Some((part, part.parse().ok()?)));
-    found.map_or((None, key.to_owned()), |(part, number)| {
-        (Some(number), key.replacen(&format!(".{part}."), ".N.", 1))
-    })
 }
 
 impl Parameter {

@@ -4,8 +4,9 @@ use crate::common::any_scene::{AnyScene, any_scene};
 use crate::common::reasons::Judge;
 use glam::DVec3;
 use rayon::prelude::*;
-use shading_lab::analysis::{
-    FilledPart, Here, LightHere, LineValue, ProbeHit, ReflectionLobe, ZeroCause, ZeroCauses, probe,
+use shading_lab::analysis::lobe::ReflectionLobe;
+use shading_lab::analysis::probe::{
+    FilledPart, Here, LightHere, LineValue, ProbeHit, ZeroCause, ZeroCauses, probe,
 };
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
@@ -397,8 +398,7 @@ fn examine(seed: u64) -> Result<Met, String> {
     if scene.validate().is_err() || scene.lights.len() > 10 {
         return Ok(Met::new());
     }
-    let mut renderer = Renderer::default();
-    renderer.set_model(model.clone());
+    let mut renderer = Renderer::default().with_model(model.clone());
     let mut checker = Checker {
         scene: &scene,
         judge: Judge::new(&scene, model.as_deref()),

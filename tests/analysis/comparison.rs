@@ -1,10 +1,12 @@
 //! Panes of one scene: what is drawn, what is measured of it, and what is told of the difference.
 
-use shading_lab::analysis::{
+use shading_lab::analysis::comparison::{
     DrawnPane, ErrorFigures, ErrorRegion, LinearPicture, PaneArea, brightest, comparison_sheet,
-    difference_picture, difference_scale, draw_panes, error_figures, luminance, pane_areas,
-    pane_figures, panes_on_sheet, probe, region_errors,
+    difference_picture, difference_scale, draw_panes, error_figures, pane_areas, pane_figures,
+    panes_on_sheet, region_errors,
 };
+use shading_lab::analysis::perception::luminance;
+use shading_lab::analysis::probe::probe;
 use shading_lab::figure::palette;
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
@@ -244,7 +246,7 @@ fn panes_of_one_mode_are_called_by_what_tells_them_apart() {
 fn what_is_drawn_over_panes_does_not_change_their_figures() {
     let scene = scene(CompareView::Panes);
     let over = |frame: &mut shading_lab::render::Frame, renderer: &mut Renderer, scene: &Scene| {
-        shading_lab::analysis::defects(renderer, scene, [3, 3]);
+        shading_lab::analysis::defects::defects(renderer, scene, [3, 3]);
         frame.pixels.fill([0, 0, 0, 255]);
         Ok::<(), Infallible>(())
     };

@@ -2,9 +2,8 @@
 
 mod agree;
 
-use shading_lab::analysis::{
-    Assumption, CONDITIONS, Conditions, LinearPicture, conditions, error_figures,
-};
+use shading_lab::analysis::comparison::{LinearPicture, error_figures};
+use shading_lab::analysis::conditions::{Assumption, CONDITIONS, Conditions, conditions};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
     Attenuation, Camera, Choice, CuedBy, FlatAt, Light, LightKind, NormalSource, ObjectKind,

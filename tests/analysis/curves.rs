@@ -7,7 +7,9 @@ use shading_lab::analysis::curves::{
     COURSE, Distances, attenuation_plot, exponent_plot, lobe_plot, plot, reflectance_plot,
     shown_kinds,
 };
-use shading_lab::analysis::{Curve, Ink, Plot, PlotKind, Probe, ReflectionLobe, probe};
+use shading_lab::analysis::lobe::ReflectionLobe;
+use shading_lab::analysis::probe::{Probe, probe};
+use shading_lab::figure::{Curve, Ink, Plot, PlotKind};
 use shading_lab::illumination::{Index, attenuation_at, half_width};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{

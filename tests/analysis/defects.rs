@@ -1,7 +1,7 @@
 //! The five defects of interpolated shading: the figures beside what geometry says they are.
 
 use glam::DVec3;
-use shading_lab::analysis::{Defects, defect_plots, defects, defects_with_progress};
+use shading_lab::analysis::defects::{Defects, defect_plots, defects, defects_with_progress};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
     Camera, Interpolation, NormalSource, Object, ObjectKind, Projection, Scene, Shading,

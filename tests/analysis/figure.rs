@@ -5,10 +5,11 @@ mod extremes;
 use crate::common::properties;
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
-use shading_lab::analysis::{
-    Angle, ArrowHead, Halo, LightTerms, Overlay, OverlayLayer, OverlayOptions, Probe, ProbeHit,
-    ZeroCauses, draw_overlay, face_at, lay_out_scan, scan, scan_room,
+use shading_lab::analysis::overlay::{Halo, OverlayLayer, OverlayOptions};
+use shading_lab::analysis::probe::{
+    Angle, ArrowHead, LightTerms, Overlay, Probe, ProbeHit, ZeroCauses, draw_overlay,
 };
+use shading_lab::analysis::scan::{face_at, lay_out_scan, scan, scan_room};
 use shading_lab::figure::{Area, Paper, PlotStyle, palette};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{

@@ -2,10 +2,11 @@
 //! stand in a picture.
 
 use glam::{DVec2, DVec3, Vec3};
-use shading_lab::analysis::{
-    About, Answer, LitVertex, NeedleKind, Needles, NormalField, NormalsQuestion, OverlayLayer,
-    OverlayOptions, Question, Subject, VertexNormal, unwatched,
+use shading_lab::analysis::normals::{
+    LitVertex, NeedleKind, Needles, NormalField, NormalsQuestion, VertexNormal,
 };
+use shading_lab::analysis::overlay::{OverlayLayer, OverlayOptions};
+use shading_lab::analysis::{About, Answer, Question, Subject, unwatched};
 use shading_lab::export::glsl_330;
 use shading_lab::geometry::{Corner, Mesh, NO_NORMAL, NormalOrigin, tessellate};
 use shading_lab::render::Renderer;
@@ -514,8 +515,7 @@ fn a_model_without_normals_is_shaded_with_the_weighting_that_it_asks_for() {
         (scene.object.normals, scene.object.weighting) = (normals, weighting);
         scene.shading.mode = ShadingMode::Gouraud;
         scene.image.size = [48, 48];
-        let mut renderer = Renderer::default();
-        renderer.set_model(Some(corner.clone()));
+        let mut renderer = Renderer::default().with_model(Some(corner.clone()));
         renderer.render(&scene).pixels.clone()
     };
     let by_angle = draw(NormalSource::Averaged, Weighting::Angle);

@@ -1,12 +1,15 @@
 //! Profiles of pictures, what is perceived of them, and the theory of both.
 
 use glam::{DVec2, DVec3};
-use shading_lab::analysis::{
-    Abscissa, Compared, Perception, Plot, Profile, ProfileError, ProfileQuestion, ResponseModel,
-    Trace, Viewing, blur_line, blur_picture, compared_plots, luminance, perceived_picture, probe,
-    profile,
+use shading_lab::analysis::perception::{
+    Perception, ResponseModel, Viewing, blur_line, blur_picture, luminance,
 };
-use shading_lab::figure::{Paper, PlotStyle, lay_out_bare};
+use shading_lab::analysis::probe::probe;
+use shading_lab::analysis::profile::{
+    Abscissa, Compared, Profile, ProfileError, ProfileQuestion, Trace, compared_plots,
+    perceived_picture, profile,
+};
+use shading_lab::figure::{Paper, Plot, PlotStyle, lay_out_bare};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
     Choice, Interpolation, Light, LightKind, NormalSource, ObjectKind, Projection, Rgb, Scene,

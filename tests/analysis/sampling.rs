@@ -1,12 +1,12 @@
 //! An area light's points against many points: the error falls as their number grows.
 
 use glam::DVec3;
-use shading_lab::analysis::{SamplingError, sampling_error_with};
+use shading_lab::analysis::sampling::{self, SamplingError};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{AreaShape, Light, LightKind, Scene, presets};
 
 fn sampling_error(scene: &Scene, light: usize) -> Option<SamplingError> {
-    sampling_error_with(&mut Renderer::default(), scene, light)
+    sampling::sampling_error(&mut Renderer::default(), scene, light)
 }
 
 const COUNTS: [u32; 5] = [1, 4, 16, 64, 256];

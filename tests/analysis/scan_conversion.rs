@@ -2,10 +2,12 @@
 
 use glam::Vec3;
 use glam::{DVec2, DVec3};
-use shading_lab::analysis::{
-    About, Answer, Grid, Rule, Scan, ScanError, ScanLevel, ScanLine, ScanPixel, ScanSpan, ScanStep,
-    ScanStop, corner_name, face_at, probe, scan, scan_in_grid,
+use shading_lab::analysis::probe::probe;
+use shading_lab::analysis::scan::{
+    Grid, Rule, Scan, ScanError, ScanLevel, ScanLine, ScanPixel, ScanSpan, ScanStep, ScanStop,
+    corner_name, face_at, scan, scan_in_grid,
 };
+use shading_lab::analysis::{About, Answer};
 use shading_lab::geometry::{Corner, Mesh, NO_NORMAL};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{Interpolation, NormalSource, ObjectKind, Projection, presets};
@@ -39,8 +41,7 @@ fn polygon(points: &[[f32; 2]]) -> (Renderer, Scene) {
     scene.object.kind = ObjectKind::Obj;
     scene.object.normals = NormalSource::Averaged;
     scene.shading.mode = ShadingMode::Gouraud;
-    let mut renderer = Renderer::default();
-    renderer.set_model(Some(Arc::new(mesh)));
+    let renderer = Renderer::default().with_model(Some(Arc::new(mesh)));
     (renderer, scene)
 }
 

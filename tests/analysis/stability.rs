@@ -1,6 +1,6 @@
 //! The catalogue of stiff and extreme cases: the engine holds in each, and the naive way does not.
 
-use shading_lab::analysis::{HALF_A_CODE_VALUE, Verdict, stability, stability_cases};
+use shading_lab::analysis::stability::{HALF_A_CODE_VALUE, Verdict, stability, stability_cases};
 use shading_lab::render::Renderer;
 use shading_lab::text::{Language, in_language};
 use std::collections::HashSet;

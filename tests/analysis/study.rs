@@ -2,10 +2,13 @@
 
 use glam::DVec3;
 use serde_json::Value;
-use shading_lab::analysis::{
-    CHANGES, Column, Method, Setting, Study, StudyQuestion, Table, Watch, as_it_is, fit_line,
-    fixed, median_and_spread, order_of, pareto_front, student, study, study_plot, unwatched,
+use shading_lab::analysis::bench::CHANGES;
+use shading_lab::analysis::report::{Column, Table, as_it_is, fixed};
+use shading_lab::analysis::study::{
+    Method, Setting, Study, StudyQuestion, fit_line, median_and_spread, order_of, pareto_front,
+    student, study, study_plot,
 };
+use shading_lab::analysis::{Watch, unwatched};
 use shading_lab::scene::{
     Choice, Interpolation, Light, LightKind, Overflow, Projection, Rgb, Scene, presets,
 };

@@ -1,6 +1,6 @@
 //! The terms of the equation as products: they multiply to what the probe has, and add up to the pixel.
 
-use shading_lab::analysis::{Here, Product, clearest_pixel, digits, digits_below, probe};
+use shading_lab::analysis::probe::{Here, Product, clearest_pixel, digits, digits_below, probe};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{Rgb, Scene, ShadingMode, presets};
 

@@ -1,9 +1,11 @@
 //! What a web page sends to its workers, and what they send back: nothing is lost on the way.
 
-use shading_lab::analysis::{
-    BenchQuestion, DefectsQuestion, Method, ProfileQuestion, Question, StabilityQuestion,
-    StudyQuestion, unwatched,
-};
+use shading_lab::analysis::bench::BenchQuestion;
+use shading_lab::analysis::defects::DefectsQuestion;
+use shading_lab::analysis::profile::ProfileQuestion;
+use shading_lab::analysis::stability::StabilityQuestion;
+use shading_lab::analysis::study::{Method, StudyQuestion};
+use shading_lab::analysis::{Question, unwatched};
 use shading_lab::geometry::tessellate;
 use shading_lab::jobs::{Request, Work};
 use shading_lab::scene::{Interpolation, Scene, ShadingMode};

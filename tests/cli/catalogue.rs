@@ -2,7 +2,9 @@
 
 use fluent_bundle::FluentResource;
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
-use shading_lab::analysis::{Format, Method, Topic, Verdict, stability_cases};
+use shading_lab::analysis::Format;
+use shading_lab::analysis::stability::{Topic, Verdict, stability_cases};
+use shading_lab::analysis::study::Method;
 use shading_lab::lesson::LESSONS;
 use shading_lab::scene::Choice;
 use shading_lab::scene::parameter::Parameter;

@@ -1,7 +1,7 @@
 //! Whether a reason for which a light adds nothing is the real one, decided by rays and angles worked out apart.
 
 use glam::DVec3;
-use shading_lab::analysis::{LightTerms, ProbeHit, ZeroCause, ZeroCauses};
+use shading_lab::analysis::probe::{LightTerms, ProbeHit, ZeroCause, ZeroCauses};
 use shading_lab::geometry::{Mesh, Ray, Surface, VertexMesh, tessellate};
 use shading_lab::illumination::{Index, area_samples};
 use shading_lab::scene::{

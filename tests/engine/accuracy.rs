@@ -4,7 +4,7 @@ mod grid;
 
 use crate::common::textbook::{Dice, field_edge, meet, random_scene, steps, textbook};
 use glam::DVec3;
-use shading_lab::analysis::probe;
+use shading_lab::analysis::probe::probe;
 use shading_lab::geometry::tessellate;
 use shading_lab::render::Renderer;
 use shading_lab::scene::{

@@ -2,7 +2,10 @@
 
 mod security;
 
-use shading_lab::analysis::{Probe, ProfileError, ProfileQuestion, ScanError, Subject};
+use shading_lab::analysis::Subject;
+use shading_lab::analysis::probe::Probe;
+use shading_lab::analysis::profile::{ProfileError, ProfileQuestion};
+use shading_lab::analysis::scan::ScanError;
 use shading_lab::animation::SweepError;
 use shading_lab::document::{LoadError, Loaded, SaveError, load};
 use shading_lab::export::{Export, ExportError};

@@ -1,6 +1,6 @@
 //! The picture turned about the line of sight.
 
-use shading_lab::analysis::probe;
+use shading_lab::analysis::probe::probe;
 use shading_lab::render::Renderer;
 use shading_lab::scene::{Camera, Scene, ShadingMode, presets};
 

@@ -1,7 +1,8 @@
 //! Depth cueing against closed forms, the probe's working against the picture, and what re-runs when it changes.
 
 use glam::{DVec2, DVec3};
-use shading_lab::analysis::{ProfileQuestion, probe, profile};
+use shading_lab::analysis::probe::probe;
+use shading_lab::analysis::profile::{ProfileQuestion, profile};
 use shading_lab::render::{Cued, Frame, Renderer, Stage};
 use shading_lab::scene::{
     AmbientSource, CuedBy, DepthCueing, FlatAt, Interpolation, ObjectKind, Projection, Rgb, Scene,

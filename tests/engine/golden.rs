@@ -3,7 +3,7 @@
 //! A difference writes what was expected, what came and where they differ to `target/golden/`. `UPDATE_GOLDEN=1` replaces
 //! the kept pictures, and the run still fails, so that they are looked at before they are kept.
 
-use shading_lab::analysis::{comparison_sheet, draw_panes, panes_on_sheet};
+use shading_lab::analysis::comparison::{comparison_sheet, draw_panes, panes_on_sheet};
 use shading_lab::render::{Frame, Renderer};
 use shading_lab::scene::presets;
 use std::convert::Infallible;

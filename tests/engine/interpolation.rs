@@ -7,7 +7,8 @@ use crate::common::properties;
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
-use shading_lab::analysis::{ProfileQuestion, probe, profile};
+use shading_lab::analysis::probe::probe;
+use shading_lab::analysis::profile::{ProfileQuestion, profile};
 use shading_lab::geometry::read_obj;
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
@@ -437,8 +438,7 @@ fn a_polygon_of_twenty_thousand_corners_is_drawn_and_read_along_a_line() {
     (scene.object.kind, scene.object.path) = (ObjectKind::Obj, Some("rim.obj".into()));
     (scene.shading.mode, scene.shading.interpolation) =
         (ShadingMode::Gouraud, Interpolation::Scanline);
-    let mut renderer = Renderer::default();
-    renderer.set_model(Some(std::sync::Arc::new(model)));
+    let mut renderer = Renderer::default().with_model(Some(std::sync::Arc::new(model)));
     let began = std::time::Instant::now();
     renderer.render(&scene);
     assert!(renderer.report().covered > 2000);

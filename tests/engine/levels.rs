@@ -6,7 +6,7 @@ use crate::common::textbook::field_edge;
 use fearless_simd::Level;
 use glam::DVec2;
 use rayon::ThreadPool;
-use shading_lab::analysis::{ProbeHit, probe};
+use shading_lab::analysis::probe::{ProbeHit, probe};
 use shading_lab::geometry::{Mesh, tessellate};
 use shading_lab::render::{Frame, Renderer, srgb};
 use shading_lab::scene::{Encoding, Overflow, Scene, ShadingMode, View, presets};

@@ -300,8 +300,7 @@ fn a_comb_of_any_number_of_corners_is_filled_as_a_comb() {
         (scene.object.kind, scene.object.path) = (ObjectKind::Obj, Some("comb.obj".into()));
         (scene.camera.projection, scene.camera.height) = (Projection::Orthographic, 2.2);
         scene.image.size = [SIDE; 2];
-        let mut renderer = Renderer::default();
-        renderer.set_model(Some(std::sync::Arc::new(mesh)));
+        let mut renderer = Renderer::default().with_model(Some(std::sync::Arc::new(mesh)));
         renderer.keep_linear(true);
         renderer.render(&scene);
         let pixel = 2.2 / f64::from(SIDE);

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use proptest::prelude::*;
 use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};
-use shading_lab::analysis::probe;
+use shading_lab::analysis::probe::probe;
 use shading_lab::render::{Frame, Per, Renderer, Term};
 use shading_lab::scene::{
     Attenuation, Backfacing, Choice, CuedBy, Distribution, Interpolation, Light, LightKind,

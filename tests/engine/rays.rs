@@ -3,7 +3,7 @@
 mod glass;
 
 use glam::{DVec2, DVec3};
-use shading_lab::analysis::probe;
+use shading_lab::analysis::probe::probe;
 use shading_lab::render::{Renderer, Stage};
 use shading_lab::scene::{
     AmbientSource, AreaShape, Backfacing, Choice, CuedBy, FlatAt, Ground, Interpolation, Light,

@@ -5,7 +5,9 @@ use crate::common::reasons::Judge;
 use crate::common::textbook::field_edge;
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
-use shading_lab::analysis::{Probe, ProfileQuestion, ZeroCause, luminance, probe, profile};
+use shading_lab::analysis::perception::luminance;
+use shading_lab::analysis::probe::{Probe, ZeroCause, probe};
+use shading_lab::analysis::profile::{ProfileQuestion, profile};
 use shading_lab::render::{Renderer, srgb};
 use shading_lab::scene::{
     Attenuation, Encoding, GREATEST_INTENSITY, Interpolation, Light, Material, ObjectKind,
@@ -53,8 +55,7 @@ fn check_and_draw(AnyScene { scene, model }: &AnyScene) -> Result<Fate, String> 
         Err(error) if error.is_empty() => return Err("a model refused without a reason".into()),
         Err(_) => return Ok(Fate::Refused),
     };
-    let mut renderer = Renderer::default();
-    renderer.set_model(model);
+    let mut renderer = Renderer::default().with_model(model);
     for pane in 0..scene.pane_count() {
         let pane = scene
             .pane(pane)
@@ -340,8 +341,7 @@ fn compare(seed: u64) -> (u32, Option<String>) {
     if scene.validate().is_err() {
         return (0, None);
     }
-    let mut renderer = Renderer::default();
-    renderer.set_model(model);
+    let mut renderer = Renderer::default().with_model(model);
     let [width, height] = scene.image.size;
     let (mut compared, mut wrong) = (0, Vec::new());
     for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
@@ -405,8 +405,7 @@ fn compare_profile(seed: u64) -> (u32, Option<String>) {
     if scene.validate().is_err() || width < 2 {
         return (0, None);
     }
-    let mut renderer = Renderer::default();
-    renderer.set_model(model);
+    let mut renderer = Renderer::default().with_model(model);
     let at = |x: f64| DVec2::new(x, f64::from(height / 2) + 0.5);
     let request = ProfileQuestion {
         modes: vec![scene.shading.mode],
@@ -507,8 +506,7 @@ fn check_reasons(seed: u64) -> Result<Vec<ZeroCause>, String> {
     if scene.validate().is_err() || scene.lights.len() > 10 {
         return Ok(Vec::new());
     }
-    let mut renderer = Renderer::default();
-    renderer.set_model(model.clone());
+    let mut renderer = Renderer::default().with_model(model.clone());
     let judge = Judge::new(&scene, model.as_deref());
     let [width, height] = scene.image.size;
     let mut met = Vec::new();

@@ -12,7 +12,7 @@ use eframe::egui::{Key, Modifiers, Shape, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use glam::DVec3;
-use shading_lab::analysis::NormalField;
+use shading_lab::analysis::normals::NormalField;
 use shading_lab::app::{App, Appearance, ProfileAppearance, ViewName};
 use shading_lab::geometry::tessellate;
 use shading_lab::scene::{Choice, CompareView, Pane, Rgb, ShadingMode, View};

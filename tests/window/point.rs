@@ -4,7 +4,7 @@ use crate::common::hands::{press, window};
 use eframe::egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
 use glam::{DVec2, DVec3};
-use shading_lab::analysis::{ConstructionStep, Here, VectorsShown, draw_vectors, probe};
+use shading_lab::analysis::probe::{ConstructionStep, Here, VectorsShown, draw_vectors, probe};
 use shading_lab::figure::palette::contrast;
 use shading_lab::figure::{Paper, PlotStyle};
 use shading_lab::render::Renderer;

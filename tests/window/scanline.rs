@@ -5,7 +5,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
-use shading_lab::analysis::{Scan, ScanLevel, scan};
+use shading_lab::analysis::scan::{Scan, ScanLevel, scan};
 use shading_lab::app::{App, ScanView, ViewName};
 use shading_lab::render::Renderer;
 use shading_lab::scene::ShadingMode;

@@ -4,7 +4,7 @@ use crate::common::hands::{enter, open_view, press, scene, undo, wait, window};
 use eframe::egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
-use shading_lab::analysis::stability_cases;
+use shading_lab::analysis::stability::stability_cases;
 use shading_lab::app::App;
 use shading_lab::scene::{ObjectKind, ShadingMode};
 

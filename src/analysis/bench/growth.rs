@@ -6,8 +6,9 @@
 //! the rounds.
 
 use super::median_ms;
+use crate::analysis::Subject;
 use crate::analysis::report::{Column, Part, Report, Table, as_it_is, fixed};
-use crate::analysis::{Fit, Subject, order_of};
+use crate::analysis::study::{Fit, order_of};
 use crate::geometry::{divisions_for, triangles};
 use crate::render::Renderer;
 use crate::scene::{Image, ObjectKind, Scene};

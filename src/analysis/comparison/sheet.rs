@@ -2,7 +2,7 @@
 //! with the scale that explains its colours.
 
 use super::{ErrorFigures, LinearPicture, PaneFigures, brightest, error_figures};
-use crate::analysis::luminance;
+use crate::analysis::perception::luminance;
 use crate::figure::palette::{self, Rgb8};
 use crate::figure::{Area, Drawing, Shape, Text};
 use crate::render::{Frame, Renderer};

@@ -1,8 +1,7 @@
 //! Attenuation of light with distance: f(d), by the current law and by the others.
 
 use crate::analysis::probe::attenuation_law;
-use crate::analysis::{Axis, Curve, Dash, Ink, Mark, Plot, PlotKind};
-use crate::figure::short;
+use crate::figure::{Axis, Curve, Dash, Ink, Mark, Plot, PlotKind, short};
 use crate::illumination::attenuation_at;
 use crate::render::Renderer;
 use crate::scene::{Attenuation, Light, Scene};

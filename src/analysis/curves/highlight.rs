@@ -1,11 +1,10 @@
 //! Falloff of the highlight with the angle φ between R and V, or α between N and H: the family of powers of its
 //! cosine, and the polar lobe of a point.
 
+use crate::analysis::lobe::ReflectionLobe;
+use crate::analysis::probe::ProbeHit;
 use crate::analysis::probe::exponent;
-use crate::analysis::{
-    Axis, Curve, Dash, Direction, Ink, Mark, Plot, PlotKind, ProbeHit, ReflectionLobe, Tag,
-};
-use crate::figure::short;
+use crate::figure::{Axis, Curve, Dash, Direction, Ink, Mark, Plot, PlotKind, Tag, short};
 use crate::illumination::half_width;
 use crate::scene::{Distribution, ReflectionModel, Scene};
 use crate::text::{fixed, text};

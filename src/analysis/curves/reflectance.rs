@@ -2,8 +2,7 @@
 
 use super::highlight::{cosine, degrees, specular_ink};
 use crate::analysis::perception::luminance;
-use crate::analysis::{Axis, Curve, Dash, Ink, Mark, Plot, PlotKind, Tag};
-use crate::figure::short;
+use crate::figure::{Axis, Curve, Dash, Ink, Mark, Plot, PlotKind, Tag, short};
 use crate::illumination::Index;
 use crate::scene::{Reflectance, ReflectionModel, Rgb, Scene};
 use crate::text;

@@ -1,7 +1,8 @@
 //! Defects of edges: the polygonal silhouette, and edges with a vertex on one side only.
 
 use super::{Finding, goes_on, interpolates};
-use crate::analysis::{Watch, luminance};
+use crate::analysis::Watch;
+use crate::analysis::perception::luminance;
 use crate::geometry::Mesh;
 use crate::illumination::Equation;
 use crate::render::{Piece, Renderer};

@@ -1,8 +1,10 @@
 //! Defects inside the outline: the perspective distortion, the dependence on orientation, and unrepresentative vertex normals.
 
 use super::{Finding, interpolates};
+use crate::analysis::comparison::{ErrorFigures, LinearPicture, error_figures};
+use crate::analysis::perception::luminance;
 use crate::analysis::perception::pixel_luminance;
-use crate::analysis::{ErrorFigures, LinearPicture, error_figures, luminance, probe};
+use crate::analysis::probe::probe;
 use crate::illumination::Equation;
 use crate::render::Renderer;
 use crate::scene::{Interpolation, NormalSource, Projection, Rgb, Scene, ShadingMode, View};

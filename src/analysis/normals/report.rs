@@ -172,7 +172,7 @@ impl Answer for FoundNormal {
         report
     }
 
-    fn json(&self, about: &About<'_>) -> Value {
+    fn value(&self, about: &About<'_>) -> Value {
         json!({
             "scene": about.name,
             "normals": self.source,

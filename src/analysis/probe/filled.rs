@@ -8,7 +8,7 @@ mod light;
 use super::digits::{digits, in_channels};
 use super::letters::{Tone, specular_vector};
 use super::products::{Here, Product};
-use crate::analysis::luminance;
+use crate::analysis::perception::luminance;
 use crate::figure::palette::Vector;
 use crate::render::srgb;
 use crate::scene::{

@@ -6,9 +6,9 @@ use super::letters::{attenuation_law, equation_letters, plain_formula};
 use super::products::{Here, LightHere, Product};
 use super::{CueTerms, Probe, ProbeHit, probe};
 use crate::analysis::report::{About, Answer, Cell, Column, Report, Section, Table};
-use crate::analysis::{
-    Part, Question, REFERENCE_SAMPLES, SamplingError, Subject, Watch, cells, sampling_error_with,
-};
+use crate::analysis::report::{Part, cells};
+use crate::analysis::sampling::{REFERENCE_SAMPLES, SamplingError, sampling_error};
+use crate::analysis::{Question, Subject, Watch};
 use crate::figure::palette::Vector;
 use crate::scene::Choice;
 use crate::text;
@@ -45,7 +45,7 @@ impl Question for ProbeQuestion {
             0
         };
         let sampling = (0..lights)
-            .map(|light| sampling_error_with(&mut renderer, &subject.scene, light))
+            .map(|light| sampling_error(&mut renderer, &subject.scene, light))
             .collect();
         Ok(Probed { probe, sampling })
     }
@@ -131,7 +131,7 @@ impl Answer for Probed {
         report
     }
 
-    fn json(&self, _: &About<'_>) -> Value {
+    fn value(&self, _: &About<'_>) -> Value {
         let Probe {
             pixel,
             hit,

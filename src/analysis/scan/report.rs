@@ -4,10 +4,11 @@ use super::{
     Carried, Crossing, Rule, Scan, ScanLine, ScanPixel, ScanSpan, corner_name, face_at,
     lay_out_scan, scan,
 };
+use crate::analysis::probe::clearest_pixel;
 use crate::analysis::report::{
     About, Answer, Column, Figure, Part, Report, Table, as_it_is, cells,
 };
-use crate::analysis::{Question, Subject, Watch, clearest_pixel};
+use crate::analysis::{Question, Subject, Watch};
 use crate::figure::{Paper, PlotStyle};
 use crate::scene::Choice;
 use crate::text::text;
@@ -166,7 +167,7 @@ impl Answer for ScanStop {
         Some(table)
     }
 
-    fn json(&self, _: &About<'_>) -> Value {
+    fn value(&self, _: &About<'_>) -> Value {
         json!(self)
     }
 

@@ -1,7 +1,7 @@
 //! Serialization of the results of cases: the name of the case, its pictures and its scene.
 
 use super::{CaseResult, stability_cases};
-use crate::analysis::{from_bytes, to_bytes};
+use crate::analysis::codec::{from_bytes, to_bytes};
 use std::sync::Arc;
 
 pub fn results_to_bytes(results: &[Arc<CaseResult>]) -> Vec<u8> {

@@ -2,10 +2,11 @@
 
 use super::codec;
 use super::{CaseResult, HALF_A_CODE_VALUE, Verdict, case_pictures, stability, stability_cases};
+use crate::analysis::codec::Codec;
 use crate::analysis::report::{
     About, Answer, Column, Figure, Part, Report, Section, Table, as_it_is,
 };
-use crate::analysis::{Codec, Question, Subject, Watch};
+use crate::analysis::{Question, Subject, Watch};
 use crate::figure::{Drawing, Paper, Text, magnitude};
 use crate::render::Frame;
 use crate::scene::Choice;
@@ -170,7 +171,7 @@ impl Answer for Catalogue {
         })
     }
 
-    fn json(&self, _: &About<'_>) -> Value {
+    fn value(&self, _: &About<'_>) -> Value {
         json!({ "cases": self.results.iter().map(|result| json!(**result)).collect::<Vec<_>>() })
     }
 }

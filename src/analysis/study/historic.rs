@@ -13,7 +13,7 @@
 
 use super::Method;
 use super::jet::Jet;
-use crate::geometry::VertexMesh;
+use crate::geometry::{VertexMesh, angle};
 use crate::illumination::{Equation, Real, V3};
 use crate::scene::{
     AmbientSource, Backfacing, CuedBy, Interpolation, PatternKind, Projection, Reflectance,
@@ -430,11 +430,6 @@ impl Kernel for Angular<'_> {
         let next = self.normal * self.twice_cosine - self.before;
         self.before = std::mem::replace(&mut self.normal, next);
     }
-}
-
-/// Returns the angle between two unit vectors, accurate for small angles too.
-fn angle(a: DVec3, b: DVec3) -> f64 {
-    a.cross(b).length().atan2(a.dot(b))
 }
 
 /// Returns the unit vector on the great circle from `a` towards `b`, at `t` times the angle between them (Shoemake

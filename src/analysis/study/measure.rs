@@ -2,7 +2,8 @@
 
 use super::historic::{Historic, cannot_draw};
 use super::{Method, Omission, Setting, Study, StudyQuestion, StudyRow, median_and_spread};
-use crate::analysis::{LinearPicture, Watch, region_errors};
+use crate::analysis::Watch;
+use crate::analysis::comparison::{LinearPicture, region_errors};
 use crate::geometry::{Mesh, VertexMesh, tessellate};
 use crate::illumination::Equation;
 use crate::render::{Renderer, Stage};
@@ -189,8 +190,7 @@ struct Exact {
 
 impl Measure {
     fn new(scene: &Scene, model: Option<Arc<Mesh>>, clock: fn() -> u64) -> Self {
-        let mut renderer = Renderer::with_clock(clock);
-        renderer.set_model(model.clone());
+        let renderer = Renderer::with_clock(clock).with_model(model.clone());
         let (historic, exact) = (Historic::default(), HashMap::new());
         Self {
             scene: scene.clone(),

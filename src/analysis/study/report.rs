@@ -1,13 +1,12 @@
 //! A study as a plot of error over time, as tables with the orders of convergence, and as JSON.
 
 use super::{Fit, Method, Series, Setting, Study, StudyQuestion, StudyRow, study, title};
+use crate::analysis::codec::Codec;
 use crate::analysis::report::{
     About, Answer, Column, Figure, Part, Report, Table, as_it_is, fixed,
 };
-use crate::analysis::{
-    Axis, Codec, Curve, Dash, Ink, Plot, PlotKind, Point, Question, Subject, Watch,
-};
-use crate::figure::{Paper, PlotStyle, lay_out};
+use crate::analysis::{Question, Subject, Watch};
+use crate::figure::{Axis, Curve, Dash, Ink, Paper, Plot, PlotKind, PlotStyle, Point, lay_out};
 use crate::scene::{Choice, Interpolation, ShadingMode};
 use crate::text::text;
 use glam::DVec2;
@@ -113,7 +112,7 @@ impl Answer for Study {
         })
     }
 
-    fn json(&self, about: &About<'_>) -> Value {
+    fn value(&self, about: &About<'_>) -> Value {
         let orders =
             |of: fn(&Series) -> Option<Fit>, value: fn(Fit) -> f64| -> Map<String, Value> {
                 let one = |method: &Method| {

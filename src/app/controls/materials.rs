@@ -2,7 +2,8 @@
 //! and the n or m of the other models that makes a highlight as wide as the present one.
 
 use super::row::{About, display, row, value_row};
-use crate::analysis::{Codec, Watch};
+use crate::analysis::Watch;
+use crate::analysis::codec::Codec;
 use crate::app::widgets::background::{PICTURES, Pictures};
 use crate::app::widgets::focus::{named, switch_named};
 use crate::app::widgets::symbol::Symbol;

@@ -4,7 +4,7 @@ use super::row::{
     About, NumberRow, SliderRange, View, axes, number, parameter, parameter_with, value_row, whole,
 };
 use super::vertices::{MOST_HANDLES, move_vertex};
-use crate::analysis::grouped;
+use crate::analysis::report::grouped;
 use crate::app::engine::Engine;
 use crate::app::session::Session;
 use crate::app::session::action::Action;

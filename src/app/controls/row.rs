@@ -15,7 +15,7 @@ pub use layout::{About, row, value_row};
 pub use number::{NumberRow, SliderRange, display, number, whole};
 pub use widgets::{axes, swatch};
 
-use crate::analysis::specular_vector;
+use crate::analysis::probe::specular_vector;
 use crate::app::widgets::palette::vector_text;
 use crate::app::widgets::symbol::Symbol;
 use crate::figure::palette::Vector;

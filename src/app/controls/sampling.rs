@@ -1,6 +1,8 @@
 //! The error of an area light's points, computed in the background.
 
-use crate::analysis::{Codec, SamplingError, Watch, sampling_error_with};
+use crate::analysis::Watch;
+use crate::analysis::codec::Codec;
+use crate::analysis::sampling::{SamplingError, sampling_error};
 use crate::app::session::document::{Document, same_model};
 use crate::app::widgets::background::wake;
 use crate::jobs::{Background, Request, Work};
@@ -29,7 +31,7 @@ impl Work for Request<AreaLight> {
 
     fn run(&self, _: &dyn Watch<Self::Answer>) -> Result<Self::Answer, String> {
         let subject = self.subject();
-        Ok(sampling_error_with(
+        Ok(sampling_error(
             &mut subject.renderer(),
             &subject.scene,
             self.question.0,

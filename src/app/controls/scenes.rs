@@ -1,8 +1,8 @@
 //! The gallery of built-in scenes: a small picture of each, drawn in the background while the gallery is open.
 
-use crate::analysis::{Codec, Watch};
-use crate::app::session::action::Action;
-use crate::app::session::action::Requests;
+use crate::analysis::Watch;
+use crate::analysis::codec::Codec;
+use crate::app::session::action::{Action, Requests};
 use crate::app::session::document::Origin;
 use crate::app::session::window::WindowState;
 use crate::app::widgets::background::{PICTURES, Pictures};

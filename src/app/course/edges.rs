@@ -1,6 +1,6 @@
 //! The edges of the polygons over the picture, where a step is about them.
 
-use crate::analysis::NormalField;
+use crate::analysis::normals::NormalField;
 use crate::app::course::Course;
 use crate::app::engine::Engine;
 use crate::app::session::place::Place;

@@ -1,6 +1,7 @@
 //! Answers that were handed in, graded by the engine in the background.
 
-use crate::analysis::{Codec, Watch};
+use crate::analysis::Watch;
+use crate::analysis::codec::Codec;
 use crate::app::session::document::CoursePart;
 use crate::figure::short;
 use crate::jobs::{Background, Work};

@@ -2,7 +2,9 @@
 
 use super::data::Open;
 use super::parts::waiting_ui;
-use crate::analysis::{Codec, LinearPicture, Watch, error_figures};
+use crate::analysis::Watch;
+use crate::analysis::codec::Codec;
+use crate::analysis::comparison::{LinearPicture, error_figures};
 use crate::app::session::Session;
 use crate::app::session::window::WindowState;
 use crate::app::widgets::background::{PICTURES, wake};
@@ -47,8 +49,7 @@ impl Work for Target {
     const CODECS: Option<(Codec<Self>, Codec<Self::Answer>)> = Some((Codec::plain(), PICTURES));
 
     fn run(&self, _: &dyn Watch<Self::Answer>) -> Result<Self::Answer, String> {
-        let mut renderer = Renderer::default();
-        renderer.set_model(self.model.clone());
+        let mut renderer = Renderer::default().with_model(self.model.clone());
         let frame = renderer.render_supersampled(&self.scene, 4, &mut |_| true);
         let size = [frame.width as usize, frame.height as usize];
         Ok(vec![ColorImage::from_rgba_unmultiplied(
@@ -75,8 +76,7 @@ impl Work for Likeness {
     const CODECS: Option<(Codec<Self>, Codec<f64>)> = Some((Codec::plain(), Codec::plain()));
 
     fn run(&self, _: &dyn Watch<f64>) -> Result<f64, String> {
-        let mut renderer = Renderer::default();
-        renderer.set_model(self.model.clone());
+        let mut renderer = Renderer::default().with_model(self.model.clone());
         let [a, b] = [0, 1].map(|index| renderer.linear_picture(&self.scenes[index]));
         let picture = |pixels| LinearPicture {
             width: self.scenes[0].image.size[0],

@@ -1,6 +1,7 @@
 //! What a step needs of the engine, found in the background: its numbers, and the answer of its question.
 
-use crate::analysis::{Codec, Watch};
+use crate::analysis::Watch;
+use crate::analysis::codec::Codec;
 use crate::jobs::Work;
 use crate::lesson::{Kind, Lab, Lesson, Prose, Solution};
 use crate::text::text;

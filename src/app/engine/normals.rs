@@ -1,7 +1,8 @@
 //! Normals over the active pane: needles, kept until something moves, and the faces of the vertex under the pointer.
 
 use super::pane::{PaneEngine, drawing, lettering, overlay_options, upload};
-use crate::analysis::{LitVertex, Needles, NormalField, OverlayOptions, SeenNormals};
+use crate::analysis::normals::{LitVertex, Needles, NormalField, SeenNormals};
+use crate::analysis::overlay::OverlayOptions;
 use crate::app::session::Session;
 use crate::app::session::window::WindowState;
 use crate::scene::{Camera, Scene, ShadingMode, View};

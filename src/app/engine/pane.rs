@@ -3,10 +3,9 @@
 //! Where drawing all of it would not keep up with the hand, a coarser picture is drawn while the pointer is held, by a renderer
 //! of its own, so that the whole one's stages are kept.
 
-use crate::analysis::{
-    Halo, LinearPicture, OverlayLayer, OverlayOptions, Probe, overlay_letters,
-    pixel_beside_highlight, probe,
-};
+use crate::analysis::comparison::LinearPicture;
+use crate::analysis::overlay::{Halo, OverlayLayer, OverlayOptions, overlay_letters};
+use crate::analysis::probe::{Probe, pixel_beside_highlight, probe};
 use crate::app::session::appearance::{Appearance, Overlays};
 use crate::app::session::document::same_model;
 use crate::app::widgets::theme::TEXT;

@@ -1,6 +1,7 @@
 //! Smooth edges: pictures of several samples a pixel, drawn in the background once nothing has moved for a while.
 
-use crate::analysis::{Codec, Watch, from_bytes, to_bytes};
+use crate::analysis::Watch;
+use crate::analysis::codec::{Codec, from_bytes, to_bytes};
 use crate::app::widgets::background::{PICTURES, wake};
 use crate::geometry::Mesh;
 use crate::jobs::{Job, News, Work, model_from_bytes, model_to_bytes, nanoseconds};
@@ -82,8 +83,7 @@ impl Work for Supersampled {
     const CODECS: Option<(Codec<Self>, Codec<Pictures>)> = Some((Codec::plain(), CODEC));
 
     fn run(&self, watch: &dyn Watch<Pictures>) -> Result<Pictures, String> {
-        let mut renderer = Renderer::default();
-        renderer.set_model(self.model.clone());
+        let mut renderer = Renderer::default().with_model(self.model.clone());
         let mut pictures = None;
         let all = SAMPLES.iter().sum::<u32>() * self.panes.len() as u32;
         let (mut done, mut before) = (0, nanoseconds());

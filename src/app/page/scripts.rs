@@ -1,7 +1,8 @@
 //! What scripts can ask of the page beside the picture in sight: `shadingLab.link(text)`, `.render(link, width, height)` and
 //! `.bench(link, width, height, frames)`. What is wrong is thrown, in a sentence.
 
-use crate::analysis::{About, Answer, BenchQuestion, Question, Subject, unwatched};
+use crate::analysis::bench::BenchQuestion;
+use crate::analysis::{About, Answer, Question, Subject, unwatched};
 use crate::document::picture_bytes;
 use crate::jobs::nanoseconds;
 use crate::link::{Link, read, write};
@@ -79,5 +80,5 @@ fn timed(link: &str, size: [u32; 2], frames: u32) -> Result<String, JsValue> {
         name: "",
         scene: &subject.scene,
     };
-    Ok(bench.json(&about).to_string())
+    Ok(bench.object(&about).to_string())
 }

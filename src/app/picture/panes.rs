@@ -1,19 +1,16 @@
 //! Panes in the window: where they are on the screen, and their captions, by which they are moved and chosen.
 
 use super::handles;
-use crate::analysis::{PaneFigures, caption, error_line, pane_areas};
+use crate::analysis::comparison::{PaneFigures, caption, error_line, pane_areas};
 use crate::app::course::Course;
 use crate::app::engine::Engine;
 use crate::app::session::Session;
-use crate::app::session::action::Action;
-use crate::app::session::action::Requests;
+use crate::app::session::action::{Action, Requests};
 use crate::app::session::place::Place;
-use crate::app::session::window::Grip;
-use crate::app::session::window::WindowState;
+use crate::app::session::window::{Grip, WindowState};
 use crate::app::views::compare::menu_ui;
-use crate::app::widgets::focus;
 use crate::app::widgets::letter::letter;
-use crate::app::widgets::palette;
+use crate::app::widgets::{focus, palette};
 use crate::figure::palette::Vector;
 use crate::scene::{AmbientSource, CompareView, View};
 use crate::text;

@@ -1,7 +1,8 @@
 //! What can be asked of the window. Menus, buttons and keys all ask here, so that each does the same by every way.
 
 use super::appearance::{Appearance, ViewName};
-use crate::analysis::{Format, ScanLevel};
+use crate::analysis::Format;
+use crate::analysis::scan::ScanLevel;
 use crate::scene::{CompareView, Light, ShadingMode};
 use std::path::PathBuf;
 

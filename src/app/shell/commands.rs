@@ -1,11 +1,9 @@
 //! The commands of the window: one table that the keys, the menus and Help read, and what each does to the state.
 
-use crate::analysis::ScanLevel;
+use crate::analysis::scan::ScanLevel;
 use crate::app::course::Course;
-use crate::app::picture::handles;
-use crate::app::picture::orbit;
-use crate::app::session::action::Requests;
-use crate::app::session::action::{Action, Turn, Walk};
+use crate::app::picture::{handles, orbit};
+use crate::app::session::action::{Action, Requests, Turn, Walk};
 use crate::app::session::appearance::{Appearance, ViewName};
 use crate::app::session::place::ProbePoint;
 use crate::app::session::window::WindowState;

@@ -1,7 +1,7 @@
 //! The equation on top of the controls. Its symbols are the table of contents: pointing at one lights up what controls
 //! it, clicking it brings that into view.
 
-use crate::analysis::{Letters, equation_letters};
+use crate::analysis::probe::{Letters, equation_letters};
 use crate::app::session::Session;
 use crate::app::widgets::palette::tone_text;
 use crate::app::widgets::typeset::{Piece, Place, formula, run_ui};

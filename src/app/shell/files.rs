@@ -2,10 +2,12 @@
 
 use super::dialog::{Dialog, ExportForm, FileTask};
 use super::film::FilmForm;
-use crate::analysis::{
-    Codec, NormalField, ProfileQuestion, Watch, comparison_sheet, draw_normals, draw_overlay,
-    draw_panes, draw_profile, panes_on_sheet, probe, profile,
-};
+use crate::analysis::Watch;
+use crate::analysis::codec::Codec;
+use crate::analysis::comparison::{comparison_sheet, draw_panes, panes_on_sheet};
+use crate::analysis::normals::{NormalField, draw_normals};
+use crate::analysis::probe::{draw_overlay, probe};
+use crate::analysis::profile::{ProfileQuestion, draw_profile, profile};
 use crate::animation::write_film;
 use crate::app::engine::overlay_options;
 use crate::app::session::action::Action;
@@ -131,8 +133,7 @@ impl Work for Exported {
     fn run(&self, watch: &dyn Watch<Frame>) -> Result<Frame, String> {
         let model = self.model.as_deref();
         check_memory_for(&self.scene, model, 1).map_err(|error| error.to_string())?;
-        let mut renderer = Renderer::default();
-        renderer.set_model(self.model.clone());
+        let mut renderer = Renderer::default().with_model(self.model.clone());
         let total = f64::from(self.samples) * self.scene.shown_panes().len() as f64;
         let mut progress = |done: u32| watch.at((f64::from(done) / total) as f32);
         let frame = picture(
@@ -175,8 +176,7 @@ impl Work for Filmed {
             .scenes()
             .try_for_each(|scene| check_memory_for(&scene, model.as_deref(), 1))
             .map_err(|error| error.to_string())?;
-        let mut renderer = Renderer::default();
-        renderer.set_model(model.clone());
+        let mut renderer = Renderer::default().with_model(model.clone());
         let count = f64::from(sweep.count());
         let mut done = 0.0;
         let mut draw = |scene: &Scene| {
@@ -304,8 +304,7 @@ impl Files {
         self.start(ctx, title, text!("course-not-handed-in"), move |watch| {
             let mut sized = scene.clone();
             sized.image.size = HANDED_IN;
-            let mut renderer = Renderer::default();
-            renderer.set_model(model.clone());
+            let mut renderer = Renderer::default().with_model(model.clone());
             let mut progress = |_| watch.at(0.5);
             // Nobody reads why.
             let frame =

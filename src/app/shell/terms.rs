@@ -1,7 +1,7 @@
 //! Switches for the terms of the equation: a lecture builds the sum up term by term. A term is off while its coefficient is 0;
 //! what it was is kept for when it is switched on again.
 
-use crate::analysis::{Tone, specular_vector};
+use crate::analysis::probe::{Tone, specular_vector};
 use crate::app::session::Session;
 use crate::app::session::window::WindowState;
 use crate::app::widgets::palette::tone_text;

@@ -1,8 +1,10 @@
 //! Opening the window as a web page.
 
-use crate::analysis::{
-    BenchQuestion, DefectsQuestion, ProfileQuestion, StabilityQuestion, StudyQuestion,
-};
+use crate::analysis::bench::BenchQuestion;
+use crate::analysis::defects::DefectsQuestion;
+use crate::analysis::profile::ProfileQuestion;
+use crate::analysis::stability::StabilityQuestion;
+use crate::analysis::study::StudyQuestion;
 use crate::app::controls::materials::Spheres;
 use crate::app::controls::sampling::AreaLight;
 use crate::app::controls::scenes::Thumbnails;

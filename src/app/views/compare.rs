@@ -1,12 +1,12 @@
 //! The tab of comparisons: how panes are shown, what each has of its own, and how far they are from each other.
 
 use super::report::{ReportView, export_ui};
-use crate::analysis::{self, Answer, Comparison};
+use crate::analysis::comparison::Comparison;
+use crate::analysis::{self, Answer};
 use crate::app::controls::row::parameter;
 use crate::app::engine::Engine;
 use crate::app::session::Session;
-use crate::app::session::action::Action;
-use crate::app::session::action::Requests;
+use crate::app::session::action::{Action, Requests};
 use crate::app::session::place::ProbePoint;
 use crate::app::session::window::WindowState;
 use crate::app::widgets::focus;

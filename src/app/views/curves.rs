@@ -4,11 +4,13 @@
 //! the theme has; a frame in which nothing has changed only paints them.
 
 use super::report::{ReportView, export_ui};
-use crate::analysis::{About, Answer, Curves, PlotKind};
+use crate::analysis::curves::Curves;
+use crate::analysis::{About, Answer};
 use crate::app::engine::Engine;
 use crate::app::session::Session;
 use crate::app::session::action::Requests;
 use crate::app::session::window::WindowState;
+use crate::figure::PlotKind;
 use crate::text::text;
 use eframe::egui::Ui;
 

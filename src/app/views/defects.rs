@@ -2,23 +2,21 @@
 //! and where they are in the picture.
 
 use super::report::{Pending, export_ui};
-use crate::analysis::{
-    CONDITIONS, ConditionsQuestion, DEFECTS, Defect, DefectMark, DefectsQuestion, NormalsQuestion,
-    PlotKind, defect_marks,
-};
+use crate::analysis::conditions::{CONDITIONS, ConditionsQuestion};
+use crate::analysis::defects::{DEFECTS, Defect, DefectMark, DefectsQuestion, defect_marks};
+use crate::analysis::normals::NormalsQuestion;
 use crate::app::engine::Engine;
 use crate::app::session::Session;
-use crate::app::session::action::Action;
-use crate::app::session::action::Requests;
+use crate::app::session::action::{Action, Requests};
 use crate::app::session::appearance::ViewName;
 use crate::app::session::document::Origin;
 use crate::app::session::place::Place;
 use crate::app::session::window::WindowState;
 use crate::app::widgets::background::progress_ui;
-use crate::app::widgets::focus;
 use crate::app::widgets::letter::letter;
-use crate::app::widgets::lines;
 use crate::app::widgets::palette::vector_text;
+use crate::app::widgets::{focus, lines};
+use crate::figure::PlotKind;
 use crate::figure::palette::Vector;
 use crate::scene::{
     Light, LightKind, NormalSource, Object, ObjectKind, Projection, Scene, ShadingMode, Viewer,

@@ -3,7 +3,9 @@
 
 use super::report::{Offer, Pending, ReportView, export_ui};
 use super::study::duration;
-use crate::analysis::{About, Answer, BenchQuestion, FramePlan};
+use crate::analysis::bench::BenchQuestion;
+use crate::analysis::plan::FramePlan;
+use crate::analysis::{About, Answer};
 use crate::app::engine::Engine;
 use crate::app::session::Session;
 use crate::app::session::action::Requests;

@@ -4,7 +4,7 @@ mod filled;
 
 use super::curves::{CurvesView, curves_ui};
 use super::report::export_ui;
-use crate::analysis::{
+use crate::analysis::probe::{
     ConstructionStep, Here, LightHere, Probe, ProbeHit, Probed, VectorsShown, WorkedStep, digits,
     draw_vectors,
 };

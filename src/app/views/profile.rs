@@ -7,10 +7,12 @@ mod plots;
 pub use over::{paint, watch};
 
 use super::report::export_ui;
-use crate::analysis::{
-    Answer, Codec, Compared, PERCEIVED_WIDTH, Perception, Profile, ProfileQuestion, ResponseModel,
-    TakenProfile, Viewing, Watch, mode_dash, perceived_picture,
+use crate::analysis::codec::Codec;
+use crate::analysis::perception::{Perception, ResponseModel, Viewing};
+use crate::analysis::profile::{
+    Compared, PERCEIVED_WIDTH, Profile, ProfileQuestion, TakenProfile, mode_dash, perceived_picture,
 };
+use crate::analysis::{Answer, Watch};
 use crate::app::controls::row::{About, NumberRow, SliderRange, number};
 use crate::app::engine::{Engine, image_of, upload};
 use crate::app::session::Session;

@@ -1,9 +1,9 @@
 //! An answer as the window shows it: its words, numbers, tables and plots, how far it is known, and the ways to save it.
 
-use crate::analysis::{About, Analysis, Answer, Format, Part, Question, Report, Section};
+use crate::analysis::report::{Part, Section};
+use crate::analysis::{About, Analysis, Answer, Format, Question, Report};
 use crate::app::session::Session;
-use crate::app::session::action::Action;
-use crate::app::session::action::Requests;
+use crate::app::session::action::{Action, Requests};
 use crate::app::session::document::Document;
 use crate::app::session::window::WindowState;
 use crate::app::widgets::background::{progress_ui, wake};

@@ -5,12 +5,11 @@ mod view;
 pub use view::ScanView;
 
 use super::report::{export_ui, table_ui};
-use crate::analysis::{Carried, Mix, Scan, ScanLevel, ScanStop};
+use crate::analysis::scan::{Carried, Mix, Scan, ScanLevel, ScanStop};
 use crate::app::controls::row::{About, NumberRow, SliderRange, number, whole};
 use crate::app::engine::Engine;
 use crate::app::session::Session;
-use crate::app::session::action::Requests;
-use crate::app::session::action::{Action, Walk};
+use crate::app::session::action::{Action, Requests, Walk};
 use crate::app::session::appearance::ViewName;
 use crate::app::session::place::Place;
 use crate::app::session::window::WindowState;

@@ -2,8 +2,9 @@
 //! differ.
 
 use super::report::{Offer, Pending, Picked, WIDE, export_ui, words_ui};
-use crate::analysis::{
-    CaseResult, HALF_A_CODE_VALUE, Section, StabilityQuestion, case_pictures, stability_cases,
+use crate::analysis::report::Section;
+use crate::analysis::stability::{
+    CaseResult, HALF_A_CODE_VALUE, StabilityQuestion, case_pictures, stability_cases,
 };
 use crate::app::session::Session;
 use crate::app::session::action::Requests;

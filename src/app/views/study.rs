@@ -1,7 +1,7 @@
 //! The view of error against run time: what to measure, the plot while points come in, and the table.
 
 use super::report::{Offer, Pending, Picked, export_ui};
-use crate::analysis::{Method, Setting, Study, StudyQuestion, study_point};
+use crate::analysis::study::{Method, Setting, Study, StudyQuestion, study_point};
 use crate::app::engine::Engine;
 use crate::app::session::Session;
 use crate::app::session::action::Requests;

@@ -1,6 +1,7 @@
 //! Background work for the window: it is drawn again when an answer comes.
 
-use crate::analysis::{Codec, Watch, from_bytes, to_bytes};
+use crate::analysis::Watch;
+use crate::analysis::codec::{Codec, from_bytes, to_bytes};
 use crate::jobs::{Background, Work};
 use crate::text::text;
 use eframe::egui::{Button, ColorImage, Context, ProgressBar, TextureHandle, TextureOptions, Ui};

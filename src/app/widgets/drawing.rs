@@ -2,8 +2,7 @@
 
 use super::lines;
 use super::theme::TEXT;
-use crate::analysis::Plot;
-use crate::figure::{Drawing, Paper, PlotStyle, Set, Shape, Text, can_be_filled, short};
+use crate::figure::{Drawing, Paper, Plot, PlotStyle, Set, Shape, Text, can_be_filled, short};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
     self, Color32, CornerRadius, CursorIcon, FontId, Mesh, Painter, Pos2, Rect, Response, Sense,

@@ -4,7 +4,7 @@
 //! colour of the vector that makes it: diffuse light that of L, specular light that of R (of H for Blinn's model);
 //! ambient light comes from nowhere in particular and stays neutral.
 
-use crate::analysis::Tone;
+use crate::analysis::probe::Tone;
 use crate::figure::palette::{self, Rgb8, Vector};
 use eframe::egui::{Color32, Visuals};
 

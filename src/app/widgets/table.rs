@@ -1,7 +1,7 @@
 //! A table of a report in a panel: as many of its columns as there is room for.
 
 use super::letter::lettered;
-use crate::analysis::Table;
+use crate::analysis::report::Table;
 use crate::text::text;
 use eframe::egui::{
     Align, Button, Grid, Label, Layout, RichText, ScrollArea, TextStyle, Ui, WidgetText,

@@ -55,7 +55,7 @@ const LETTERS: [(&str, &str, &str, Symbol, &str); 27] = [
     ("Idc", "I", "dc", Symbol::Depth, "point-letter-idc"),
 ];
 
-/// The pieces of a formula whose letters stand in braces, as [`Here::filled`](crate::analysis::Here::filled) has them.
+/// The pieces of a formula whose letters stand in braces, as [`Here::filled`](crate::analysis::probe::Here::filled) has them.
 /// Letters have the `colour`, vectors their own; `here` says what a letter is at the pixel, or nothing.
 pub fn formula(
     visuals: &Visuals,

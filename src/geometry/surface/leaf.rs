@@ -11,6 +11,7 @@
 use super::patch_ray::EDGE;
 use super::solids::UnitRay;
 use crate::geometry::bezier::{Jet, Patch, bernstein, bernstein_slopes};
+use crate::geometry::vector::{cross, dot, sub};
 use fearless_simd::{f64x4, prelude::*};
 use glam::DVec3;
 
@@ -201,24 +202,5 @@ fn splat<S: Simd>(simd: S, v: DVec3) -> Four<S> {
         f64x4::splat(simd, v.x),
         f64x4::splat(simd, v.y),
         f64x4::splat(simd, v.z),
-    ]
-}
-
-#[inline(always)]
-fn sub<S: Simd>(a: Four<S>, b: Four<S>) -> Four<S> {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-#[inline(always)]
-fn dot<S: Simd>(a: Four<S>, b: Four<S>) -> f64x4<S> {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-#[inline(always)]
-fn cross<S: Simd>(a: Four<S>, b: Four<S>) -> Four<S> {
-    [
-        a[1] * b[2] - b[1] * a[2],
-        a[2] * b[0] - b[2] * a[0],
-        a[0] * b[1] - b[0] * a[1],
     ]
 }

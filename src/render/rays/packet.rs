@@ -3,7 +3,6 @@
 use crate::illumination::Reached;
 use fearless_simd::{f32x16, mask32x16, prelude::*};
 use glam::{DVec3, Vec3};
-use std::ops::{Mul, Sub};
 
 /// The rays of a packet.
 pub const RAYS: usize = 16;
@@ -140,18 +139,4 @@ pub fn bits<S: Simd>(mask: mask32x16<S>) -> u32 {
 #[inline(always)]
 pub fn dot<S: Simd>(a: &Vectors<S>, b: &Vectors<S>) -> f32x16<S> {
     a[0].mul_add(b[0], a[1].mul_add(b[1], a[2] * b[2]))
-}
-
-#[inline(always)]
-pub fn sub<V: Copy + Sub<Output = V>>(a: &[V; 3], b: &[V; 3]) -> [V; 3] {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-#[inline(always)]
-pub fn cross<V: Copy + Mul<Output = V> + Sub<Output = V>>(a: &[V; 3], b: &[V; 3]) -> [V; 3] {
-    [
-        a[1] * b[2] - b[1] * a[2],
-        a[2] * b[0] - b[2] * a[0],
-        a[0] * b[1] - b[0] * a[1],
-    ]
 }

@@ -4,7 +4,8 @@
 //! starts outside and ends outside must cross the surface. Margins are wider than the rounding; outside the range of sizes
 //! that they were derived for, the answer is "unknown".
 
-use super::packet::{PointRow, RAYS, Vectors, bits, cross, dot, load, splat, sub};
+use super::packet::{PointRow, RAYS, Vectors, bits, dot, load, splat};
+use crate::geometry::{cross, sub};
 use crate::illumination::area_hull;
 use crate::scene::{AreaShape, Light};
 use fearless_simd::{f32x16, mask32x16, prelude::*};
@@ -141,7 +142,7 @@ impl<S: Simd> Points<S> {
     /// Returns the vectors to a point.
     #[inline(always)]
     fn way_from(&self, simd: S, to: Vec3) -> Vectors<S> {
-        sub(&splat(simd, to), &self.from)
+        sub(splat(simd, to), self.from)
     }
 
     /// Finds the points that face the source in these directions.
@@ -254,7 +255,7 @@ impl<S: Simd> Points<S> {
         let mut last = self.way_to(simd, last);
         for corner in &area.corners {
             let next = self.way_to(simd, corner);
-            let across = cross(&last, &next);
+            let across = cross(last, next);
             // Outwards: away from the light's middle.
             let outwards = one.copysign(-dot(&across, way));
             let beyond = -dot(&across, &self.from) * outwards;

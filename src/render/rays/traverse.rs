@@ -5,7 +5,8 @@
 //! precision, so that the answers depend neither on the SIMD level nor on the grouping of the rays.
 
 use super::bvh::{Bvh, Node, STACK};
-use super::packet::{self, Packet, RAYS, Vectors, bits, cross, load, sub};
+use super::packet::{self, Packet, RAYS, Vectors, bits, load};
+use crate::geometry::{cross, dot, sub};
 use fearless_simd::{f32x16, f64x8, prelude::*};
 use glam::{DVec3, Vec3};
 
@@ -313,9 +314,9 @@ impl<S: Simd> Rays<S> {
     fn pass_near(&self, simd: S, &[a, b, c]: &[Vec3; 3]) -> u32 {
         let (e1, e2) = (b - a, c - a);
         let longest = e1.length().max(e2.length());
-        let from = sub(&self.origin, &packet::splat(simd, a));
+        let from = sub(self.origin, packet::splat(simd, a));
         let (e1, e2) = (packet::splat(simd, e1), packet::splat(simd, e2));
-        let (p, q) = (cross(&self.direction, &e2), cross(&from, &e1));
+        let (p, q) = (cross(self.direction, e2), cross(from, e1));
         let determinant = packet::dot(&e1, &p);
         let one = f32x16::splat(simd, 1.0).copysign(determinant);
         let size = determinant.abs();
@@ -370,14 +371,14 @@ fn meet_half<S: Simd>(
     let (e1, e2, corner) = (splat(simd, b - a), splat(simd, c - a), splat(simd, a));
     let direction = half(simd, &packet.direction, first);
     let origin = half(simd, &packet.origin, first);
-    let from = sub(&origin, &corner);
-    let p = cross(&direction, &e2);
-    let determinant = dot(&e1, &p);
+    let from = sub(origin, corner);
+    let p = cross(direction, e2);
+    let determinant = dot(e1, p);
     let inverse = f64x8::splat(simd, 1.0) / determinant;
-    let w1 = dot(&from, &p) * inverse;
-    let q = cross(&from, &e1);
-    let w2 = dot(&direction, &q) * inverse;
-    let t = dot(&e2, &q) * inverse;
+    let w1 = dot(from, p) * inverse;
+    let q = cross(from, e1);
+    let w2 = dot(direction, q) * inverse;
+    let t = dot(e2, q) * inverse;
     let (least, most) = (f64x8::splat(simd, -SEAM), f64x8::splat(simd, 1.0 + SEAM));
     let zero = f64x8::splat(simd, 0.0);
     let limit = f64x8::from_slice(simd, &limit[first..first + HALF]);
@@ -406,11 +407,6 @@ fn splat<S: Simd>(simd: S, v: DVec3) -> Exact<S> {
         f64x8::splat(simd, v.y),
         f64x8::splat(simd, v.z),
     ]
-}
-
-#[inline(always)]
-fn dot<S: Simd>(a: &Exact<S>, b: &Exact<S>) -> f64x8<S> {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
 #[cfg(test)]

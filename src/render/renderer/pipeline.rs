@@ -111,6 +111,13 @@ impl Renderer {
         self
     }
 
+    /// Gives a new renderer its [model](Self::set_model).
+    #[must_use]
+    pub fn with_model(mut self, model: Option<Arc<Mesh>>) -> Self {
+        self.set_model(model);
+        self
+    }
+
     /// Sets the mesh that an object of kind `obj` shows; `None` shows nothing. Another `Arc` is another model.
     pub fn set_model(&mut self, model: Option<Arc<Mesh>>) {
         if self.given.0.as_ref().map(Arc::as_ptr) != model.as_ref().map(Arc::as_ptr) {

@@ -6,10 +6,12 @@
 use crate::common::textbook::{Dice, field_edge, random_light, random_scene, textbook_at};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
-use shading_lab::analysis::{
-    CONDITIONS, ComparisonQuestion, Conditions, ProbeHit, Profile, ProfileQuestion, Question,
-    Subject, conditions, luminance, probe, profile, unwatched,
-};
+use shading_lab::analysis::comparison::ComparisonQuestion;
+use shading_lab::analysis::conditions::{CONDITIONS, Conditions, conditions};
+use shading_lab::analysis::perception::luminance;
+use shading_lab::analysis::probe::{ProbeHit, probe};
+use shading_lab::analysis::profile::{Profile, ProfileQuestion, profile};
+use shading_lab::analysis::{Question, Subject, unwatched};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
     AmbientSource, Attenuation, Choice, CuedBy, FlatAt, Interpolation, Light, LightKind,

@@ -3,11 +3,10 @@
 use super::{lobe_of, near, preset, probed};
 use glam::{DVec2, DVec3};
 use shading_lab::analysis::curves::plot;
-use shading_lab::analysis::{
-    Ink, OverlayLayer, OverlayOptions, Plot, PlotKind, Probe, draw_overlay,
-};
+use shading_lab::analysis::overlay::{OverlayLayer, OverlayOptions};
+use shading_lab::analysis::probe::{Probe, draw_overlay};
 use shading_lab::figure::palette::contrast;
-use shading_lab::figure::{Drawing, Paper, PlotStyle, lay_out, lay_out_sheet};
+use shading_lab::figure::{Drawing, Ink, Paper, Plot, PlotKind, PlotStyle, lay_out, lay_out_sheet};
 use shading_lab::scene::{Reflectance, Rgb, Scene, ShadingMode, View};
 use tiny_skia::Pixmap;
 

@@ -2,7 +2,7 @@
 
 use super::{everything, probe_at, three_lights};
 use glam::DVec3;
-use shading_lab::analysis::{Overlay, draw_overlay};
+use shading_lab::analysis::probe::{Overlay, draw_overlay};
 use shading_lab::scene::{Light, LightKind, Scene};
 use tiny_skia::Pixmap;
 

@@ -5,7 +5,9 @@
 
 use crate::common::dice::Dice;
 use glam::{DVec2, DVec3};
-use shading_lab::analysis::{Grid, NormalField, probe, scan_in_grid};
+use shading_lab::analysis::normals::NormalField;
+use shading_lab::analysis::probe::probe;
+use shading_lab::analysis::scan::{Grid, scan_in_grid};
 use shading_lab::geometry::{Mesh, NormalOrigin, read_obj, tessellate};
 use shading_lab::render::{Per, Renderer};
 use shading_lab::scene::{
@@ -554,8 +556,7 @@ fn a_model_of_concave_polygons_has_the_files_numbers() {
     let mut scene = Scene::default();
     scene.image.size = [300, 200];
     (scene.object.kind, scene.object.path) = (ObjectKind::Obj, Some("ten.obj".into()));
-    let mut renderer = Renderer::default();
-    renderer.set_model(Some(Arc::clone(&mesh)));
+    let mut renderer = Renderer::default().with_model(Some(Arc::clone(&mesh)));
     renderer.render(&scene);
     assert_eq!(renderer.report().faces, 10);
     let field = NormalField::new(&renderer, &scene.object);

@@ -2,7 +2,7 @@
 
 use super::{SIDE, eye_ray};
 use glam::DVec3;
-use shading_lab::analysis::probe;
+use shading_lab::analysis::probe::probe;
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
     Ground, NormalSource, ObjectKind, PatternKind, Rgb, Scene, ShadingMode, Through, presets,

@@ -2,8 +2,9 @@
 
 use super::lights::LETTERED;
 use super::{lobe, side};
+use crate::analysis::lobe::ReflectionLobe;
 use crate::analysis::overlay::{OverlayLayer, OverlayOptions, Sketch, Style};
-use crate::analysis::{LightTerms, ProbeHit, ReflectionLobe};
+use crate::analysis::probe::{LightTerms, ProbeHit};
 use crate::figure::palette::{self, Vector};
 use crate::figure::{Area, Shape, lowered};
 use crate::scene::{Backfacing, ReflectionModel, Scene};

@@ -1,8 +1,7 @@
 //! Symbols of the lights: a sun for one that has a position, parallel rays for one that only has a direction.
 
 use crate::analysis::overlay::Sketch;
-use crate::figure::palette;
-use crate::figure::{Area, Shape};
+use crate::figure::{Area, Shape, palette};
 use crate::scene::{Light, LightKind, View};
 use glam::DVec2;
 

@@ -4,10 +4,10 @@
 //! The pole of its net is R, where the highlight is: meridians run from R to the horizon, and parallels about R
 //! become the horizon. The largest reflection is a little longer than a unit vector, so that R does not cover it.
 
+use crate::analysis::curves::highlight_half_width;
+use crate::analysis::lobe::ReflectionLobe;
 use crate::analysis::overlay::Sketch;
-use crate::analysis::{ReflectionLobe, curves::highlight_half_width};
-use crate::figure::Shape;
-use crate::figure::palette;
+use crate::figure::{Shape, palette};
 use crate::scene::{ReflectionModel, Scene};
 use glam::{DVec2, DVec3};
 

@@ -1,7 +1,8 @@
 //! What the profile's view shows. How it is looked at is kept between two sessions; what is compared begins anew with each
 //! scene.
 
-use crate::analysis::{Perception, ProfileQuestion, Viewing};
+use crate::analysis::perception::{Perception, Viewing};
+use crate::analysis::profile::ProfileQuestion;
 use crate::scene::{Choice, ShadingMode};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};

@@ -1,6 +1,6 @@
 //! The equation, filled in: what the analysis says of the pixel, as lines that add up, some of which unfold.
 
-use crate::analysis::{
+use crate::analysis::probe::{
     FilledLine, FilledPart, Here, LineValue, Product, Share, channels, digits, digits_below,
     percent,
 };

@@ -1,7 +1,7 @@
 //! The profile over the picture: the line with its ends, the curve above it, and the place that the pointer is at.
 
 use super::Profiles;
-use crate::analysis::lay_out_profile;
+use crate::analysis::profile::lay_out_profile;
 use crate::app::session::Session;
 use crate::app::session::appearance::ViewName;
 use crate::app::session::place::Place;

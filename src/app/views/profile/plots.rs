@@ -1,7 +1,7 @@
 //! The plots of a profile in the window: below one another in a narrow panel; in a wide one as many as its height holds, over an
 //! axis that lies right under the picture where the line is level.
 
-use crate::analysis::{Abscissa, Compared, Profile, TakenProfile, compared_plots};
+use crate::analysis::profile::{Abscissa, Compared, Profile, TakenProfile, compared_plots};
 use crate::app::session::place::Place;
 use crate::app::widgets::drawing::{boxed, colour_of, drawing_ui, plot_style};
 use crate::app::widgets::lines;

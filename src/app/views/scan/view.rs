@@ -1,6 +1,6 @@
 //! What the tab remembers: the scan of the polygon under the probe, the step it stands at, and whether it plays.
 
-use crate::analysis::{Scan, lay_out_scan, scan_room};
+use crate::analysis::scan::{Scan, lay_out_scan, scan_room};
 use crate::app::engine::Engine;
 use crate::app::session::action::Walk;
 use crate::app::session::document::same_model;
