@@ -73,7 +73,7 @@ impl From<Loaded> for Subject {
 }
 
 /// Describes the parts of the file of a scene's model that are not drawn, if any.
-pub fn undrawn(object: &Object, model: Option<&Mesh>) -> Option<String> {
+pub(crate) fn undrawn(object: &Object, model: Option<&Mesh>) -> Option<String> {
     model.filter(|mesh| mesh.names_materials)?;
     let name = object.path.as_deref().and_then(Path::file_name);
     let name = name.unwrap_or_default().to_string_lossy();
@@ -207,7 +207,7 @@ const LARGE_MODEL: u64 = 1 << 22;
 ///
 /// # Errors
 /// A path that is missing or cannot be read, or a file that is not a valid model.
-pub fn load_model(object: &Object, progress: Progress<'_>) -> Result<Option<Arc<Mesh>>, LoadError> {
+fn load_model(object: &Object, progress: Progress<'_>) -> Result<Option<Arc<Mesh>>, LoadError> {
     let (ObjectKind::Obj, Some(path)) = (object.kind, &object.path) else {
         return Ok(None);
     };
@@ -283,7 +283,7 @@ fn read_named(name: &str) -> Option<Result<Loaded, LoadError>> {
 ///
 /// # Errors
 /// See [`LoadError`].
-pub fn load_named(name: &str) -> Result<Loaded, LoadError> {
+pub(crate) fn load_named(name: &str) -> Result<Loaded, LoadError> {
     read_named(name).unwrap_or_else(|| Err(no_such_scene(name)))
 }
 
@@ -307,7 +307,7 @@ fn read_scene_file(path: &Path) -> Result<Scene, LoadError> {
 ///
 /// # Errors
 /// A file that cannot be read, or is not text in UTF-8.
-pub fn read_text(path: &Path, what: Message, most: usize) -> Result<String, LoadError> {
+pub(crate) fn read_text(path: &Path, what: Message, most: usize) -> Result<String, LoadError> {
     let (file, _) = disk::open(path, what)?;
     let mut bytes = Vec::new();
     let read = file.take(most as u64 + 1).read_to_end(&mut bytes);
@@ -405,7 +405,7 @@ pub fn save_picture(path: &Path, frame: &Frame, scene: &Scene) -> Result<(), Sav
 ///
 /// # Errors
 /// See [`SaveError`].
-pub fn save_picture_with(
+pub(crate) fn save_picture_with(
     path: &Path,
     frame: &Frame,
     scene: &Scene,
@@ -431,7 +431,7 @@ pub fn save_film(
 ///
 /// # Errors
 /// A file that cannot be read.
-pub fn open_picture(path: &Path) -> Result<impl BufRead + Seek + use<>, LoadError> {
+pub(crate) fn open_picture(path: &Path) -> Result<impl BufRead + Seek + use<>, LoadError> {
     disk::open(path, PICTURE).map(|(file, _)| BufReader::new(file))
 }
 
