@@ -202,7 +202,6 @@ impl App {
                 engine,
             );
             state.window.room = self.room.whole;
-            state.session.commit();
             return;
         }
         let known = layout.picture.is_some();
@@ -217,7 +216,6 @@ impl App {
                 welcome::welcome_ui(ui.ctx(), state, picture);
             }
         }
-        self.state.session.commit();
     }
 
     fn settle(&mut self, ctx: &Context) {
@@ -234,10 +232,7 @@ impl App {
         }
         let (held, time) = ctx.input(|input| (input.pointer.any_down(), input.time));
         let held = held || self.state.course.gliding.is_some();
-        self.state
-            .session
-            .history
-            .observe(&self.state.session.document, held, time);
+        self.state.session.observe(held, time);
         if symbol::turn(ctx) {
             ctx.request_repaint();
         }

@@ -59,8 +59,6 @@ pub fn picture_ui(
     let name = text!("picture-name", mode = mode);
     let response = focus::named(response, Role::Image, &name);
     keep_arrows(ui, &response);
-    // What the panels changed is shown by every pane.
-    session.commit();
     let panes = panes::places(session, whole);
     let place = pointed(ui, session, window, &response, &panes).unwrap_or(whole);
     let view = View::new(&session.shown.scene.camera, place.size);

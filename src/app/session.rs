@@ -42,6 +42,9 @@ pub struct Session {
     pub initial: Scene,
     /// Whether another scene has been opened since the controls were last shown.
     pub just_opened: bool,
+    /// Whether the document differs from what was saved; and whether it has changed since the history last saw it.
+    modified: bool,
+    unobserved: bool,
     /// Documents that were open before, as they were opened or saved: undo reaches back to them.
     opened_history: Vec<(Document, Scene)>,
     /// Index of the light whose controls are shown.
@@ -82,6 +85,7 @@ impl Session {
     /// Takes the document as it is for saved, and remembers it for when undo comes back to it.
     pub fn mark_saved(&mut self) {
         self.saved = self.document.clone();
+        (self.modified, self.unobserved) = (false, true);
         let (origin, history) = (&self.saved.origin, &self.history);
         self.opened_history
             .retain(|(saved, _)| saved.origin != *origin && history.reaches(&saved.origin));
@@ -117,9 +121,16 @@ impl Session {
         }
     }
 
-    /// Whether the document has changed since it was opened or saved.
+    /// Records in the history what has become of the document by the end of a frame, see [`History::observe`].
+    pub fn observe(&mut self, held: bool, time: f64) {
+        if held || std::mem::take(&mut self.unobserved) {
+            self.history.observe(&self.document, held, time);
+        }
+    }
+
+    /// Returns whether the document has changed since it was opened or saved.
     pub fn modified(&self) -> bool {
-        self.document != self.saved
+        self.modified
     }
 
     /// Takes over what has changed in the active pane's scene or in the document, so that every pane shows it. What a scene
@@ -157,6 +168,8 @@ impl Session {
     /// Derives from the document all that follows from it: the panes' scenes, what is chosen in them and what is wrong with the
     /// model. Whatever changes the document ends here, undo and redo too.
     fn derive(&mut self) {
+        self.modified = self.document != self.saved;
+        self.unobserved = true;
         let Self {
             document,
             shown,
@@ -197,6 +210,13 @@ impl Session {
     pub fn put_scene(&mut self, scene: Scene) {
         self.document.scene = scene;
         self.commit();
+    }
+
+    /// Puts another scene in the place of the document's, as a change that needs not be saved.
+    pub fn show_scene(&mut self, scene: Scene) {
+        self.put_scene(scene);
+        self.saved.scene.clone_from(&self.document.scene);
+        self.modified = self.document != self.saved;
     }
 
     /// Takes `document` for the one that is open as it has become.

@@ -145,7 +145,7 @@ fn the_picture_moves_on_to_the_next_step() {
     harness.key_press(Key::PageDown);
     harness.step();
     let mut seen = Vec::new();
-    while harness.state().state().gliding.is_some() {
+    while harness.state().state().course.gliding.is_some() {
         harness.step();
         seen.push(n(&harness));
         // It is neither a change that could be lost nor a step of undo.

@@ -149,7 +149,6 @@ impl Layout {
             picture::picture_ui(ui, session, window, course, requests, engine)
         });
         self.picture = Some(shown.response.rect);
-        session.commit();
         shown.inner
     }
 

@@ -200,12 +200,7 @@ impl AppState {
         } else {
             ctx.request_repaint();
         }
-        self.session.put_scene(scene);
-        // It is no change that could be lost.
-        self.session
-            .saved
-            .scene
-            .clone_from(&self.session.document.scene);
+        self.session.show_scene(scene);
     }
 
     /// Shows the settings that the right answer is about, and the one that was sought.
@@ -222,9 +217,7 @@ impl AppState {
         }
         if let Ok(scene) = staged.scene.with_overrides(&question.set) {
             self.course.gliding = Glide::between(&self.session.document.scene, &scene);
-            self.session.put_scene(scene);
-            // The lesson's change is none that could be lost.
-            self.session.saved = self.session.document.clone();
+            self.session.show_scene(scene);
         }
     }
 
