@@ -212,8 +212,8 @@ impl App {
                 // frame that jumps.
                 ui.ctx().request_discard("layout");
             }
-            if let Some(picture) = layout.picture {
-                welcome::welcome_ui(ui.ctx(), state, picture);
+            if let Some(picture) = layout.picture.filter(|_| state.dialog.is_none()) {
+                welcome::welcome_ui(ui.ctx(), &mut state.window, &mut state.requests, picture);
             }
         }
     }
@@ -381,7 +381,7 @@ impl App {
                     self.state.dialog = Some(Dialog::message(text!("course-hand-in"), words));
                 }
             },
-            Action::LoadStage => self.files.load_stage(ctx, &self.state),
+            Action::LoadStage => self.files.load_stage(ctx, &self.state.course),
             Action::Quit if self.may_close() => self.close(ctx),
             Action::CloseUnsaved => self.close(ctx),
             Action::Restore => {
@@ -436,7 +436,7 @@ impl App {
         scene.image.size = self.room.whole;
         let mut renderer = Renderer::default();
         renderer.set_model(model.clone());
-        let over = files::Over::new(&self.state);
+        let over = files::Over::new(&self.state.session, &self.state.window);
         let Some(frame) = files::picture(&mut renderer, &scene, 1, Some(&over), &mut |_| true)
         else {
             return;
@@ -483,7 +483,13 @@ impl eframe::App for App {
         }
         self.panels(ui);
         self.files.poll(&ctx, &mut self.state);
-        toast::toast_ui(&ctx, &mut self.state);
+        let AppState {
+            session,
+            window,
+            dialog,
+            ..
+        } = &mut self.state;
+        toast::toast_ui(&ctx, session, window, dialog.is_some());
         dialogs::dialog_ui(&ctx, &mut self.state, &mut self.files);
         self.settle(&ctx);
         // What has come to stand in front takes the focus from what is behind it.

@@ -144,9 +144,13 @@ pub fn perform(ctx: &Context, state: &mut AppState, files: &mut Files, dialog: D
             FileTask::SaveScene => state
                 .requests
                 .ask(Action::SaveTo(PathBuf::from(path.trim()))),
-            FileTask::HandIn(name) => files.hand_in(ctx, state, name, PathBuf::from(path)),
+            FileTask::HandIn(name) => {
+                let (document, course) = (&state.session.document, &mut state.course);
+                files.hand_in(ctx, document, course, name, PathBuf::from(path));
+            }
             FileTask::Export(mut form) => {
-                if let Err(why) = files.export(ctx, state, &form, PathBuf::from(&path)) {
+                let (session, window, file) = (&state.session, &state.window, PathBuf::from(&path));
+                if let Err(why) = files.export(ctx, session, window, &form, file) {
                     form.wrong = Some(why);
                     let task = FileTask::Export(form);
                     state.dialog = Some(Dialog::File { task, path });
@@ -162,7 +166,7 @@ pub fn perform(ctx: &Context, state: &mut AppState, files: &mut Files, dialog: D
                 }
             }
         },
-        Dialog::Code(form) => code::save(state, form),
+        Dialog::Code(form) => state.dialog = Some(code::save(&state.window, form)),
         Dialog::Replace { then, .. } => perform(ctx, state, files, *then),
         Dialog::Unsaved => {
             state.leaving = Leaving::OnceSaved;
