@@ -151,8 +151,8 @@ impl App {
     #[must_use]
     pub fn with_welcome(mut self) -> Self {
         let default = Origin::BuiltIn(presets::DEFAULT.to_owned());
-        self.state.window.welcome =
-            !self.state.window.appearance.welcomed && self.state.session.document.origin == default;
+        self.state.window.welcome = !self.state.window.appearance.welcomed
+            && self.state.session.document().origin == default;
         // A link may have said where.
         self.state.window.seek_highlight =
             self.state.window.welcome && self.state.window.probe == ProbePoint::default();
@@ -298,7 +298,7 @@ impl App {
         };
         let title = format!(
             "{}{mark} — shading-lab",
-            self.state.session.document.origin.name()
+            self.state.session.document().origin.name()
         );
         if title != self.title {
             system::set_title(ctx, &title);
@@ -325,12 +325,12 @@ impl App {
                     self.state.window.seek_highlight = true;
                 }
             }
-            Action::Save => match self.state.session.document.scene_file() {
+            Action::Save => match self.state.session.document().scene_file() {
                 Some(path) => self.save(ctx, path),
                 None => self.perform(ctx, Action::SaveAs),
             },
             Action::SaveAs => {
-                let path = self.state.session.document.suggested("toml");
+                let path = self.state.session.document().suggested("toml");
                 self.ask_file(ctx, FileTask::SaveScene, path);
             }
             Action::SaveTo(path) => self.save(ctx, path),
@@ -345,7 +345,7 @@ impl App {
                     film: None,
                     wrong: None,
                 };
-                let path = self.state.session.document.suggested("png");
+                let path = self.state.session.document().suggested("png");
                 self.ask_file(ctx, FileTask::Export(form), path);
             }
             Action::CopyPicture => self.copy_picture(ctx),
@@ -356,7 +356,7 @@ impl App {
             Action::Code => self.state.dialog = Some(Dialog::Code(CodeForm::default())),
             Action::Scenes => self.state.dialog = Some(Dialog::Scenes),
             Action::NextScene(step) => {
-                let name = scene_after(&self.state.session.document.origin, step).to_owned();
+                let name = scene_after(&self.state.session.document().origin, step).to_owned();
                 self.perform(ctx, Action::OpenBuiltIn(name));
             }
             Action::Keys => self.state.dialog = Some(Dialog::Keys),
@@ -409,17 +409,14 @@ impl App {
 
     fn save(&mut self, ctx: &Context, path: PathBuf) {
         let leaving = std::mem::take(&mut self.state.leaving);
-        match crate::document::save_scene(&path, &self.state.session.document.scene) {
+        match crate::document::save_scene(&path, &self.state.session.document().scene) {
             Ok(()) => {
                 let origin = Origin::File(path.clone());
-                if self.state.session.document.origin != origin {
-                    self.state.session.opened = self.state.session.document.scene.clone();
+                if self.state.session.document().origin != origin {
                     self.state.window.appearance.remember(&path);
-                    self.state.session.activate(self.state.session.panes.active);
                 }
-                self.state.session.document.origin = origin;
+                self.state.session.save_as(origin);
                 self.state.session.notice = Some(text!("saved", path = path.display().to_string()));
-                self.state.session.mark_saved();
                 if leaving == Leaving::OnceSaved {
                     self.close(ctx);
                 }
@@ -431,7 +428,7 @@ impl App {
     }
 
     fn copy_picture(&mut self, ctx: &Context) {
-        let Document { scene, model, .. } = &self.state.session.document;
+        let Document { scene, model, .. } = self.state.session.document();
         let mut scene = scene.clone();
         scene.image.size = self.room.whole;
         let mut renderer = Renderer::default();
@@ -505,7 +502,7 @@ impl eframe::App for App {
             &ctx,
             self.recovery.is_some() && state.session.modified(),
             || state.link().ok().map(|written| written.link),
-            || picture_bytes(engine.frame(), Some(&state.session.document.scene)).ok(),
+            || picture_bytes(engine.frame(), Some(&state.session.document().scene)).ok(),
         );
     }
 

@@ -81,7 +81,7 @@ fn what_is_seen_is_copied_as_a_link_and_opened_by_pasting_it() {
     assert!(
         b.window.appearance.views
             && !b.session.modified()
-            && b.session.document.origin.name() == "sphere"
+            && b.session.document().origin.name() == "sphere"
     );
     let size = b.window.room;
     assert_eq!(a.window.probe.pixel(size), b.window.probe.pixel(size));

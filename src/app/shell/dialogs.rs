@@ -116,7 +116,7 @@ fn accept(ctx: &Context, state: &mut AppState, files: &mut Files, mut dialog: Di
         _ => vec![],
     };
     let lost = |path: &&PathBuf| {
-        path.is_file() && !state.session.document.is_from(path) && agreed.as_ref() != Some(path)
+        path.is_file() && !state.session.document().is_from(path) && agreed.as_ref() != Some(path)
     };
     let names = targets
         .iter()
@@ -145,7 +145,7 @@ pub fn perform(ctx: &Context, state: &mut AppState, files: &mut Files, dialog: D
                 .requests
                 .ask(Action::SaveTo(PathBuf::from(path.trim()))),
             FileTask::HandIn(name) => {
-                let (document, course) = (&state.session.document, &mut state.course);
+                let (document, course) = (state.session.document(), &mut state.course);
                 files.hand_in(ctx, document, course, name, PathBuf::from(path));
             }
             FileTask::Export(mut form) => {
@@ -194,7 +194,7 @@ fn contents_ui(ui: &mut Ui, dialog: &mut Dialog, state: &mut AppState) -> Choice
                 ui,
                 form,
                 &mut writer,
-                (&state.session.document, state.no_dialog),
+                (state.session.document(), state.no_dialog),
             );
             state.window.own.put(writer);
             choice
@@ -212,7 +212,7 @@ fn contents_ui(ui: &mut Ui, dialog: &mut Dialog, state: &mut AppState) -> Choice
             )
         }
         Dialog::Unsaved => {
-            let title = text!("unsaved", name = state.session.document.origin.name());
+            let title = text!("unsaved", name = state.session.document().origin.name());
             let text = text!("unsaved-lost");
             let answers = [
                 (text!("save"), Choice::Accept),
@@ -249,7 +249,7 @@ fn file_ui(ui: &mut Ui, task: &mut FileTask, path: &mut String, state: &AppState
     if let FileTask::Export(form) = task {
         export_ui(ui, form, state.window.room);
         ui.add_space(8.0);
-        film_ui(ui, &mut form.film, &state.session.document.scene, path);
+        film_ui(ui, &mut form.film, &state.session.document().scene, path);
         if let Some(wrong) = &form.wrong {
             ui.add_space(8.0);
             ui.colored_label(ui.visuals().error_fg_color, wrong);

@@ -368,7 +368,7 @@ impl Files {
     ) -> Result<(), String> {
         let Document {
             mut scene, model, ..
-        } = session.document.clone();
+        } = session.document().clone();
         scene.image.size = form.size;
         if let Some(film) = &form.film {
             film.sweep(&scene, &path)?;
