@@ -157,11 +157,9 @@ pub fn perform(ctx: &Context, state: &mut AppState, files: &mut Files, dialog: D
                 }
             }
             FileTask::SaveAnswer(_) => {
-                if let Err(text) = report::save(
-                    &mut state.session,
-                    &mut state.window,
-                    Path::new(path.trim()),
-                ) {
+                if let Err(text) =
+                    report::save(&mut state.session, &state.window, Path::new(path.trim()))
+                {
                     state.dialog = Some(Dialog::message(text!("analysis-not-saved"), text));
                 }
             }
