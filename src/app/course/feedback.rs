@@ -155,7 +155,7 @@ fn right_ui(ui: &mut Ui, open: &Open, answered: &Answered, session: &mut Session
 }
 
 fn set(session: &mut Session, settings: &[String]) {
-    if let Ok(scene) = session.document.scene.with_overrides(settings) {
+    if let Ok(scene) = session.document().scene.with_overrides(settings) {
         session.put_scene(scene);
     }
 }

@@ -127,7 +127,7 @@ pub fn match_ui(
     let Ok(mut target) = staged.scene.with_overrides(&settings) else {
         return;
     };
-    let mut present = session.document.scene.clone();
+    let mut present = session.document().scene.clone();
     // The students may look from elsewhere, but then nothing can be compared.
     present.camera = target.camera.clone();
     let [width, height] = target.image.size;

@@ -145,7 +145,7 @@ fn check_ui(
     }
     let answer = open
         .draft
-        .answer(&question.kind, &session.document.scene, evaluate);
+        .answer(&question.kind, &session.document().scene, evaluate);
     let ready = answer.is_some() && open.solution().is_some() && open.staged.is_some();
     let given = course.answered();
     // What was said of another answer.
