@@ -493,7 +493,7 @@ fn arguments_that_make_no_sense_are_refused() {
             &["normals", "sphere", "--vertex", "1", "--pixel", "1,2"],
             &english!(
                 "cli-conflict",
-                argument = "--vertex <NUMBER>",
+                argument = "--vertex <I>",
                 other = "--pixel <X,Y>"
             ),
         ),

@@ -155,7 +155,7 @@ fn no_file_is_replaced_without_a_question() {
     )));
     press(&mut window, "save-as");
     fill_in(&mut window, &folder.path("old.vert"), "save");
-    assert!(asks(&window, "old.frag") && old("old.frag"));
+    assert!(asks(&window, &english!("replace-lost", names = "old.frag")) && old("old.frag"));
     press(&mut window, "replace");
     assert!(!old("old.frag"));
 }
@@ -430,7 +430,12 @@ fn a_model_is_restored_from_its_place_or_named_as_missing() {
     fs::rename(&model, folder.0.join("elsewhere.obj")).expect("renamed");
     let mut second = keeping("sphere", &folder.0);
     press(&mut second, "restore");
-    assert!(wait(&mut second, |window| asks(window, "triangle.obj: ")));
+    let missing = english!(
+        "document-no-such-file",
+        expected = english!("document-model")
+    );
+    let missing = format!("triangle.obj: {missing}");
+    assert!(wait(&mut second, |window| asks(window, &missing)));
     assert_eq!(
         kept(&mut second, &folder),
         ["0.toml"],
