@@ -94,10 +94,7 @@ fn a_number_can_be_infinite() {
     let mut harness = window("sphere");
     let before = picture(&harness);
     let infinite = english!("controls-infinite", name = named("material.n"));
-    harness
-        .get_by_role_and_label(Role::Button, &infinite)
-        .click_accesskit();
-    harness.run();
+    press(&mut harness, &infinite);
     assert_eq!(scene(&harness).material.n, f64::INFINITY);
     assert!(picture(&harness) != before);
 }
@@ -211,10 +208,7 @@ fn controls_appear_where_they_have_an_effect() {
             .is_none()
     );
     let near = picture(&harness);
-    harness
-        .get_by_role_and_label(Role::SpinButton, named("camera.height"))
-        .set_value_accesskit(5.0);
-    harness.run();
+    enter(&mut harness, "camera.height", 5.0);
     assert!(picture(&harness) != near);
 }
 
@@ -263,10 +257,7 @@ fn typed_numbers_change_the_picture() {
     for (name, value) in fields {
         let mut harness = window("sphere");
         let before = picture(&harness);
-        harness
-            .get_by_role_and_label(Role::SpinButton, named(name))
-            .set_value_accesskit(value);
-        harness.run();
+        enter(&mut harness, name, value);
         assert!(
             picture(&harness) != before,
             "{name} = {value} changes nothing"

@@ -170,10 +170,7 @@ fn an_export_that_is_cancelled_writes_nothing() {
     fill_in(&mut window, &folder.path("picture.png"), "export");
     let drawing = english!("drawing-file", path = "");
     assert!(asks(&window, &drawing));
-    window
-        .get_by_role_and_label(Role::Button, english!("cancel"))
-        .click_accesskit();
-    window.run();
+    press(&mut window, "cancel");
     assert!(!asks(&window, &drawing));
     std::thread::sleep(std::time::Duration::from_secs(2));
     window.run();
@@ -217,10 +214,7 @@ fn no_shortcut_acts_while_a_file_is_opened() {
         !asks(&window, "file-save"),
         "a shortcut has opened a dialog"
     );
-    window
-        .get_by_role_and_label(Role::Button, english!("cancel"))
-        .click_accesskit();
-    window.run();
+    press(&mut window, "cancel");
     assert!(!asks(&window, &english!("opening", path = "")));
     assert_eq!(scene(&window), &before);
 }

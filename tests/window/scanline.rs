@@ -1,6 +1,6 @@
 //! The scan line in slow motion, in the window: buttons, keys, playing, and what it shows.
 
-use crate::common::hands::{open_view, press, scene, window};
+use crate::common::hands::{enter, open_view, press, scene, window};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers};
 use egui_kittest::Harness;
@@ -92,10 +92,7 @@ fn buttons_and_keys_walk_by_pixel_edge_and_line() {
 fn it_plays_until_the_end_and_asks_for_frames_only_then() {
     let mut harness = opened("flat-facets");
     key(&mut harness, Key::Home);
-    harness
-        .get_by_role_and_label(Role::SpinButton, english!("line-scan-speed.name"))
-        .set_value_accesskit(8.0);
-    harness.run();
+    enter(&mut harness, "line-scan-speed.name", 8.0);
     harness.key_press(Key::Space);
     for _ in 0..12 {
         harness.step();
@@ -112,10 +109,7 @@ fn it_plays_until_the_end_and_asks_for_frames_only_then() {
                 .is_playing(),
         "{reached}"
     );
-    harness
-        .get_by_role_and_label(Role::Button, english!("line-scan-pause"))
-        .click_accesskit();
-    harness.run();
+    press(&mut harness, "line-scan-pause");
     let paused = step(&harness);
     for _ in 0..10 {
         harness.step();
@@ -202,10 +196,7 @@ fn what_is_shown_is_the_scan_of_the_polygon_under_the_probe() {
     assert!(shown(&harness).face != taken.face);
     let face = shown(&harness).face;
     let line = shown(&harness).at(step(&harness)).line.y;
-    harness
-        .get_by_role_and_label(Role::SpinButton, english!("line-scan-rows.name"))
-        .set_value_accesskit(32.0);
-    harness.run();
+    enter(&mut harness, "line-scan-rows.name", 32.0);
     assert_eq!(
         (shown(&harness).grid.rows, shown(&harness).face),
         (32, face)

@@ -19,17 +19,11 @@ const LIGHT_STEPS: usize = 60;
 fn lights_are_added_and_removed() {
     let mut harness = window("sphere");
     let before = picture(&harness);
-    harness
-        .get_by_role_and_label(Role::Button, english!("lights-add"))
-        .click_accesskit();
-    harness.run();
+    press(&mut harness, "lights-add");
     assert_eq!(scene(&harness).lights.len(), 2);
     let lit = picture(&harness);
     assert!(lit != before, "another light changes the picture");
-    harness
-        .get_by_role_and_label(Role::Button, &english!("lights-remove", number = 2))
-        .click_accesskit();
-    harness.run();
+    press(&mut harness, &english!("lights-remove", number = 2));
     assert!(picture(&harness) == before);
 }
 

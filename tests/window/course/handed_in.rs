@@ -77,6 +77,11 @@ fn right(right: usize, count: usize) -> String {
     english!("course-answers-right", right = right, count = count)
 }
 
+/// How often a message stands in the window.
+fn count(harness: &Harness<'_, App>, key: &str) -> usize {
+    harness.query_all_by_label(english!(key)).count()
+}
+
 fn says(harness: &Harness<'_, App>, words: &str) -> bool {
     harness.query_all_by_label(words).next().is_some()
 }
@@ -92,30 +97,18 @@ fn who_answered_what_stands_beside_the_picture_with_its_marks() {
     ] {
         assert!(says(&harness, words), "{words}");
     }
-    assert_eq!(
-        harness
-            .query_all_by_label(english!("course-mark-right"))
-            .count(),
-        2
-    );
-    assert_eq!(
-        harness
-            .query_all_by_label(english!("course-answers-wrong"))
-            .count(),
-        1
-    );
+    assert_eq!(count(&harness, "course-mark-right"), 2);
+    assert_eq!(count(&harness, "course-answers-wrong"), 1);
     // What was given first, what in the end, and what is right.
-    let [tries, seconds] = [
-        english!("course-answers-tries", count = 3),
-        english!("course-answers-seconds", seconds = 12),
-    ];
-    let tries = format!("{tries} · {seconds}");
+    let tries = english!("course-answers-tries", count = 3);
+    let tries = format!(
+        "{tries} · {}",
+        english!("course-answers-seconds", seconds = 12)
+    );
     for words in ["0.900 units", "0.500 units", "Wider", &tries] {
         assert!(says(&harness, words), "{words}");
     }
-    let right = harness
-        .query_all_by_label(english!("course-answers-solution"))
-        .count();
+    let right = count(&harness, "course-answers-solution");
     assert_eq!(right, 4, "where the answer is not right, and is no curve");
 
     // They belong to this picture.
@@ -156,20 +149,12 @@ fn answers_to_a_lesson_of_the_program_are_marked_as_well() {
     let bytes = hand_in_bytes(&frame(), &Scene::default(), &lesson, &record, "");
     let path = write("handed-in-empty.png", &bytes.expect("a picture"));
     let mut harness = opened(&path);
-    let count = lesson
-        .steps
-        .iter()
-        .filter(|step| step.question.is_some())
-        .count();
-    let right = right(0, count);
+    let steps = lesson.steps.iter();
+    let questions = steps.filter(|step| step.question.is_some()).count();
+    let right = right(0, questions);
     assert!(wait(&mut harness, |harness| says(harness, &right)));
     assert!(says(&harness, "handed-in-empty.png"), "who gave no name");
-    assert_eq!(
-        harness
-            .query_all_by_label(english!("course-answers-none"))
-            .count(),
-        count
-    );
+    assert_eq!(count(&harness, "course-answers-none"), questions);
 }
 
 #[test]
