@@ -259,7 +259,7 @@ fn tab_through_fields_keeps_the_digits_that_are_not_shown() {
     assert!(
         fields
             .iter()
-            .any(|name| name.contains(english!("point-green"))),
+            .any(|name| name.contains(english!("controls-green"))),
         "{fields:?}"
     );
     assert_eq!(scene(&harness), &before);
