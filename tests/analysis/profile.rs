@@ -574,7 +574,7 @@ fn flat_shading_has_jumps_in_place_of_a_slope() {
     };
     let profile = profile(&mut Renderer::default(), &cylinder(24), &request).expect("a line");
     let [_, slope, _] = compared(&profile, &request, ShadingMode::Flat, Abscissa::Distance);
-    assert_eq!(slope.note, english!("line-jumps-note"));
+    assert!(slope.note.contains(english!("line-jumps-note")));
     let jumps = slope.curves[0]
         .points
         .iter()
