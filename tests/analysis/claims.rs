@@ -27,25 +27,23 @@ fn seeds() -> std::ops::Range<u64> {
 
 /// What is said of a cause, in short and in a clause.
 fn words(cause: ZeroCause, c: &str) -> (&'static str, String) {
-    let (short, clause) = match cause {
-        ZeroCause::Muted => ("muted", "it is muted"),
-        ZeroCause::NotSoloed => ("not soloed", "another light is soloed"),
-        ZeroCause::Black => ("Ip is 0", "its Ip is 0"),
-        ZeroCause::Coefficient => ("not reflected", "C is 0"),
-        ZeroCause::NoChannel => ("not reflected", "Ip and C have no channel in common"),
-        ZeroCause::FacesAway => (
-            "behind the surface",
-            "the light is behind the surface, N·L ≤ 0",
-        ),
-        ZeroCause::OutsideCone => ("outside the cone", "the point is outside the light’s cone"),
-        ZeroCause::InShadow => ("in shadow", "something blocks the light"),
-        ZeroCause::MissesViewer => (
-            "away from the viewer",
-            "the highlight points away from the viewer",
-        ),
-        ZeroCause::TooFaint => ("too faint", "it is so faint that it rounds to 0"),
+    let key = match cause {
+        ZeroCause::Muted => "point-zero-muted",
+        ZeroCause::NotSoloed => "point-zero-not-soloed",
+        ZeroCause::Black => "point-zero-black",
+        ZeroCause::Coefficient | ZeroCause::NoChannel => "point-zero-not-reflected",
+        ZeroCause::FacesAway => "point-zero-behind",
+        ZeroCause::OutsideCone => "point-zero-outside-cone",
+        ZeroCause::InShadow => "point-zero-in-shadow",
+        ZeroCause::MissesViewer => "point-zero-not-to-viewer",
+        ZeroCause::TooFaint => "point-zero-too-faint",
     };
-    (short, clause.replace('C', c))
+    let part = if cause == ZeroCause::NoChannel {
+        "channel"
+    } else {
+        "why"
+    };
+    (english!(key), english!(&format!("{key}.{part}"), c = c))
 }
 
 fn clauses(causes: ZeroCauses, c: &str) -> String {
@@ -55,9 +53,9 @@ fn clauses(causes: ZeroCauses, c: &str) -> String {
     } else {
         let parts: Vec<_> = all
             .iter()
-            .map(|clause| format!("in part {clause}"))
+            .map(|clause| english!("point-zero-in-part", clause = &**clause))
             .collect();
-        parts.join("; ")
+        parts.join(english!("point-clause-gap"))
     }
 }
 
@@ -122,11 +120,11 @@ impl Checker<'_> {
             let whole = if diffuse == specular {
                 diffuse
             } else {
-                format!("{diffuse}, and {specular}")
+                english!("point-zero-both", diffuse = diffuse, specular = specular)
             };
             same(
                 notes,
-                vec![&format!("It adds nothing: {whole}.")[..]],
+                vec![&english!("point-light-adds-nothing", why = whole)[..]],
                 "the note",
             )?;
             let LineValue::Words(short) = &line.value else {
@@ -135,7 +133,7 @@ impl Checker<'_> {
             let one =
                 terms.diffuse_zero == terms.specular_zero && terms.diffuse_zero.iter().count() == 1;
             let cause = terms.diffuse_zero.iter().next().filter(|_| one);
-            let expected = cause.map_or("adds nothing", |cause| words(cause, "").0);
+            let expected = cause.map_or(english!("point-zero-nothing"), |cause| words(cause, "").0);
             same(short.as_str(), expected, "the short reason")?;
             self.meet("nothing");
             return Ok(());
@@ -146,14 +144,14 @@ impl Checker<'_> {
             "a value",
         )?;
         for (name, zero, clause) in [
-            ("diffuse", zero[0], diffuse),
-            ("specular", zero[1], specular),
+            (english!("point-diffuse"), zero[0], diffuse),
+            (english!("point-specular"), zero[1], specular),
         ] {
-            let note = format!("{name} adds nothing: {clause}.");
+            let note = english!("point-term-adds-nothing", term = name, why = clause);
+            let start = english!("point-term-adds-nothing", term = name, why = "|");
+            let start = start.split('|').next().unwrap_or_default();
             same(notes.contains(&&note[..]), zero, &note)?;
-            let any = notes
-                .iter()
-                .any(|text| text.starts_with(&format!("{name} adds nothing")));
+            let any = notes.iter().any(|text| text.starts_with(start));
             same(any, zero, name)?;
             if zero {
                 self.meet("one term is nothing");
@@ -168,15 +166,12 @@ impl Checker<'_> {
         let own_place = matches!(scene.shading.mode, ShadingMode::Phong | ShadingMode::Exact);
         let place = match (scene.shading.mode, scene.shading.flat_at) {
             _ if own_place => "",
-            (ShadingMode::Flat, FlatAt::Centre) => "the polygon’s centre",
-            (ShadingMode::Flat, FlatAt::ProvokingVertex) => "the polygon’s first vertex",
-            _ => "the polygon’s vertices",
+            (ShadingMode::Flat, FlatAt::Centre) => english!("point-over-centre"),
+            (ShadingMode::Flat, FlatAt::ProvokingVertex) => english!("point-over-first-vertex"),
+            _ => english!("point-over-vertices"),
         };
         let area = light.source.kind == LightKind::Area;
-        let points = match light.source.samples {
-            1 => "one point of the light".to_owned(),
-            count => format!("{count} points of the light"),
-        };
+        let points = english!("point-over-samples", count = light.source.samples);
         let over: Vec<&str> = [if area { &points[..] } else { "" }, place]
             .into_iter()
             .filter(|text| !text.is_empty())
@@ -185,10 +180,16 @@ impl Checker<'_> {
             FilledPart::Evaluated(over) => Some(over.clone()),
             _ => None,
         });
-        same(said.unwrap_or_default(), over.join(" and "), "the places")?;
-        let away = parts.iter().any(
-            |part| matches!(part, FilledPart::Formula(formula) if formula.contains("points away")),
-        );
+        same(
+            said.unwrap_or_default(),
+            over.join(english!("point-and")),
+            "the places",
+        )?;
+        let away = english!("point-points-away", vector = "|");
+        let away = away.split('|').next_back().unwrap_or_default();
+        let away = parts
+            .iter()
+            .any(|part| matches!(part, FilledPart::Formula(formula) if formula.contains(away)));
         if away {
             let cosine = cosine(scene, light);
             if cosine > 1e-9 {
@@ -237,7 +238,7 @@ impl Checker<'_> {
                 self.scene.shading.mode,
                 ShadingMode::Phong | ShadingMode::Exact
             );
-        if row("light").is_some_and(|said| said == "in light")
+        if row(english!("point-light-row")).is_some_and(|said| said == english!("point-in-light"))
             && single
             && terms.why_nothing().is_none()
         {
@@ -265,6 +266,7 @@ impl Checker<'_> {
 
     /// What becomes of values above 1.
     fn check_display(&mut self, hit: &ProbeHit, parts: &[FilledPart]) -> Result<(), String> {
+        let divided = english!("point-divided", divisor = "|");
         let above = (0..3).any(|channel| hit.sum[channel] > 1.0);
         let overflow = self.scene.display.overflow;
         let note = |start: &str| {
@@ -275,17 +277,17 @@ impl Checker<'_> {
             })
         };
         same(
-            note("clamped to 1"),
+            note(english!("point-clamped")),
             above && overflow == Overflow::Clamp,
             "clamped",
         )?;
         same(
-            note("A value is above 1"),
+            note(english!("point-hatched")),
             above && overflow == Overflow::Mark,
             "hatched",
         )?;
         same(
-            note("Divided by"),
+            note(divided.split('|').next().unwrap_or_default()),
             hit.divisor > 1.0 && overflow == Overflow::Scale,
             "scaled",
         )?;
@@ -298,7 +300,15 @@ impl Checker<'_> {
     /// How much depth cueing leaves.
     fn check_depth(&mut self, hit: &ProbeHit, parts: &[FilledPart]) -> Result<(), String> {
         let cueing = &self.scene.depth_cueing;
-        let Some(note) = note_with(parts, "s0 goes from") else {
+        let said = english!(
+            "point-cue-at-pixel",
+            front_scale = "|",
+            front = "|",
+            back_scale = "|",
+            back = "|",
+            s0 = "|"
+        );
+        let Some(note) = note_with(parts, &said) else {
             return Ok(());
         };
         same(cueing.by == CuedBy::Off, false, "depth cueing")?;
@@ -319,7 +329,13 @@ impl Checker<'_> {
         let leaves =
             sight.dot(hit.normal) < 0.0 && self.scene.transparency.through == Through::Solid;
         let eta = self.scene.transparency.ior;
-        if let Some(note) = note_with(parts, "Snell’s law") {
+        let key = if leaves {
+            "point-snell-out"
+        } else {
+            "point-snell-in"
+        };
+        let law = english!(key, v = "|", t = "|", eta = "|");
+        if let Some(note) = note_with(parts, &law) {
             let found = numbers(&note);
             let sine = |degrees: f64| degrees.to_radians().sin();
             let (left, right) = if leaves {
@@ -332,7 +348,8 @@ impl Checker<'_> {
             }
             self.meet("Snell");
         }
-        if let Some(note) = note_with(parts, "total reflection, no T") {
+        let total = english!("point-snell-total", v = "|", eta = "|");
+        if let Some(note) = note_with(parts, &total) {
             let sine = (1.0 - sight.dot(hit.normal.normalize_or_zero()).powi(2))
                 .max(0.0)
                 .sqrt();
@@ -346,10 +363,12 @@ impl Checker<'_> {
     }
 }
 
-/// The note that has `text`, on a line or among its parts.
+/// The note that is `text` with any values between its bars, on a line or among its parts.
 fn note_with(parts: &[FilledPart], text: &str) -> Option<String> {
     parts.iter().find_map(|part| match part {
-        FilledPart::Note(note) if note.contains(text) => Some(note.clone()),
+        FilledPart::Note(note) if text.split('|').all(|part| note.contains(part)) => {
+            Some(note.clone())
+        }
         FilledPart::Line(line) => note_with(&line.parts, text),
         _ => None,
     })

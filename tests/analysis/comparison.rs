@@ -10,7 +10,7 @@ use shading_lab::analysis::probe::probe;
 use shading_lab::figure::palette;
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
-    Compare, CompareView, DifferenceKind, Pane, Rgb, Scene, ShadingMode, presets,
+    Choice, Compare, CompareView, DifferenceKind, Pane, Rgb, Scene, ShadingMode, presets,
 };
 use std::convert::Infallible;
 
@@ -209,7 +209,8 @@ fn the_highlight_is_lost_by_gouraud_shading_and_kept_by_phong_shading() {
     scene.image.size = [400, 300];
     let figures = pane_figures(&drawn(&scene));
     let names: Vec<&str> = figures.iter().map(|pane| pane.name.as_str()).collect();
-    assert_eq!(names, ["Flat", "Gouraud", "Phong", "Exact"]);
+    use ShadingMode::{Exact, Flat, Gouraud, Phong};
+    assert_eq!(names, [Flat, Gouraud, Phong, Exact].map(ShadingMode::label));
     let brightest: Vec<f64> = figures
         .iter()
         .filter_map(|pane| Some(pane.brightest?.value))
@@ -232,14 +233,15 @@ fn panes_of_one_mode_are_called_by_what_tells_them_apart() {
     assert!(n[0].starts_with("n = "), "{n:?}");
     let models = names(&[&["reflection.model=blinn", "object.segments=20"]]);
     assert!(
-        models[0].starts_with("Phong") && models[0].contains("9"),
+        models[0].starts_with(ShadingMode::Phong.label()) && models[0].contains("9"),
         "{models:?}"
     );
     assert!(
         models[1].starts_with("Blinn") && models[1].contains("20"),
         "{models:?}"
     );
-    assert_eq!(names(&[&["shading.mode=flat"]]), ["Gouraud", "Flat"]);
+    let modes = [ShadingMode::Gouraud, ShadingMode::Flat].map(ShadingMode::label);
+    assert_eq!(names(&[&["shading.mode=flat"]]), modes);
 }
 
 #[test]

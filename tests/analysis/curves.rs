@@ -330,7 +330,7 @@ fn phongs_lobe_is_longest_towards_r_and_even_about_it() {
             .iter()
             .find(|direction| direction.letter == "R")
             .expect("R");
-        let total = plot.curve("diffuse + specular").expect("the lobe");
+        let total = plot.curve(english!("point-both-terms")).expect("the lobe");
         let longest = total
             .points
             .iter()
@@ -353,7 +353,9 @@ fn phongs_lobe_is_longest_towards_r_and_even_about_it() {
 #[test]
 fn the_diffuse_part_is_a_half_circle_and_nothing_leaves_below_the_surface() {
     let (plot, lobe, _) = lobe_of(&preset("sphere"));
-    let diffuse = plot.curve("diffuse").expect("the diffuse part");
+    let diffuse = plot
+        .curve(english!("point-diffuse"))
+        .expect("the diffuse part");
     let radius = diffuse.points[0][1];
     assert!(radius > 0.0);
     for [_, y] in &diffuse.points {
@@ -564,5 +566,6 @@ fn every_law_of_attenuation_and_every_substance_stands_beside_the_present_one() 
         names(&plot),
         ["red", "green", "blue", "constant", "glass", "silver"]
     );
-    assert!(plot.x.name.contains("degrees") && laws.x.name.contains("world units"));
+    assert!(plot.x.name.contains(english!("unit-degrees")));
+    assert!(laws.x.name.contains(english!("unit-world")));
 }

@@ -530,14 +530,19 @@ fn the_plots_stand_out_for_the_own_mode_and_hold_their_curves() {
             "{}",
             plot.title
         );
-        assert!(!plot.borders.is_empty() && plot.x.name.contains("pixels"));
+        assert!(!plot.borders.is_empty() && plot.x.name.contains(english!("unit-pixels")));
     }
     let names: Vec<&str> = plots[0]
         .curves
         .iter()
         .map(|curve| curve.name.as_str())
         .collect();
-    assert_eq!(names, ["Gouraud", "Phong", "perceived brightness"]);
+    let keys = [
+        "choice-shading-gouraud",
+        "choice-shading-phong",
+        "line-perceived",
+    ];
+    assert_eq!(names, keys.map(|key| english!(key)));
 }
 
 #[test]
@@ -572,7 +577,7 @@ fn flat_shading_has_jumps_in_place_of_a_slope() {
     };
     let profile = profile(&mut Renderer::default(), &cylinder(24), &request).expect("a line");
     let [_, slope, _] = compared(&profile, &request, ShadingMode::Flat, Abscissa::Distance);
-    assert!(slope.note.contains("slope is 0"), "{}", slope.note);
+    assert!(slope.note.contains(english!("line-jumps-note")));
     let jumps = slope.curves[0]
         .points
         .iter()
@@ -624,10 +629,12 @@ fn too_many_edges_are_left_out_with_a_word() {
         text: 12.6,
         titled: false,
     };
+    let crowded = english!("line-edges-crowded", count = "|");
+    let (_, close) = crowded.split_once('|').expect("a number");
     let words = |width: f64| {
         let drawing = lay_out_bare(&plot, DVec2::new(width, 200.0), None, &style);
         let mut texts = drawing.texts.into_iter().map(|text| text.text);
-        texts.find(|text| text.contains("too close to draw"))
+        texts.find(|text| text.contains(close))
     };
     assert_eq!(words(1200.0), None);
     let count = plot.borders.len();

@@ -314,7 +314,7 @@ fn what_cannot_be_scanned_is_refused_in_a_sentence() {
     );
     assert_eq!(
         ScanError::NoFace { face: 9, count: 6 }.to_string(),
-        "no face 9 in the object, expected 0 to 5"
+        english!("line-scan-error-no-face", face = 9, last = 5)
     );
 }
 
@@ -399,7 +399,7 @@ fn the_formula_is_filled_in_as_the_course_writes_it() {
     let answer: &dyn Answer = &answer;
     let text = answer.text(&about);
     assert!(
-        text.contains("active") && text.contains("I = (1−α)·I(P) + α·I(Q)"),
+        text.contains(english!("line-scan-active")) && text.contains("I = (1−α)·I(P) + α·I(Q)"),
         "{text}"
     );
     let csv = answer.csv(&about);

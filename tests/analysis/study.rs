@@ -322,13 +322,19 @@ fn the_command_writes_table_and_plot_and_refuses_what_it_does_not_know() {
         "{table}"
     );
     let plot = std::fs::read_to_string(&svg).expect("a plot");
-    assert!(plot.contains("Pareto front") && plot.contains("Gouraud, affine"));
+    assert!(
+        plot.contains(english!("engine-front"))
+            && plot.contains(&english!(
+                "engine-method-affine",
+                method = english!("choice-method-gouraud")
+            ))
+    );
     assert_eq!(run(&[&few[..], &["-o", &png]].concat()).0, Some(0));
     assert!(std::fs::metadata(&png).is_ok_and(|file| file.len() > 1000));
     std::fs::remove_dir_all(&folder).expect("the folder goes");
     let (status, out, _) = run(&few);
     assert!(
-        status == Some(0) && out.contains("Order of convergence"),
+        status == Some(0) && out.contains(english!("engine-order")),
         "{out}"
     );
     for wrong in [
@@ -346,7 +352,7 @@ fn the_command_writes_table_and_plot_and_refuses_what_it_does_not_know() {
         "--methods",
         "taylor",
     ];
-    assert!(run(&cook).2.contains("single cosine"));
+    assert!(run(&cook).2.contains(english!("engine-cannot-cosine")));
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! The analyses as a script sees them: curves, profiles, the scan line and vertex normals.
 
-use crate::common::program::{Folder, pixels_of, size_of};
+use crate::common::program::{Folder, outside, pixels_of, size_of};
 use serde_json::Value;
 use std::fs;
 
@@ -128,7 +128,7 @@ fn curves_that_cannot_be_are_refused() {
     folder.fails(
         &["curves", "three-lights", "--light", "4"],
         2,
-        &["error: --light 4: no such light in the scene, expected 1 to 3"],
+        &[&english!("point-error-no-such-light", light = 4, last = 3)],
     );
     folder.refuses(
         &["curves", "three-lights", "--light", "0"],
@@ -137,14 +137,14 @@ fn curves_that_cannot_be_are_refused() {
     folder.fails(
         &["curves", "sphere", "--pixel", "768,0"],
         2,
-        &["error: --pixel 768,0: outside the picture, expected 0,0 to 767,767"],
+        &[&outside("--pixel 768,0", "767,767")],
     );
     folder.fails(
         &[
             "curves", "sphere", "--kind", "lobe", "--pixel", "0,0", "-o", "lobe.png",
         ],
         2,
-        &["error: pixel 0,0 shows the background, expected one that shows the object"],
+        &[&english!("point-error-background", x = 0, y = 0)],
     );
     folder.fails(
         &[
@@ -156,7 +156,7 @@ fn curves_that_cannot_be_are_refused() {
             "light=[]",
         ],
         2,
-        &["error: the scene has no light, expected one"],
+        &[english!("point-error-no-light")],
     );
     folder.fails(
         &[
@@ -170,7 +170,7 @@ fn curves_that_cannot_be_are_refused() {
             "380,380",
         ],
         2,
-        &["error: light 1 is behind the surface at pixel 380,380, expected one in front of it"],
+        &[&english!("point-error-behind", light = 1, x = 380, y = 380)],
     );
     assert!(folder.names().is_empty());
 }
@@ -316,16 +316,22 @@ fn a_profile_along_no_line_is_refused() {
     let with = |from, to, more: &[&'static str]| {
         [&["profile", "sphere", "--from", from, "--to", to], more].concat()
     };
-    let outside = "error: --from 0,0 --to 769,3: outside the picture, expected 0,0 to 768,768";
+    let outside = &outside("--from 0,0 --to 769,3", "768,768");
     folder.fails(&with("0,0", "769,3", &[]), 2, &[outside]);
-    let nowhere = "error: --from 5,5 --to 5,5: both ends of the line are at the same place, expected two places";
+    let nowhere = &format!("--from 5,5 --to 5,5: {}", english!("line-error-no-length"));
     folder.fails(&with("5,5", "5,5", &[]), 2, &[nowhere]);
-    let narrow = "error: --surround 0.01: expected more than the centre's 0.04";
+    let narrow = &english!("cli-surround-too-small", surround = "0.01", centre = "0.04");
     folder.fails(&with("0,0", "5,5", &["--surround", "0.01"]), 2, &[narrow]);
     folder.fails(
         &with("0,0", "5,5", &["--viewing-distance", "NaN"]),
         2,
-        &["error: --viewing-distance NaN: expected 100 to 5000"],
+        &[&english!(
+            "cli-outside-range",
+            argument = "--viewing-distance",
+            value = "NaN",
+            low = 100,
+            high = 5000
+        )],
     );
     let wide = [
         "--picture",
@@ -335,10 +341,15 @@ fn a_profile_along_no_line_is_refused() {
         "--viewing-distance",
         "5000",
     ];
-    let error = "error: --surround 2: 660 pixels wide, expected at most 256 for --picture";
+    let error = &english!(
+        "cli-surround-too-large",
+        surround = 2,
+        pixels = 660,
+        most = 256
+    );
     folder.fails(&with("0,0", "5,5", &wide), 2, &[error]);
-    folder.refuses(&with("0,0", "x,5", &[]), "expected X,Y in pixels");
-    folder.refuses(&with("0,0", "inf,5", &[]), "expected X,Y in pixels");
+    folder.refuses(&with("0,0", "x,5", &[]), english!("cli-expected-place"));
+    folder.refuses(&with("0,0", "inf,5", &[]), english!("cli-expected-place"));
     folder.refuses(
         &with("0,0", "5,5", &["--modes", "flat,fong"]),
         "expected flat, interpolated, gouraud, phong or exact",
@@ -414,20 +425,23 @@ fn a_polygon_is_scanned_as_text_as_data_and_as_a_figure() {
         |arguments: &[&'static str], error: &str| folder.fails(&scanline(arguments), 2, &[error]);
     refuses(
         &["--face", "9999"],
-        "error: no face 9999 in the object, expected 0 to 287",
+        &english!("line-scan-error-no-face", face = 9999, last = 287),
     );
-    refuses(&["--rows", "5"], "error: 5 rows, expected 8 to 64");
+    refuses(
+        &["--rows", "5"],
+        &english!("line-scan-error-rows", rows = 5, low = 8, high = 64),
+    );
     refuses(
         &["--pixel", "0,0"],
-        "error: pixel 0,0 shows the background, expected one that shows the object",
+        &english!("point-error-background", x = 0, y = 0),
     );
     refuses(
         &["--face", "120", "--line", "0"],
-        "error: --line 0: not a scan line of the polygon, expected 1 to 14 or last",
+        &english!("line-scan-error-line", y = 0, first = 1, last = 14),
     );
     refuses(
         &["--face", "120", "--step", "9999"],
-        "error: --step 9999: no such step, expected 0 to 230 or last",
+        &english!("line-scan-error-step", step = 9999, last = 230),
     );
 }
 
@@ -463,10 +477,22 @@ fn a_vertex_normal_is_told_with_the_faces_that_it_comes_from() {
         assert!((number("angle") - 54.735_61).abs() < 1e-4);
     }
     let text = folder.prints(&normals(&["--vertex", "0"]));
-    assert!(text.starts_with("cube: vertex 0 of 8, at ("), "{text}");
     assert!(
-        text.contains("the mean of 3 faces, weighted by angle")
-            && text.contains("of length 0.5774"),
+        text.starts_with(&english!(
+            "picture-vertex",
+            scene = "cube",
+            number = 0,
+            count = 8,
+            at = "("
+        )),
+        "{text}"
+    );
+    assert!(
+        text.contains(&english!(
+            "picture-normal-averaged",
+            count = 3,
+            weights = english!("picture-weighted-by-angle")
+        )) && text.contains("of length 0.5774"),
         "{text}"
     );
     // Next to the place where it appears, and in the same words.
@@ -486,13 +512,16 @@ fn a_vertex_normal_is_told_with_the_faces_that_it_comes_from() {
         (4, Some("face,share,weight,angle,nx,ny,nz"))
     );
     let exact = folder.prints(&["normals", "cube", "--set", "object.normals=exact"]);
-    assert!(exact.contains("the true surface’s"), "{exact}");
-    let outside = ["error: --vertex 8: no such vertex, expected 0 to 7"];
-    folder.fails(&normals(&["--vertex", "8"]), 2, &outside);
+    assert!(
+        exact.contains(english!("picture-normal-of-surface")),
+        "{exact}"
+    );
+    let beyond = &*english!("picture-no-vertex", number = 8, last = 7);
+    folder.fails(&normals(&["--vertex", "8"]), 2, &[beyond]);
     folder.fails(
         &normals(&["--pixel", "9999,0"]),
         2,
-        &["error: --pixel 9999,0: outside the picture, expected 0,0 to 767,767"],
+        &[&outside("--pixel 9999,0", "767,767")],
     );
     let away = normals(&[
         "--set",
@@ -500,7 +529,7 @@ fn a_vertex_normal_is_told_with_the_faces_that_it_comes_from() {
         "--set",
         "camera.eye=[0,0,4]",
     ]);
-    let unseen = "error: no vertex is seen in the picture, expected --vertex or a camera that sees the object";
+    let unseen = english!("picture-no-vertex-seen");
     folder.fails(&away, 2, &[unseen]);
 
     let render = |name: &str, more: &[&str]| {
@@ -537,9 +566,9 @@ fn a_vertex_normal_is_told_with_the_faces_that_it_comes_from() {
     folder.fails(
         &refused(&["--overlay", "vertex-normals", "--vertex", "8"]),
         2,
-        &outside,
+        &[beyond],
     );
-    let without = ["error: --vertex without normals, expected --overlay vertex-normals"];
+    let without = [english!("cli-vertex-without-normals")];
     folder.fails(
         &refused(&["--overlay", "lights", "--vertex", "1"]),
         2,

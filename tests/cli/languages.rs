@@ -52,7 +52,10 @@ fn help_and_errors_are_in_the_language_of_the_locale_unless_an_option_says_other
         );
     }
     let unknown = ["scenes", "--language", "fr"];
-    folder.refuses(&unknown, "expected en or zh-Hant");
+    folder.refuses(
+        &unknown,
+        &english!("cli-no-language", first = "en", second = "zh-Hant"),
+    );
 }
 
 /// All keys and texts of a JSON value.

@@ -1,6 +1,7 @@
 //! The program among others in a shell: standard input and output, help, completions, manual pages, closed pipes.
 
 use crate::common::program::Folder;
+use crate::common::value;
 use serde_json::Value;
 use std::fs;
 use std::io::Write as _;
@@ -45,7 +46,10 @@ fn a_dash_is_standard_input_and_output() {
     let bad = fed(&folder, &["check", "-"], b"version = 1\nmaterial.n = -1\n");
     assert_eq!(
         String::from_utf8_lossy(&bad.stderr),
-        "error: <stdin>:2: `material.n` is -1, expected 0 to inf\n"
+        english!(
+            "cli-error",
+            message = value("<stdin>:2: `material.n`", "-1", "0 to inf")
+        ) + "\n"
     );
     assert_eq!(bad.status.code(), Some(2));
     let lesson = fs::read(concat!(
@@ -78,7 +82,11 @@ fn a_dash_is_standard_input_and_output() {
 #[test]
 fn a_misspelt_command_is_answered_with_the_right_one() {
     let folder = Folder::new("misspelt");
-    let answer = "error: no command “rendr” (did you mean render?); see `shading-lab help`";
+    let answer = &english!(
+        "cli-no-command",
+        name = "rendr",
+        meant = english!("document-did-you-mean", name = "render")
+    );
     for arguments in [
         &["rendr", "sphere"][..],
         &["rendr"],
@@ -92,12 +100,15 @@ fn a_misspelt_command_is_answered_with_the_right_one() {
     folder.fails(
         &["zzz", "sphere"],
         2,
-        &["error: no command “zzz”; see `shading-lab help`"],
+        &[&english!("cli-no-command", name = "zzz", meant = "")],
     );
     // A scene is no misspelt command, and neither is one that is misspelt itself.
     folder.refuses(&["sphere", "torus"], "'torus'");
     folder.refuses(&["sphere", "--pixel", "1,1"], "'--pixel'");
-    folder.refuses(&["check", "spere"], "did you mean sphere?");
+    folder.refuses(
+        &["check", "spere"],
+        &english!("document-did-you-mean", name = "sphere"),
+    );
 }
 
 #[test]
@@ -201,7 +212,7 @@ fn manual_pages_are_sound() {
         assert!(shown.status.success() && warnings.is_empty(), "{warnings}");
         // Where manual pages are left out of a system, `man` is a script that says so.
         assert!(
-            text.contains("EXAMPLES") || text.contains("minimized"),
+            text.contains(english!("cli-manual-examples")) || text.contains("minimized"),
             "{text}"
         );
     }
@@ -241,7 +252,7 @@ fn a_check_and_code_are_told_to_programs() {
         assert_eq!(lines[0]["file"], "bad.toml");
         assert_eq!(lines[0]["line"], 3);
         assert_eq!(lines[0]["key"], "material.n");
-        assert_eq!(lines[0]["message"], "`material.n` is -1, expected 0 to inf");
+        assert_eq!(lines[0]["message"], value("`material.n`", "-1", "0 to inf"));
     }
     let code = folder.json(&["code", "spotlight", "--target", "glsl", "--json"]);
     assert_eq!(code["target"], "glsl");
@@ -312,10 +323,7 @@ fn an_output_that_does_not_fit_is_a_failure() {
             .expect("the program");
         let errors = String::from_utf8_lossy(&output.stderr).into_owned();
         assert_eq!(output.status.code(), Some(1), "{arguments:?}: {errors}");
-        assert!(
-            errors.starts_with("error: ") && errors.contains("No space left"),
-            "{arguments:?}: {errors}"
-        );
+        assert!(errors.contains("No space left"), "{arguments:?}: {errors}");
     }
 }
 
@@ -476,7 +484,13 @@ fn the_standard_input_is_read_as_far_as_a_scene_may_go() {
     let output = child.wait_with_output().expect("an end");
     assert_eq!(
         String::from_utf8_lossy(&output.stderr),
-        "error: <stdin>:1: longer than 4 MiB, expected a scene\n"
+        format!(
+            "{}\n",
+            english!(
+                "cli-error",
+                message = format!("<stdin>:1: {}", english!("problem-too-long", limit = 4))
+            )
+        )
     );
     assert_eq!(output.status.code(), Some(2));
 }
@@ -532,11 +546,11 @@ fn a_terminal_has_colours_unless_it_wants_none() {
     }
     let refused = on_terminal("render cube --size 8x8 -o -", None);
     assert!(
-        refused.contains("cannot be shown in a terminal"),
+        refused.contains(english!("cli-picture-on-terminal")),
         "{refused}"
     );
     // Progress is for terminals, and for work that one waits for.
     let shown = on_terminal("bench sphere --size 800x800 --frames 100", None);
-    assert!(shown.contains("working"), "{shown}");
+    assert!(shown.contains(english!("cli-working")), "{shown}");
     assert!(folder.names().is_empty());
 }

@@ -1,5 +1,15 @@
 //! What several tests share.
 
+/// Returns a message of the catalogue in English, whatever the language of the window beside it. It is given as to `text!`.
+#[allow(unused_macros, reason = "each program takes what it needs")]
+macro_rules! english {
+    ($($message:tt)+) => {
+        shading_lab::text::in_language(shading_lab::text::Language::English, || {
+            shading_lab::text!($($message)+)
+        })
+    };
+}
+
 pub mod any_scene;
 pub mod dice;
 pub mod fuzz;
@@ -14,3 +24,9 @@ pub mod properties;
 pub mod reasons;
 pub mod simd;
 pub mod textbook;
+
+/// What is wrong with a value of a scene.
+pub fn value(place: &str, found: &str, expected: &str) -> String {
+    let words = english!("problem-value", found = found, expected = expected);
+    format!("{place} {words}")
+}

@@ -7,7 +7,9 @@ use egui_kittest::{Harness, TestRenderer};
 use serde::Serialize;
 use shading_lab::app::{App, Appearance, SavedProgress};
 use shading_lab::document::{Loaded, load};
-use shading_lab::scene::Scene;
+use shading_lab::scene::parameter::Parameter;
+use shading_lab::scene::{Choice, Scene};
+use shading_lab::text::{Language, has, in_language, interned};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -143,8 +145,27 @@ pub fn scene<'h>(harness: &'h Harness<'_, App>) -> &'h Scene {
     &harness.state().state().session.document().scene
 }
 
-/// Chooses an entry of a list by the names of both.
+/// Returns the English name of what has a key: a parameter, a message, or a part of them, as in `light.0.position.x`. What is no
+/// key is a name itself.
+pub fn named(key: &str) -> &'static str {
+    let parameter = Parameter::of_key(key);
+    let whole = parameter
+        .map(|(it, index)| in_language(Language::English, || it.full_name(index.unwrap_or(0))));
+    let part = || {
+        let (of, part) = key.rsplit_once('.')?;
+        let part = format!("controls-{part}");
+        has(&part).then(|| format!("{} {}", named(of), english!(&part)))
+    };
+    let name = whole.or_else(part);
+    name.map_or_else(|| english!(key), |name| interned(&name))
+}
+
+/// Chooses an entry of a list: a parameter's value, both as in a scene file, or by the keys of both.
 pub fn choose(harness: &mut Harness<'_, App>, list: &str, entry: &str) {
+    let options = Parameter::of_key(list).map_or(&[][..], |(parameter, _)| parameter.options());
+    let option = options.iter().find(|option| option.word == entry);
+    let entry = named(option.map_or(entry, |option| option.messages[0]));
+    let list = named(list);
     harness
         .get_by_role_and_label(Role::ComboBox, list)
         .scroll_to_me();
@@ -153,15 +174,19 @@ pub fn choose(harness: &mut Harness<'_, App>, list: &str, entry: &str) {
         .get_by_role_and_label(Role::ComboBox, list)
         .click_accesskit();
     harness.run();
-    harness
-        .get_by_role_and_label(Role::Button, entry)
-        .click_accesskit();
-    harness.run();
+    press(harness, &entry);
 }
 
-/// Opens a view by its name, by way of its group on the rail.
+/// Opens a view by the key of its name, by way of its group on the rail.
 pub fn open_view(harness: &mut Harness<'_, App>, name: &str) {
-    for group in ["Point", "Line", "Picture", "Engine", "Course"] {
+    let name = named(name);
+    for group in [
+        "view-point",
+        "view-line",
+        "view-picture",
+        "view-engine",
+        "course",
+    ] {
         if harness.query_by_role_and_label(Role::Tab, name).is_some() {
             break;
         }
@@ -175,57 +200,54 @@ pub fn open_view(harness: &mut Harness<'_, App>, name: &str) {
 
 /// Where the picture is.
 pub fn picture_place(harness: &Harness<'_, App>) -> Rect {
-    let mut images = harness.query_all_by_role(Role::Image);
-    let is_picture = |node: &egui_kittest::Node<'_>| {
-        let label = node.accesskit_node().label().unwrap_or_default();
-        label.starts_with("Picture")
-    };
-    images.find(is_picture).expect("a picture").rect()
+    let mode = harness.state().state().session.shown.scene.shading.mode;
+    let name = english!("picture-name", mode = mode.label());
+    harness.get_by_role_and_label(Role::Image, &name).rect()
 }
 
-/// Clicks a button by its name.
-pub fn press(harness: &mut Harness<'_, App>, name: &str) {
+/// Clicks a button by the key of its name, or by the name.
+pub fn press(harness: &mut Harness<'_, App>, key: &str) {
     harness
-        .get_by_role_and_label(Role::Button, name)
+        .get_by_role_and_label(Role::Button, named(key))
         .click_accesskit();
     harness.run();
 }
 
 /// Opens a section of the panel of controls.
 pub fn unfold(harness: &mut Harness<'_, App>, title: &str) {
-    let section = harness.get_by_role_and_label(Role::DisclosureTriangle, title);
+    let section = harness.get_by_role_and_label(Role::DisclosureTriangle, named(title));
     if section.accesskit_node().data().is_expanded() != Some(true) {
         section.click_accesskit();
         harness.run();
     }
 }
 
-/// The sections of the panel of controls.
+/// The keys of the sections of the panel of controls.
 pub const TITLES: [&str; 8] = [
-    "Material",
-    "Lights",
-    "Shading",
-    "Object",
-    "Surroundings",
-    "Transparency",
-    "Camera",
-    "Display",
+    "controls-material",
+    "controls-lights",
+    "controls-shading",
+    "controls-object",
+    "controls-surroundings",
+    "controls-transparency",
+    "controls-camera",
+    "controls-display",
 ];
 
 /// Opens every section of the panel of controls, whatever the scene is about.
 pub fn unfold_all(harness: &mut Harness<'_, App>) {
     for title in TITLES {
-        let section = harness.query_by_role_and_label(Role::DisclosureTriangle, title);
+        let section = harness.query_by_role_and_label(Role::DisclosureTriangle, named(title));
         if section.is_some() {
             unfold(harness, title);
         }
     }
 }
 
-/// Types a number into a field by its name.
-pub fn enter(harness: &mut Harness<'_, App>, name: &str, value: f64) {
+/// Types a number into a field by the key of its parameter or name.
+pub fn enter(harness: &mut Harness<'_, App>, key: &str, value: f64) {
     harness
-        .get_by_role_and_label(Role::SpinButton, name)
+        .get_by_role_and_label(Role::SpinButton, named(key))
         .set_value_accesskit(value);
     harness.run();
 }

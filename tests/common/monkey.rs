@@ -1,6 +1,7 @@
 //! What a monkey does: one step at a time, as the events that a desktop would send.
 
 use super::dice::Dice;
+use super::hands::named;
 use eframe::egui::accesskit::{Action, ActionData, ActionRequest, Role};
 use eframe::egui::{
     Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Rect, TouchPhase, Vec2, pos2, vec2,
@@ -149,7 +150,9 @@ impl Widget {
 
     /// Whether it asks how large or how fine a picture is to be.
     fn is_size(&self) -> bool {
-        ["Width", "Height", "Samples per pixel"].contains(&self.label.as_str())
+        ["width", "height", "samples"]
+            .iter()
+            .any(|key| self.label == named(key))
     }
 }
 

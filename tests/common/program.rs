@@ -68,11 +68,13 @@ impl Folder {
         serde_json::from_str(&self.prints(arguments)).expect("JSON")
     }
 
-    /// A run that ends with `status`, says exactly `errors` on stderr and nothing on stdout.
+    /// A run that ends with `status`, says exactly `errors` on stderr, as errors, and nothing on stdout.
     #[track_caller]
     pub fn fails(&self, arguments: &[&str], status: i32, errors: &[&str]) {
         let output = self.run(arguments);
         let text = String::from_utf8_lossy(&output.stderr).into_owned();
+        let said = |message: &&str| english!("cli-error", message = *message);
+        let errors: Vec<_> = errors.iter().map(said).collect();
         assert_eq!(text.lines().collect::<Vec<_>>(), errors, "{arguments:?}");
         assert_eq!(output.status.code(), Some(status), "{arguments:?}");
         assert!(output.stdout.is_empty(), "{arguments:?}");
@@ -95,6 +97,25 @@ impl Drop for Folder {
     fn drop(&mut self) {
         let _ = fs::remove_dir_all(&self.0);
     }
+}
+
+/// What is said of a place that no pixel of the picture has.
+pub fn outside(what: &str, last: &str) -> String {
+    english!("cli-outside-picture", what = what, last = last)
+}
+
+/// What is said of a sound file with the scene that every setting is left out of.
+pub fn sound(name: &str) -> String {
+    let words = english!(
+        "cli-check-sound",
+        name = name,
+        object = english!("choice-object-kind-sphere"),
+        polygons = "",
+        lights = 1,
+        mode = english!("choice-shading-phong"),
+        size = "768×768"
+    );
+    words + "\n"
 }
 
 pub fn size_of(png: &Path) -> (u32, u32) {

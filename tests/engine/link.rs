@@ -228,7 +228,7 @@ fn a_model_stays_and_its_path_is_not_told() {
     for link in asked {
         let error = read(link).expect_err("a file").to_string();
         assert!(
-            error.contains("`object.path`") && error.contains("cannot carry or open a file"),
+            error.contains("`object.path`") && error.contains(english!("link-no-file")),
             "{error}"
         );
     }
@@ -290,96 +290,86 @@ fn a_bad_link_is_refused_by_its_key_and_place() {
     assert!(bomb.len() < 10_000, "{}", bomb.len());
     let cut = packed("version = 1\n[material]\nn = 5\n");
     let many = format!("?{}", "set=material.n=5&".repeat(600));
-    for (link, error) in [
-        (
-            "?scene=higlight",
-            "link, character 2: `scene` is \"higlight\", expected the name of a built-in scene (did you mean highlight?)",
-        ),
+    let said = |key: &str| english!("problem-value", found = "|", expected = english!(key));
+    let meant = |name: &str| english!("link-did-you-mean", name = name);
+    let negative = packed("version = 1\n[material]\nn = -5\n");
+    let long = format!("?{}", "x".repeat(3 << 20));
+    for (link, place, words) in [
+        ("?scene=higlight", "2 scene", &*meant("highlight")),
         (
             "https://a.b/?scene=gold&set=material.n=-1",
-            "link, character 25: `material.n` is -1, expected 0 to inf",
+            "25 material.n",
+            "-1",
         ),
-        (
-            "?set=material.q=1",
-            "link, character 2: unknown key `material.q`, expected one of ka",
-        ),
+        ("?set=material.q=1", "2 material.q", "ka, kd, ks"),
         (
             "?set=material.kd=1&set=material.n=word",
-            "link, character 20: `material.n` is \"word\", expected a number",
+            "20 material.n",
+            "word",
         ),
-        (
-            "?set=material.n",
-            "link, character 2: `set` no `=` after a key",
-        ),
-        ("?set", "link, character 2: `set` no `=` after a key"),
-        (
-            "?高=光&scnee=gold",
-            "link, character 2: `高` is not a key of a link, expected one of scene, ",
-        ),
-        ("?scnee=gold", "(did you mean scene?)"),
+        ("?set=material.n", "2 set", english!("problem-no-equals")),
+        ("?set", "2 set", english!("problem-no-equals")),
+        ("?高=光&scnee=gold", "2 高", "scene, lights, pane"),
+        ("?scnee=gold", "2 scnee", &meant("scene")),
         (
             "?scene=gold&scene=brass",
-            "link, character 13: `scene` stands twice",
+            "13 scene",
+            english!("link-twice"),
         ),
-        ("?scene=gold%", "link, character 12: `scene` has a %"),
-        ("?set=about.title=%ff", "`set` has a %"),
-        ("?lights=1001", "`lights` is \"1001\", expected 0 to 1000"),
-        ("?lights=-1", "`lights` is \"-1\""),
+        ("?scene=gold%", "12 scene", english!("link-not-encoded")),
         (
-            "?pane=camera.fov_y=20",
-            "link, character 2: `compare.pane.0.set.0` is",
+            "?set=about.title=%ff",
+            "6 set",
+            english!("link-not-encoded"),
         ),
+        ("?lights=1001", "2 lights", "0 to 1000"),
+        ("?lights=-1", "2 lights", "\"-1\""),
+        ("?pane=camera.fov_y=20", "2 compare.pane.0.set.0", "fov_y"),
         (
             "?scene=gold&pane=nothing=1",
-            "link, character 13: `compare.pane.0.set.0`: unknown key `nothing`",
+            "13 compare.pane.0.set.0",
+            "`nothing`",
         ),
-        (
-            "?view=profil",
-            "`view` is \"profil\", expected one of equation",
-        ),
-        ("?probe=1", "`probe` is \"1\", expected two numbers"),
-        ("?probe=nan,inf", "`probe` is \"nan,inf\""),
-        (
-            "?line=1,2,3,4,5",
-            "`line` is \"1,2,3,4,5\", expected four numbers",
-        ),
-        (
-            "?embed=perhaps",
-            "`embed` is \"perhaps\", expected true or false",
-        ),
-        (
-            "?controls=n,<script>",
-            "`controls` is \"n,<script>\", expected at most 64 words",
-        ),
-        ("#part", "link, character 2: `#part` is not known"),
+        ("?view=profil", "2 view", "equation"),
+        ("?probe=1", "2 probe", &said("link-expected-probe")),
+        ("?probe=nan,inf", "2 probe", "\"nan,inf\""),
+        ("?line=1,2,3,4,5", "2 line", &said("link-expected-line")),
+        ("?embed=perhaps", "2 embed", &said("expected-bool")),
+        ("?controls=n,<script>", "2 controls", "64"),
+        ("#part", "2 #part", english!("link-unknown-fragment")),
         (
             "?set=material.n=5#scene=AAAA",
-            "link, character 2: `set` stands beside a whole scene",
+            "2 set",
+            english!("link-beside-file"),
         ),
-        ("#scene=ab+/", "`#scene` is not base64url"),
-        (&cut[..cut.len() - 8], "`#scene` cannot be unpacked"),
-        (&bomb, "`#scene` unpacks to more than 1024 KiB"),
+        ("#scene=ab+/", "2 #scene", english!("link-not-base64")),
         (
-            &packed("version = 1\n[material]\nn = -5\n"),
-            "link, character 2: line 3 of its scene: `material.n` is -5",
+            &cut[..cut.len() - 8],
+            "2 #scene",
+            english!("link-not-packed"),
         ),
-        (&packed("version = 1\n[material\n"), "line 2 of its scene"),
-        (&packed("version = 2"), "`version` is 2"),
-        (&many, "`scene` has more than 8 KiB between ? and #"),
-        (
-            &format!("?{}", "x".repeat(3 << 20)),
-            "`scene` is longer than 2048 KiB",
-        ),
+        (&bomb, "2 #scene", "1024"),
+        (&negative, "2 material.n", "-5"),
+        (&packed("version = 1\n[material\n"), "2 #scene", "2"),
+        (&packed("version = 2"), "2 version", "2"),
+        (&many, "2 scene", "8 KiB"),
+        (&long, "1 scene", "2048 KiB"),
     ] {
-        let found = read(link)
-            .expect_err(&link[..link.len().min(100)])
-            .to_string();
-        assert!(
-            found.contains(error),
-            "{}\n{found}\n{error}",
-            &link[..link.len().min(100)]
+        let start = &link[..link.len().min(100)];
+        let found = read(link).expect_err(start);
+        let problem = &found.problems[0];
+        assert_eq!(
+            format!("{} {}", problem.position, problem.key),
+            place,
+            "{start}"
         );
+        let words = words.split('|').next_back().unwrap_or_default();
+        assert!(problem.words.contains(words), "{start}\n{found}\n{words}");
     }
+    let found = read("?set").expect_err("no value");
+    let words = &*found.problems[0].words;
+    let line = english!("link-problem", position = 2, words = words);
+    assert_eq!(found.to_string(), line);
 }
 
 /// How many links are tried: `LINKS=100000` for a long run.
@@ -594,7 +584,7 @@ fn the_command_prints_links_and_every_command_reads_them() {
     let checked = folder.prints(&["check", "https://example.org/?scene=defaults"]);
     assert_eq!(
         checked,
-        "https://example.org/?scene=defaults: ok (sphere, 1 light, Phong shading, 768×768)\n"
+        program::sound("https://example.org/?scene=defaults")
     );
     folder.prints(&["render", scene, "-o", "picture.png"]);
     assert_eq!(program::size_of(&folder.0.join("picture.png")), (32, 32));
@@ -606,8 +596,7 @@ fn the_command_prints_links_and_every_command_reads_them() {
     let output = folder.run(&["link", "tetra.obj"]);
     let note = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(
-        note.starts_with("note: the model ")
-            && note.contains("tetra.obj is a file and does not travel"),
+        note.contains(&english!("link-model-stays", path = "tetra.obj")),
         "{note}"
     );
     assert!(output.status.success() && output.stdout.starts_with(b"?scene="));
@@ -619,25 +608,26 @@ fn the_command_refuses_what_is_no_link() {
     folder.fails(
         &["check", "?scene=gold&set=material.n=-1"],
         2,
-        &["error: link, character 13: `material.n` is -1, expected 0 to inf"],
+        &[&read("?scene=gold&set=material.n=-1")
+            .expect_err("wrong")
+            .to_string()],
     );
     folder.fails(
         &["link", "?sceen=gold"],
         2,
-        &["error: link, character 2: `sceen` is not a key of a link, expected one of scene, lights, pane, set, view, probe, line, \
-           lesson, step, embed, controls (did you mean scene?)"],
+        &[&read("?sceen=gold").expect_err("wrong").to_string()],
     );
     folder.refuses(
         &["link", "gold", "--url", "example.org"],
-        "expected the address of a page",
+        english!("link-no-page"),
     );
     folder.refuses(
         &["link", "gold", "-o", "code.jpg"],
-        "expected a name that ends in .png or .svg",
+        english!("cli-expected-qr"),
     );
     folder.refuses(
         &["--url=https://a.b", "check", "gold"],
-        "--url before a command",
+        english!("cli-url-before-command"),
     );
     let corner = |at: u32| {
         let (y, x) = (f64::from(at) * 0.0314).sin_cos();
@@ -650,6 +640,7 @@ fn the_command_refuses_what_is_no_link() {
         format!("version = 1\n[object]\nkind = \"polygons\"\nvertices = [{corners}]\nfaces = [{face:?}]\n"),
     );
     let long = ["link", "own.toml", "-o", "c.png"];
-    folder.refuses(&long, "too many for a QR code");
+    let words = english!("cli-too-long-for-qr", length = "|");
+    folder.refuses(&long, words.split('|').next_back().unwrap_or_default());
     assert_eq!(folder.names(), ["own.toml"]);
 }

@@ -395,20 +395,20 @@ fn an_index_into_a_list_of_none_or_one_is_refused_in_words_that_make_sense() {
         (
             "f 1 2 3\nv 0 0 0\n",
             1,
-            "the face names vertex 1, but there are no vertices yet",
+            english!("obj-no-such-vertex", number = 1, count = 0),
         ),
         (
             "v 0 0 0\nf -1 -2 1\n",
             2,
-            "the face names vertex -2, expected 1 or -1, as one comes before this line",
+            english!("obj-no-such-vertex", number = "-2", count = 1),
         ),
         (
             &square("f 1//1 2//1 3//1\nvn 0 0 1\n"),
             5,
-            "the face names normal 1, but there are no normals yet",
+            english!("obj-no-such-normal", number = 1, count = 0),
         ),
     ] {
-        assert_eq!(bad(file), (expected.to_owned(), Some(line)), "{file:?}");
+        assert_eq!(bad(file), (expected, Some(line)), "{file:?}");
         let (chinese, _) = in_language(Language::TraditionalChinese, || bad(file));
         assert!(
             !chinese.contains('0') && !chinese.contains("1 到 1"),
@@ -434,72 +434,64 @@ fn a_model_says_whether_its_file_names_materials() {
 
 #[test]
 fn errors_name_the_line_and_what_was_expected() {
+    let vertex = |number: u32| english!("obj-no-such-vertex", number = number, count = 4);
+    let normal = english!("obj-no-such-normal", number = 1, count = 0);
+    let few = |count: u32| english!("obj-few-vertices", count = count);
+    let not_finite = |word: &str| english!("obj-not-finite", word = word);
+    let two = |key: &str| english!("obj-few-numbers", count = 2, expected = english!(key));
+    let malformed = |word: &str, expected: &str| {
+        english!("obj-malformed", word = word, expected = english!(expected))
+    };
     let cases: &[(&str, Option<u64>, &str)] = &[
-        ("f 1 2 5\n", Some(5), "vertex 5, expected 1 to 4"),
-        ("f 0 1 2\n", Some(5), "vertex 0, expected 1 to 4"),
+        ("f 1 2 5\n", Some(5), &vertex(5)),
+        ("f 0 1 2\n", Some(5), &vertex(0)),
         ("f -5 1 2\n", Some(5), "-4 to -1"),
         (
             "f 1 2 99999999999999999999999999\n",
             Some(5),
-            "vertex 99999999999999999999999999",
+            "99999999999999999999999999",
         ),
         (
             "f 1 2 -9223372036854775808\n",
             Some(5),
-            "vertex -9223372036854775808",
+            "-9223372036854775808",
         ),
-        ("\n# x\nf 1//1 2 3\n", Some(7), "normal 1"),
+        ("\n# x\nf 1//1 2 3\n", Some(7), &normal),
+        ("f 1\n", Some(5), &few(1)),
+        ("f 1 2 3\nf 1 2\n", Some(6), &few(2)),
+        ("f\n", Some(5), &few(0)),
+        ("f 1 2 x\n", Some(5), &malformed("x", "obj-corner")),
+        ("f 1 2 3/1/1/1\n", Some(5), "`3/1/1/1`"),
+        ("f 1 2 3.5\n", Some(5), "`3.5`"),
+        ("f 1 2 3-\n", Some(5), "`3-`"),
+        ("f 1 2 \\\n3 \\\nq\nv\n", Some(5), "`q`"),
+        ("v 1 2\nf 1 2 3\n", Some(5), &two("obj-three-coordinates")),
+        ("v 1 2 nan\nf 1 2 3\n", Some(5), &not_finite("nan")),
+        ("v 1 -inf 2\nf 1 2 3\n", Some(5), &not_finite("-inf")),
+        ("v 1 1e39 2\nf 1 2 3\n", Some(5), &not_finite("1e39")),
+        ("v 1 1e999 2\nf 1 2 3\n", Some(5), &not_finite("1e999")),
+        ("v 1 2 3 0\nf 1 2 3\n", Some(5), english!("obj-weight-zero")),
         (
-            "f 1\n",
+            "v 1,5 2 3\nf 1 2 3\n",
             Some(5),
-            "a face of 1 vertices, expected at least 3",
+            &malformed("1,5", "obj-coordinate"),
         ),
-        ("f 1 2 3\nf 1 2\n", Some(6), "a face of 2 vertices"),
-        ("f\n", Some(5), "a face of 0 vertices"),
-        ("f 1 2 x\n", Some(5), "`x` is not a corner"),
-        ("f 1 2 3/1/1/1\n", Some(5), "`3/1/1/1` is not"),
-        ("f 1 2 3.5\n", Some(5), "`3.5` is not"),
-        ("f 1 2 3-\n", Some(5), "`3-` is not"),
-        ("f 1 2 \\\n3 \\\nq\nv\n", Some(5), "`q` is not"),
+        ("vn 0 1\nf 1 2 3\n", Some(5), &two("obj-three-components")),
         (
-            "v 1 2\nf 1 2 3\n",
+            "vn 0 1 z\nf 1 2 3\n",
             Some(5),
-            "2 numbers, expected three coordinates",
+            &malformed("z", "obj-normal-component"),
         ),
-        (
-            "v 1 2 nan\nf 1 2 3\n",
-            Some(5),
-            "coordinate nan is not finite",
-        ),
-        (
-            "v 1 -inf 2\nf 1 2 3\n",
-            Some(5),
-            "coordinate -inf is not finite",
-        ),
-        (
-            "v 1 1e39 2\nf 1 2 3\n",
-            Some(5),
-            "coordinate 1e39 is not finite",
-        ),
-        ("v 1 1e999 2\nf 1 2 3\n", Some(5), "coordinate 1e999"),
-        ("v 1 2 3 0\nf 1 2 3\n", Some(5), "weight"),
-        ("v 1,5 2 3\nf 1 2 3\n", Some(5), "`1,5` is not a coordinate"),
-        (
-            "vn 0 1\nf 1 2 3\n",
-            Some(5),
-            "2 numbers, expected three components",
-        ),
-        ("vn 0 1 z\nf 1 2 3\n", Some(5), "`z` is not a component"),
-        ("", None, "no face"),
-        ("l 1 2\np 1\n", None, "no face"),
-        ("f 1 1 1\n", None, "no face"),
+        ("", None, english!("obj-no-face")),
+        ("l 1 2\np 1\n", None, english!("obj-no-face")),
+        ("f 1 1 1\n", None, english!("obj-no-face")),
         // Cut off in the middle of a line.
-        ("f 1 2 3\nf 1 2", Some(6), "a face of 2"),
-        ("f 1 2 3\nf 1/1 2/1 3/", Some(6), "`3/` is not"),
-        ("f 1 2 3\nf 1 2 -", Some(6), "`-` is not"),
-        ("f 1 2 3 \\", Some(5), "`\\` is not"),
-        ("f 1 2 3\nv 1.0 2.", Some(6), "2 numbers"),
-        ("f 1 2 3\nv 1.0 2.0 1e", Some(6), "`1e` is not"),
+        ("f 1 2 3\nf 1 2", Some(6), &few(2)),
+        ("f 1 2 3\nf 1/1 2/1 3/", Some(6), "`3/`"),
+        ("f 1 2 3\nf 1 2 -", Some(6), "`-`"),
+        ("f 1 2 3 \\", Some(5), "`\\`"),
+        ("f 1 2 3\nv 1.0 2.", Some(6), &two("obj-three-coordinates")),
+        ("f 1 2 3\nv 1.0 2.0 1e", Some(6), "`1e`"),
     ];
     for (rest, line, message) in cases {
         let (found, found_line) = bad(square(rest));
@@ -511,25 +503,35 @@ fn errors_name_the_line_and_what_was_expected() {
 #[test]
 fn what_is_no_model_at_all_is_refused() {
     assert_eq!(bad("").1, None);
-    assert!(bad("").0.contains("empty"));
+    assert!(bad("").0.contains(english!("obj-empty")));
     let binary = bad([square("").as_bytes(), b"\x7fELF\x02\x01\x01\0\0\0"].concat());
     assert!(
-        binary.0.contains("not text") && binary.1 == Some(5),
+        binary.0.contains(english!("obj-not-text")) && binary.1 == Some(5),
         "{binary:?}"
     );
-    assert!(bad(b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR").0.contains("not text"));
+    assert!(
+        bad(b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR")
+            .0
+            .contains(english!("obj-not-text"))
+    );
     assert!(
         bad("f 1 2 3\n"
             .encode_utf16()
             .flat_map(u16::to_le_bytes)
             .collect::<Vec<_>>())
         .0
-        .contains("not text")
+        .contains(english!("obj-not-text"))
     );
-    assert!(bad(vec![b'x'; 3 << 20]).0.contains("longer than"));
-    assert!(bad("# only a comment\n").0.contains("no face"));
+    let long = english!("obj-line-too-long", longest = "|");
+    let long = long.split('|').next().unwrap_or_default();
+    assert!(bad(vec![b'x'; 3 << 20]).0.contains(long));
+    assert!(
+        bad("# only a comment\n")
+            .0
+            .contains(english!("obj-no-face"))
+    );
     let in_a_number = bad([b"v 0 0 \xff1\n".as_slice()].concat());
-    assert!(in_a_number.0.contains("is not a coordinate") && in_a_number.1 == Some(1));
+    assert!(in_a_number.0.contains(english!("obj-coordinate")) && in_a_number.1 == Some(1));
     let message = bad(format!("f {}\n", "9".repeat(100_000))).0;
     assert!(message.len() < 300);
 }

@@ -263,10 +263,12 @@ fn terms(scene: &Scene) -> Vec<Term> {
     renderer.terms()
 }
 
-fn find<'a>(terms: &'a [Term], name: &str) -> &'a Term {
+/// The part of a light, counted from 1, by the key of its name; of the whole picture where it is 0.
+fn find<'a>(terms: &'a [Term], light: usize, part: &str) -> &'a Term {
+    let (light, name) = (light.checked_sub(1), english!(part));
     terms
         .iter()
-        .find(|term| term.name.to_string() == name)
+        .find(|term| term.name.light() == light && term.name.part() == name)
         .unwrap_or_else(|| panic!("no {name}"))
 }
 
@@ -289,37 +291,35 @@ fn reasons_and_counts_are_those_of_the_scene() {
     renderer.render(&scene);
     let (terms, covered) = (renderer.terms(), renderer.report().covered);
     assert_eq!(
-        find(&terms, "light 2: N·L").omitted.map(Message::text),
-        Some("muted")
+        find(&terms, 2, "N·L").omitted,
+        Some(Message("render-why-muted"))
     );
     assert_eq!(
-        find(&terms, "light 3: N·L").omitted.map(Message::text),
-        Some("its cone misses the object")
+        find(&terms, 3, "N·L").omitted,
+        Some(Message("render-why-cone-misses"))
     );
     assert_eq!(
-        find(&terms, "light 1: specular").omitted.map(Message::text),
-        Some("Ks is 0")
+        find(&terms, 1, "render-term-specular").omitted,
+        Some(Message("render-why-ks-zero"))
     );
     assert_eq!(
-        find(&terms, "light 1: attenuation")
-            .omitted
-            .map(Message::text),
-        Some("f is the same everywhere")
+        find(&terms, 1, "render-term-attenuation").omitted,
+        Some(Message("render-why-constant-attenuation"))
     );
-    let diffuse = find(&terms, "light 1: diffuse");
+    let diffuse = find(&terms, 1, "render-term-diffuse");
     assert_eq!((diffuse.per, diffuse.evaluations), (Per::Pixel, covered));
     assert_eq!(
-        find(&terms, "back faces").omitted.map(Message::text),
-        Some("a closed solid hides them")
+        find(&terms, 0, "render-term-back-faces").omitted,
+        Some(Message("render-why-closed-solid"))
     );
     renderer.leave_nothing_out(true);
     renderer.render(&scene);
     let all = renderer.terms();
     assert!(
-        find(&all, "back faces").evaluations > 100
-            && find(&all, "coverage").evaluations > 3 * covered / 2
+        find(&all, 0, "render-term-back-faces").evaluations > 100
+            && find(&all, 0, "render-term-coverage").evaluations > 3 * covered / 2
     );
-    assert_eq!(find(&all, "light 2: specular").evaluations, covered);
+    assert_eq!(find(&all, 2, "render-term-specular").evaluations, covered);
     assert!(
         terms
             .iter()
@@ -383,7 +383,7 @@ fn flat_shading_rounds_once_for_each_polygon_that_begins() {
         let scene = scene(settings);
         let mut renderer = Renderer::default();
         renderer.render(&scene);
-        let term = find(&renderer.terms(), "rounding to code values").clone();
+        let term = find(&renderer.terms(), 0, "render-term-rounding").clone();
         let begun = faces_begun(&mut renderer, &scene, convex);
         assert_eq!(
             (term.per, term.evaluations),
@@ -406,14 +406,16 @@ fn an_area_light_counts_each_of_its_samples_and_gouraud_its_vertices() {
     let mut renderer = Renderer::default();
     renderer.render(&scene);
     let vertices = renderer.report().vertices;
-    let diffuse = find(&renderer.terms(), "light 1: diffuse").clone();
+    let diffuse = find(&renderer.terms(), 1, "render-term-diffuse").clone();
     assert_eq!(
         (diffuse.per, diffuse.evaluations),
         (Per::Vertex, 7 * vertices)
     );
     scene.lights.clear();
-    assert!(terms(&scene).iter().any(|term| term.name.to_string() == "V"
-        && term.omitted.map(Message::text) == Some("no light contributes")));
+    assert!(
+        terms(&scene).iter().any(|term| term.name.to_string() == "V"
+            && term.omitted == Some(Message("render-why-no-light")))
+    );
 }
 
 /// A coefficient is said to be 0 only if it is.
@@ -423,25 +425,40 @@ fn what_is_left_out_is_not_laid_on_a_coefficient_that_is_not_zero() {
     scene.image.size = [32, 32];
     scene.lights[0].color = Rgb::new(1.0, 0.0, 0.0);
     scene.material.specular_color = Rgb::new(0.0, 1.0, 0.0);
-    let why = |scene: &Scene, name: &str| find(&terms(scene), name).omitted.map(Message::text);
+    let why = |scene: &Scene, light, part: &str| find(&terms(scene), light, part).omitted;
     assert_eq!(
-        why(&scene, "light 1: specular"),
-        Some("Ks·Os reflects the colour of no light")
+        why(&scene, 1, "render-term-specular"),
+        Some(Message("render-why-no-specular-colour"))
     );
-    assert_eq!(why(&scene, "light 1: cone"), Some("not a spotlight"));
+    assert_eq!(
+        why(&scene, 1, "render-term-cone"),
+        Some(Message("render-why-no-spotlight"))
+    );
     scene.material.specular_color = Rgb::ZERO;
-    assert_eq!(why(&scene, "light 1: specular"), Some("Ks·Os is 0"));
+    assert_eq!(
+        why(&scene, 1, "render-term-specular"),
+        Some(Message("render-why-ks-os-zero"))
+    );
     scene.material.specular_color = Rgb::ONE;
     scene.material.color = Rgb::ZERO;
-    assert_eq!(why(&scene, "light 1: diffuse"), Some("Kd·Od is 0"));
-    assert_eq!(why(&scene, "ambient"), Some("Ka·Od·Ia is 0"));
-    scene.material.ks = Rgb::ZERO;
     assert_eq!(
-        (why(&scene, "V"), why(&scene, "shadows")),
-        (Some("no light contributes"), Some("switched off"))
+        why(&scene, 1, "render-term-diffuse"),
+        Some(Message("render-why-kd-od-zero"))
     );
     assert_eq!(
-        why(&scene, "light 1: specular"),
-        Some("the material reflects none of its colour")
+        why(&scene, 0, "render-term-ambient"),
+        Some(Message("render-why-ka-zero"))
+    );
+    scene.material.ks = Rgb::ZERO;
+    assert_eq!(
+        (why(&scene, 0, "V"), why(&scene, 0, "render-term-shadows")),
+        (
+            Some(Message("render-why-no-light")),
+            Some(Message("render-why-switched-off"))
+        )
+    );
+    assert_eq!(
+        why(&scene, 1, "render-term-specular"),
+        Some(Message("render-why-not-reflected"))
     );
 }

@@ -2,6 +2,7 @@
 
 mod faults;
 
+use crate::common::value;
 use glam::DVec3;
 use shading_lab::scene::{
     About, Cause, Choice, Light, Material, ObjectKind, Rgb, Scene, ShadingMode, materials, nearest,
@@ -91,19 +92,26 @@ fn no_text_takes_the_reader_down() {
     }
     assert_eq!(
         objections(&" ".repeat(Scene::MAX_TEXT + 1)),
-        "s.toml:1: longer than 4 MiB, expected a scene"
+        format!("s.toml:1: {}", english!("problem-too-long", limit = 4))
     );
     let unknown: String = (0..300_000).map(|i| format!("k{i}=1\n")).collect();
     let message = objections(&unknown);
     assert_eq!(message.lines().count(), 101);
     assert_eq!(
         message.lines().last(),
-        Some("s.toml: 299900 more problems, expected none")
+        Some(&*format!(
+            "s.toml: {}",
+            english!("problem-more", count = 299900)
+        ))
     );
     let many = format!("light = [{}]", "{},".repeat(Scene::MAX_LIGHTS + 1));
     assert_eq!(
         objections(&many),
-        "s.toml:1: `light` is a list of 1001, expected at most 1000"
+        value(
+            "s.toml:1: `light`",
+            &english!("found-list-of", count = 1001),
+            &english!("range-at-most", count = 1000)
+        )
     );
 }
 

@@ -127,7 +127,7 @@ fn a_range_is_one_that_an_axis_can_have() {
         ("from = -1\nto = 1", "from = 1e16\nto = 10000000000000002"),
     ] {
         let error = problems(from, to).to_string();
-        assert!(error.contains("far enough apart"), "{to}: {error}");
+        assert!(error.contains(english!("lesson-range")), "{to}: {error}");
     }
     for (from, to) in [
         ("x = [0, 90]", "x = [0, 1e-280]"),
@@ -142,7 +142,7 @@ fn a_range_is_one_that_an_axis_can_have() {
 #[test]
 fn every_error_has_its_line() {
     for (from, to, words) in [
-        ("lesson = 1", "lesson = 2", "version"),
+        ("lesson = 1", "lesson = 2", "`lesson`"),
         ("name = \"every-kind\"", "name = \"Every Kind\"", "`name`"),
         ("minutes = 7", "minutes = -7", "invalid value"),
         ("minutes = 7", "length = 7", "unknown field"),
@@ -156,12 +156,12 @@ fn every_error_has_its_line() {
         (
             "{{ scene.material.n | 1 }}",
             "{{ scene.material.n | 12 }}",
-            "digits",
+            english!("lesson-number-digits"),
         ),
         (
             "{{ scene.material.n | 1 }}",
             "{{ 1 + }}",
-            "number in the text",
+            english!("lesson-number", words = "").trim_end(),
         ),
         ("kind = \"value\"", "kind = \"values\"", "`kind`"),
         ("answer = \"cos(60)\"", "answer = \"cos(60\"", "`answer`"),
@@ -207,28 +207,36 @@ fn an_error_about_a_block_is_in_the_block() {
             "equals = \"30\"\nmost = true",
             "`equals`",
         ),
-        ("greatest = \"probe.sum[0]\"", "", "options"),
+        (
+            "greatest = \"probe.sum[0]\"",
+            "",
+            english!("lesson-option-neither"),
+        ),
         (
             "[[item]]\ntext = \"A\"\nset = [\"material.n=5\"]\n",
             "",
-            "3 to 6",
+            &english!("lesson-items", least = 3, most = 6),
         ),
         (
             "[[option]]\ntext = \"No\"\nholds = \"1 > 2\"\n",
             "",
-            "2 to 8",
+            &english!("lesson-options", least = 2, most = 8),
         ),
         (
             "holds = \"1 < 2\"",
             "holds = \"1 < 2\"\nright = true",
-            "both",
+            english!("lesson-option-both"),
         ),
         (
             "controls = [\"material.kd\"]",
             "controls = []",
             "`controls`",
         ),
-        ("probe = [0.1, 0.1]", "probe = [9.0, 0.1]", "−8 to 8"),
+        (
+            "probe = [0.1, 0.1]",
+            "probe = [9.0, 0.1]",
+            english!("lesson-far"),
+        ),
         (
             "probe = [0.1, 0.1]",
             "probe = [0.1, 0.1]\nlights = 10000",
@@ -256,28 +264,28 @@ fn an_error_about_a_block_is_in_the_block() {
 fn files_that_are_no_lessons_are_refused() {
     let head = "+++\nlesson = 1\nname = \"a\"\ntitle = \"A\"\n+++\n";
     for (source, words) in [
-        (String::new(), "head"),
-        ("# A lesson".to_owned(), "head"),
-        ("+++\nlesson = 1\n".to_owned(), "head"),
-        (head.to_owned(), "no step"),
-        (format!("{head}text\n"), "no step"),
+        (String::new(), english!("lesson-no-head")),
+        ("# A lesson".to_owned(), english!("lesson-no-head")),
+        ("+++\nlesson = 1\n".to_owned(), english!("lesson-no-head")),
+        (head.to_owned(), english!("lesson-no-steps")),
+        (format!("{head}text\n"), english!("lesson-no-steps")),
         (
             format!("{head}```step\nscene = \"sphere\"\n```\n## A\n"),
-            "before the first step",
+            english!("lesson-block-outside"),
         ),
         (format!("{head}## A\n"), "`scene`"),
         (
             format!("{head}## A\n```step\nscene = \"sphere\"\n```\n```step\n```\n"),
-            "second block",
+            "`step`",
         ),
         (
             format!("{head}{}", "## A\n\n".repeat(Lesson::MAX_STEPS + 1)),
-            "more than 100",
+            "100",
         ),
         ("x".repeat(Lesson::MAX_TEXT + 1), "MiB"),
         (
             format!("{head}## A\n{{{{ 1 }}\n```step\nscene = \"sphere\"\n```\n"),
-            "braces",
+            english!("lesson-number-open"),
         ),
     ] {
         let error = Lesson::read(&source, None).expect_err("an error");

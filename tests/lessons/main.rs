@@ -2,6 +2,7 @@
 
 #[path = "../common/fixtures.rs"]
 #[allow(dead_code, reason = "each program takes what it needs")]
+#[macro_use]
 mod common;
 
 mod answers;

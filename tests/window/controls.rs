@@ -4,8 +4,8 @@ mod lights;
 mod materials;
 
 use crate::common::hands::{
-    built_in, choose, drag, enter, open_view, picture, picture_place, press, scene, undo, window,
-    window_looking,
+    built_in, choose, drag, enter, named, open_view, picture, picture_place, press, scene, undo,
+    window, window_looking,
 };
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, Shape, vec2};
@@ -18,12 +18,12 @@ use shading_lab::geometry::tessellate;
 use shading_lab::scene::{Choice, CompareView, Pane, Rgb, ShadingMode, View};
 use std::sync::Arc;
 
-/// Sets a slider by its accessible name, sees the picture change, and takes it back.
+/// Sets a slider by the key of its parameter, sees the picture change, and takes it back.
 fn slider_changes_the_picture(scene: &str, name: &str, value: f64) {
     let mut harness = window(scene);
     let before = picture(&harness);
     harness
-        .get_by_role_and_label(Role::Slider, name)
+        .get_by_role_and_label(Role::Slider, named(name))
         .set_value_accesskit(value);
     harness.run();
     assert!(
@@ -41,10 +41,10 @@ fn slider_changes_the_picture(scene: &str, name: &str, value: f64) {
 #[test]
 fn every_slider_of_the_material_changes_the_picture() {
     for (name, value) in [
-        ("Ka ambient coefficient", 0.6),
-        ("Kd diffuse coefficient", 0.2),
-        ("Ks specular coefficient", 0.0),
-        ("n specular exponent", 3.0),
+        ("material.ka", 0.6),
+        ("material.kd", 0.2),
+        ("material.ks", 0.0),
+        ("material.n", 3.0),
     ] {
         slider_changes_the_picture("sphere", name, value);
     }
@@ -52,8 +52,8 @@ fn every_slider_of_the_material_changes_the_picture() {
 
 #[test]
 fn tessellation_changes_the_picture() {
-    slider_changes_the_picture("flat-facets", "Segments", 7.0);
-    slider_changes_the_picture("flat-facets", "Rings", 5.0);
+    slider_changes_the_picture("flat-facets", "object.segments", 7.0);
+    slider_changes_the_picture("flat-facets", "object.rings", 5.0);
 }
 
 #[test]
@@ -93,10 +93,8 @@ fn keys_choose_the_shading_mode() {
 fn a_number_can_be_infinite() {
     let mut harness = window("sphere");
     let before = picture(&harness);
-    harness
-        .get_by_role_and_label(Role::Button, "n specular exponent infinite")
-        .click_accesskit();
-    harness.run();
+    let infinite = english!("controls-infinite", name = named("material.n"));
+    press(&mut harness, &infinite);
     assert_eq!(scene(&harness).material.n, f64::INFINITY);
     assert!(picture(&harness) != before);
 }
@@ -105,10 +103,10 @@ fn a_number_can_be_infinite() {
 fn a_control_without_effect_is_disabled() {
     let mut harness = window("sphere");
     harness
-        .get_by_role_and_label(Role::Slider, "Ks specular coefficient")
+        .get_by_role_and_label(Role::Slider, named("material.ks"))
         .set_value_accesskit(0.0);
     harness.run();
-    let n = harness.get_by_role_and_label(Role::Slider, "n specular exponent");
+    let n = harness.get_by_role_and_label(Role::Slider, named("material.n"));
     assert!(
         n.accesskit_node().is_disabled(),
         "n has no effect without Ks"
@@ -143,11 +141,11 @@ fn a_file_that_cannot_be_opened_says_so_and_changes_nothing() {
     harness.key_press_modifiers(Modifiers::COMMAND, Key::O);
     harness.run();
     harness
-        .get_by_role_and_label(Role::TextInput, "File")
+        .get_by_role_and_label(Role::TextInput, english!("file"))
         .type_text(&path.display().to_string());
     harness.run();
     harness
-        .get_by_role_and_label(Role::Button, "Open")
+        .get_by_role_and_label(Role::Button, english!("open"))
         .click_accesskit();
     let mut shown = false;
     for _ in 0..200 {
@@ -189,52 +187,54 @@ fn controls_appear_where_they_have_an_effect() {
     let mut harness = window("cone");
     assert!(
         harness
-            .query_by_role_and_label(Role::ComboBox, "Weighting")
+            .query_by_role_and_label(Role::ComboBox, named("object.weighting"))
             .is_none(),
         "exact normals have no weights"
     );
-    choose(&mut harness, "Vertex normals", "averaged");
+    choose(&mut harness, "object.normals", "averaged");
     let equal = picture(&harness);
-    choose(&mut harness, "Weighting", "by angle");
+    choose(&mut harness, "object.weighting", "angle");
     assert!(picture(&harness) != equal);
 
     assert!(
         harness
-            .query_by_role_and_label(Role::SpinButton, "Height")
+            .query_by_role_and_label(Role::SpinButton, named("camera.height"))
             .is_none()
     );
-    choose(&mut harness, "Projection", "orthographic");
+    choose(&mut harness, "camera.projection", "orthographic");
     assert!(
         harness
-            .query_by_role_and_label(Role::SpinButton, "Field of view")
+            .query_by_role_and_label(Role::SpinButton, named("camera.fov_y"))
             .is_none()
     );
     let near = picture(&harness);
-    harness
-        .get_by_role_and_label(Role::SpinButton, "Height")
-        .set_value_accesskit(5.0);
-    harness.run();
+    enter(&mut harness, "camera.height", 5.0);
     assert!(picture(&harness) != near);
 }
 
 #[test]
 fn every_choice_changes_the_picture() {
     let choices: [(&str, &[Key], &str, &str); 15] = [
-        ("sphere", &[], "Reflection model", "Blinn  (N·H)^n"),
-        ("sphere", &[], "Back side", "flip N"),
-        ("sphere", &[], "Light 1 kind", "directional"),
-        ("sphere", &[], "Light 1 attenuation", "1/d²"),
-        ("sphere", &[], "Object kind", "torus"),
-        ("cylinder", &[], "Vertex normals", "each polygon's own"),
-        ("cone", &[], "Vertex normals", "averaged"),
-        ("sphere", &[], "Projection", "orthographic"),
-        ("sphere", &[], "V viewer", "at infinity"),
-        ("sphere", &[], "Overflow", "mark"),
-        ("sphere", &[], "Overflow", "scale the picture"),
-        ("sphere", &[], "I encoding", "sRGB"),
-        ("attenuation", &[Key::Num1], "Flat at", "first vertex"),
-        ("highlight", &[Key::Num3], "Interpolation", "affine"),
-        ("torus", &[Key::Num3], "Interpolation", "scan line"),
+        ("sphere", &[], "reflection.model", "blinn"),
+        ("sphere", &[], "reflection.backfacing", "flip"),
+        ("sphere", &[], "light.0.kind", "directional"),
+        ("sphere", &[], "light.0.attenuation", "inverse-square"),
+        ("sphere", &[], "object.kind", "torus"),
+        ("cylinder", &[], "object.normals", "facet"),
+        ("cone", &[], "object.normals", "averaged"),
+        ("sphere", &[], "camera.projection", "orthographic"),
+        ("sphere", &[], "camera.viewer", "infinite"),
+        ("sphere", &[], "display.overflow", "mark"),
+        ("sphere", &[], "display.overflow", "scale"),
+        ("sphere", &[], "display.encoding", "srgb"),
+        (
+            "attenuation",
+            &[Key::Num1],
+            "shading.flat_at",
+            "provoking-vertex",
+        ),
+        ("highlight", &[Key::Num3], "shading.interpolation", "affine"),
+        ("torus", &[Key::Num3], "shading.interpolation", "scanline"),
     ];
     for (scene, prepare, list, entry) in choices {
         println!("{scene}: {list}: {entry}");
@@ -245,22 +245,19 @@ fn every_choice_changes_the_picture() {
 #[test]
 fn typed_numbers_change_the_picture() {
     let fields = [
-        ("Od surface colour red", 0.1),
-        ("Ia ambient light red", 0.0),
-        ("Light 1 position x", -3.0),
-        ("Light 1 intensity green", 0.2),
-        ("Field of view", 70.0),
-        ("Eye x", 3.0),
-        ("Target y", 0.4),
-        ("Background blue", 0.9),
+        ("material.color.red", 0.1),
+        ("ambient.color.red", 0.0),
+        ("light.0.position.x", -3.0),
+        ("light.0.color.green", 0.2),
+        ("camera.fov_y", 70.0),
+        ("camera.eye.x", 3.0),
+        ("camera.target.y", 0.4),
+        ("image.background.blue", 0.9),
     ];
     for (name, value) in fields {
         let mut harness = window("sphere");
         let before = picture(&harness);
-        harness
-            .get_by_role_and_label(Role::SpinButton, name)
-            .set_value_accesskit(value);
-        harness.run();
+        enter(&mut harness, name, value);
         assert!(
             picture(&harness) != before,
             "{name} = {value} changes nothing"
@@ -277,20 +274,17 @@ fn typed_numbers_change_the_picture() {
 #[test]
 fn the_pixels_above_one_are_counted() {
     let mut harness = window("flat-facets");
-    enter(&mut harness, "Light 1 intensity red", 0.5);
-    assert!(harness.query_by_label("No pixel is above 1").is_some());
-    enter(&mut harness, "Light 1 intensity red", 3.0);
-    assert!(
-        harness
-            .query_by_label_contains("pixels are above 1")
-            .is_some()
-    );
+    enter(&mut harness, "light.0.color.red", 0.5);
+    let above = |count: i32| english!("controls-overflowing", count = count, number = "");
+    assert!(harness.query_by_label(&above(0)).is_some());
+    enter(&mut harness, "light.0.color.red", 3.0);
+    assert!(harness.query_by_label_contains(&above(2)).is_some());
 }
 
 #[test]
 fn panes_are_compared_by_key_and_a_change_reaches_all_but_what_they_have_of_their_own() {
     let mut harness = window("torus");
-    open_view(&mut harness, "Compare");
+    open_view(&mut harness, "view-compare");
     harness.key_press(Key::K);
     harness.run();
     assert_eq!(scene(&harness).compare.view, CompareView::Panes);
@@ -300,7 +294,10 @@ fn panes_are_compared_by_key_and_a_change_reaches_all_but_what_they_have_of_thei
     );
     assert!(
         harness
-            .query_by_role_and_label(Role::Button, "2 Exact")
+            .query_by_role_and_label(
+                Role::Button,
+                &format!("2 {}", english!("choice-shading-exact"))
+            )
             .is_some()
     );
     let phong = picture(&harness);
@@ -320,14 +317,16 @@ fn panes_are_compared_by_key_and_a_change_reaches_all_but_what_they_have_of_thei
     );
     assert_eq!(scene(&harness).shading.mode, ShadingMode::Phong);
     harness
-        .get_by_role_and_label(Role::Slider, "Kd diffuse coefficient")
+        .get_by_role_and_label(Role::Slider, named("material.kd"))
         .set_value_accesskit(0.25);
     harness.run();
     assert_eq!(scene(&harness).material.kd, Rgb::splat(0.25));
-    press(&mut harness, "Shading mode: Gouraud  ×");
+    let mode = named("shading.mode");
+    let gouraud = english!("choice-shading-gouraud");
+    press(&mut harness, &format!("{mode}: {gouraud}  ×"));
     assert_eq!(scene(&harness).compare.panes, [Pane::default()]);
-    press(&mut harness, "Menu of pane 2");
-    press(&mut harness, "Remove");
+    press(&mut harness, &english!("picture-pane-menu", number = 2));
+    press(&mut harness, "picture-remove-pane");
     assert_eq!(scene(&harness).compare.view, CompareView::Single);
     undo(&mut harness);
     assert_eq!(scene(&harness).compare.panes, [Pane::default()]);
@@ -340,9 +339,7 @@ fn the_line_of_a_wipe_is_dragged_in_one_step() {
     harness.key_press(Key::K);
     harness.run();
     assert_eq!(scene(&harness).compare.view, CompareView::Wipe);
-    let picture = harness
-        .get_by_role_and_label(Role::Image, "Picture, Flat shading")
-        .rect();
+    let picture = picture_place(&harness);
     let from = picture.center_top() + vec2(0.0, 30.0);
     drag(
         &mut harness,
@@ -358,18 +355,17 @@ fn the_line_of_a_wipe_is_dragged_in_one_step() {
 #[test]
 fn the_probe_jumps_to_the_greatest_difference() {
     let mut harness = window("flat-facets");
-    open_view(&mut harness, "Compare");
+    open_view(&mut harness, "view-compare");
     for _ in 0..3 {
         harness.key_press(Key::K);
         harness.run();
     }
     assert_eq!(scene(&harness).compare.view, CompareView::Difference);
     let before = harness.state().state().window.probe;
+    let at = english!("picture-pixel", x = "|", y = "");
+    let (pixel, _) = at.split_once('|').expect("a place");
     harness
-        .get_by(|node| {
-            node.label()
-                .is_some_and(|label| label.starts_with("pixel "))
-        })
+        .get_by(|node| node.label().is_some_and(|label| label.starts_with(pixel)))
         .click_accesskit();
     harness.run();
     assert_ne!(harness.state().state().window.probe, before);
@@ -381,38 +377,37 @@ fn depth_cueing_unfolds_and_keeps_its_depths_in_order() {
     let plain = picture(&harness);
     let front = |harness: &Harness<'_, App>| {
         harness
-            .query_by_role_and_label(Role::SpinButton, "z start of fading")
+            .query_by_role_and_label(Role::SpinButton, named("depth_cueing.front"))
             .is_some()
     };
     assert!(!front(&harness), "it is off");
-    choose(&mut harness, "Depth cueing", "at pixels");
+    choose(&mut harness, "depth_cueing.by", "pixel");
     assert!(front(&harness) && picture(&harness) != plain);
-    assert!(harness.query_all_by_label("Depth in the equation").count() > 0);
-    enter(&mut harness, "z start of fading", 6.0);
+    let symbol = format!("Depth {}", english!("in-equation"));
+    assert!(harness.query_all_by_label(&symbol).count() > 0);
+    enter(&mut harness, "depth_cueing.front", 6.0);
     let cueing = scene(&harness).depth_cueing;
     assert!(
         cueing.front == 6.0 && cueing.back > 6.0,
         "the back is pushed: {cueing:?}"
     );
-    enter(&mut harness, "z end of fading", 4.5);
+    enter(&mut harness, "depth_cueing.back", 4.5);
     let cueing = scene(&harness).depth_cueing;
     assert!(
         cueing.back == 4.5 && cueing.front < 4.5,
         "the front is pushed: {cueing:?}"
     );
-    enter(&mut harness, "s0 remaining intensity at the back", 0.25);
-    enter(&mut harness, "Idc fading colour blue", 0.5);
+    enter(&mut harness, "depth_cueing.back_scale", 0.25);
+    enter(&mut harness, "depth_cueing.color.blue", 0.5);
     assert_eq!(scene(&harness).validate(), Ok(()));
     // The probe says what is left.
-    assert!(
-        harness
-            .query_by_label_contains("depth cueing at the probe")
-            .is_some()
-    );
+    let cueing = english!("point-depth-cueing");
+    let cueing = english!("point-line-at-probe", name = cueing, value = "");
+    assert!(harness.query_by_label_contains(&cueing).is_some());
     // A list whose entry was chosen without a pointer stays open.
-    press(&mut harness, "at vertices");
+    press(&mut harness, "choice-depth-cueing-vertex");
     press_key_for_every_mode(&mut harness);
-    press(&mut harness, "off");
+    press(&mut harness, "choice-depth-cueing-off");
     assert!(!front(&harness) && picture(&harness) == plain);
 }
 
@@ -429,7 +424,7 @@ fn press_key_for_every_mode(harness: &mut Harness<'_, App>) {
 fn pointing_at_a_vertex_lights_up_its_faces() {
     let mut harness = window("vertex-normals");
     // The tab that the scene opens has pictures of its own.
-    open_view(&mut harness, "Equation");
+    open_view(&mut harness, "view-equation");
     // From its panes by way of wipe and difference to one picture.
     for _ in 0..3 {
         harness.key_press(Key::K);
@@ -485,9 +480,9 @@ fn pointing_at_a_vertex_lights_up_its_faces() {
     harness.hover_at(centre + vec2(0.0, 0.12 * rect.height()));
     harness.run();
     assert_eq!(lit(&harness), Some(middle.vertex), "kept");
-    choose(&mut harness, "Weighting", "by area");
+    choose(&mut harness, "object.weighting", "area");
     assert_eq!(lit(&harness), Some(middle.vertex));
-    choose(&mut harness, "Vertex normals", "true surface's");
+    choose(&mut harness, "object.normals", "exact");
     let other = lit(&harness)
         .and_then(|vertex| field(&harness).vertex(vertex))
         .expect("still lit");
@@ -573,9 +568,9 @@ fn what_was_stored_is_put_right_field_by_field() {
 fn what_a_screen_reader_sends_is_kept_within_bounds() {
     let mut harness = window("sphere");
     for role in [Role::Slider, Role::SpinButton] {
-        for name in ["Kd diffuse coefficient", "n specular exponent", "Segments"] {
+        for name in ["material.kd", "material.n", "object.segments"] {
             harness
-                .get_by_role_and_label(role, name)
+                .get_by_role_and_label(role, named(name))
                 .set_value_accesskit(f64::NAN);
             harness.run();
             assert_eq!(scene(&harness).validate(), Ok(()), "{name}");
@@ -588,9 +583,9 @@ fn what_a_screen_reader_sends_is_kept_within_bounds() {
         }
     }
     harness
-        .get_by_role_and_label(Role::SpinButton, "Roll")
+        .get_by_role_and_label(Role::SpinButton, named("camera.roll"))
         .set_value_accesskit(f64::NEG_INFINITY);
-    open_view(&mut harness, "Defects");
+    open_view(&mut harness, "view-defects");
     assert_eq!(scene(&harness).validate(), Ok(()));
 }
 
@@ -598,8 +593,8 @@ fn what_a_screen_reader_sends_is_kept_within_bounds() {
 fn all_modes_stand_side_by_side_and_captions_are_dragged_to_other_places() {
     let mut harness = window("cylinder");
     let before = scene(&harness).compare.clone();
-    open_view(&mut harness, "Compare");
-    press(&mut harness, "All shading modes");
+    open_view(&mut harness, "view-compare");
+    press(&mut harness, "picture-all-modes");
     let modes = |harness: &Harness<'_, App>| {
         let scene = scene(harness);
         (0..scene.pane_count())
@@ -608,15 +603,16 @@ fn all_modes_stand_side_by_side_and_captions_are_dragged_to_other_places() {
     };
     assert_eq!(modes(&harness), ShadingMode::VALUES);
     assert_eq!(scene(&harness).reference_pane(), 4);
-    let caption = |harness: &Harness<'_, App>, name: &str| {
+    let caption = |harness: &Harness<'_, App>, number: usize, mode: &str| {
+        let caption = english!("picture-caption", number = number, name = named(mode));
         harness
-            .get_by_role_and_label(Role::Button, name)
+            .get_by_role_and_label(Role::Button, &caption)
             .rect()
             .center()
     };
     let (exact, flat) = (
-        caption(&harness, "Pane 5: Exact"),
-        caption(&harness, "Pane 1: Flat"),
+        caption(&harness, 5, "choice-shading-exact"),
+        caption(&harness, 1, "choice-shading-flat"),
     );
     drag(&mut harness, exact, flat);
     use ShadingMode::{Exact, Flat, Gouraud, Interpolated, Phong};
@@ -629,7 +625,10 @@ fn all_modes_stand_side_by_side_and_captions_are_dragged_to_other_places() {
     );
     assert_eq!(scene(&harness).validate(), Ok(()));
     harness
-        .get_by_role_and_label(Role::RadioButton, "Use pane 5 as reference")
+        .get_by_role_and_label(
+            Role::RadioButton,
+            &english!("picture-reference-pane", number = 5),
+        )
         .click_accesskit();
     harness.run();
     assert_eq!(scene(&harness).reference_pane(), 4);

@@ -4,7 +4,7 @@ mod handed_in;
 mod left;
 
 use crate::common::hands;
-use crate::common::hands::{picture_place, press, scene, wait};
+use crate::common::hands::{named, picture_place, press, scene, wait};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, OpenUrl, OutputCommand, Pos2, Style, pos2, vec2};
 use egui_kittest::Harness;
@@ -85,6 +85,7 @@ fn revealed(harness: &Harness<'_, App>) -> bool {
 
 /// Presses a key as often as it takes to come to what is called so.
 fn tab_to(harness: &mut Harness<'_, App>, role: Role, name: &str) {
+    let name = named(name);
     for _ in 0..120 {
         harness.key_press(Key::Tab);
         harness.run_ok();
@@ -114,18 +115,18 @@ fn a_step_shows_its_scene_its_text_and_its_controls() {
             .query_by_label_contains("half-width is 15.0°")
             .is_some()
     );
-    harness.get_by_role_and_label(Role::SpinButton, "n specular exponent");
+    harness.get_by_role_and_label(Role::SpinButton, named("material.n"));
     assert!(!harness.state().state().window.appearance.controls);
     // What is changed can be put back.
-    hands::enter(&mut harness, "n specular exponent", 55.0);
+    hands::enter(&mut harness, "material.n", 55.0);
     assert_eq!(scene(&harness).material.n, 55.0);
     harness
-        .get_by_label("Back to the step’s scene")
+        .get_by_label(english!("course-again"))
         .click_accesskit();
     harness.run_ok();
     harness.run_ok();
     assert_eq!(scene(&harness).material.n, 20.0);
-    press(&mut harness, "Next");
+    press(&mut harness, "course-next");
     assert_eq!(step(&harness), 1);
     harness.key_press(Key::PageUp);
     harness.run_ok();
@@ -176,7 +177,7 @@ fn a_lesson_alone_says_what_its_scenes_show() {
     assert!(probe(&harness));
     next(&mut harness);
     assert!(!probe(&harness));
-    press(&mut harness, "Lessons");
+    press(&mut harness, "course-lessons");
     harness.run_ok();
     assert!(titled(&harness));
 }
@@ -187,22 +188,26 @@ fn numbers_are_hidden_until_the_answer_is_shown() {
     go(&mut harness, 1);
     assert!(harness.state().state().course.hides());
     harness
-        .get_by_label("Show the numbers: Curves")
+        .get_by_label(&english!("course-numbers", view = english!("view-curves")))
         .click_accesskit();
     harness.run_ok();
-    harness.get_by_label_contains("Numbers are hidden");
-    press(&mut harness, "To the question");
+    harness.get_by_label(english!("course-hidden"));
+    press(&mut harness, "course-to-question");
     // The answer cannot be looked up before one is given.
-    assert!(harness.query_by_label("Show the answer").is_none());
+    assert!(
+        harness
+            .query_by_label(english!("course-show-answer"))
+            .is_none()
+    );
     harness
         .get_by_role_and_label(Role::RadioButton, "Wider")
         .click();
     harness.run_ok();
-    press(&mut harness, "Check");
+    press(&mut harness, "course-check");
     let first = answered(&harness).expect("an answer");
     assert_eq!((&first.answer, first.tries), (&Answer::Choice(0), 1));
     assert!(!revealed(&harness) && harness.state().state().course.hides());
-    press(&mut harness, "Show the answer");
+    press(&mut harness, "course-show-answer");
     let shown = answered(&harness).expect("an answer");
     assert_eq!((shown.looked_up, shown.tries), (1, 1));
     assert!(revealed(&harness) && !harness.state().state().course.hides());
@@ -211,7 +216,7 @@ fn numbers_are_hidden_until_the_answer_is_shown() {
             .query_by_label_contains("A higher power of")
             .is_some()
     );
-    assert!(harness.query_by_label("Check").is_none());
+    assert!(harness.query_by_label(english!("course-check")).is_none());
 }
 
 #[test]
@@ -229,10 +234,10 @@ fn every_question_is_answered_by_mouse() {
         harness.run_ok();
     };
     click(&mut harness, picture.center() + vec2(-150.0, 100.0));
-    press(&mut harness, "Check");
+    press(&mut harness, "course-check");
     assert!(!revealed(&harness));
     click(&mut harness, picture.center() + vec2(60.0, -75.0));
-    press(&mut harness, "Check");
+    press(&mut harness, "course-check");
     let given = answered(&harness).expect("an answer");
     assert!(given.grade.right, "{given:?}");
     assert_eq!(given.tries, 2);
@@ -241,21 +246,21 @@ fn every_question_is_answered_by_mouse() {
     draw(&mut harness, |share| {
         (180.0 * share).to_radians().cos().max(0.0)
     });
-    press(&mut harness, "Check");
+    press(&mut harness, "course-check");
     let given = answered(&harness).expect("an answer");
     assert!(given.grade.right, "{given:?}");
     next(&mut harness);
     draw(&mut harness, |_| 0.05);
-    press(&mut harness, "Check");
+    press(&mut harness, "course-check");
     assert!(!revealed(&harness));
     // A setting. What was said of one is not said of another.
     next(&mut harness);
-    press(&mut harness, "Check");
+    press(&mut harness, "course-check");
     assert!(!revealed(&harness));
-    assert!(harness.query_by_label("Not right yet.").is_some());
-    hands::enter(&mut harness, "n specular exponent", 45.3);
-    assert!(harness.query_by_label("Not right yet.").is_none());
-    press(&mut harness, "Check");
+    assert!(harness.query_by_label(english!("course-wrong")).is_some());
+    hands::enter(&mut harness, "material.n", 45.3);
+    assert!(harness.query_by_label(english!("course-wrong")).is_none());
+    press(&mut harness, "course-check");
     assert!(revealed(&harness));
     // An order, in which the last two are the wrong way round.
     next(&mut harness);
@@ -273,22 +278,25 @@ fn every_question_is_answered_by_mouse() {
         let wrong = (1..3).find(|place| order[place - 1] < order[*place]);
         if let Some(place) = wrong {
             let names = ["$n = 10$", "$n = 30$", "$n = 90$"];
-            press(&mut harness, &format!("Move up: {}", names[order[place]]));
+            press(
+                &mut harness,
+                &english!("course-up", item = names[order[place]]),
+            );
         }
     }
-    press(&mut harness, "Check");
+    press(&mut harness, "course-check");
     let given = answered(&harness).expect("an answer");
     assert_eq!(given.answer, Answer::Order(vec![2, 1, 0]));
     assert!(given.grade.right);
     // A match.
     next(&mut harness);
-    press(&mut harness, "Check");
+    press(&mut harness, "course-check");
     assert!(!revealed(&harness));
-    hands::enter(&mut harness, "Kd diffuse coefficient", 0.3);
-    hands::enter(&mut harness, "n specular exponent", 60.0);
-    press(&mut harness, "Check");
+    hands::enter(&mut harness, "material.kd", 0.3);
+    hands::enter(&mut harness, "material.n", 60.0);
+    press(&mut harness, "course-check");
     assert!(revealed(&harness));
-    press(&mut harness, "Finish");
+    press(&mut harness, "course-finish");
     harness.run_ok();
     let course = &harness.state().state().course;
     assert!(course.open.is_none() && course.kept.done.contains("kinds"));
@@ -334,13 +342,13 @@ fn the_keyboard_alone_is_enough() {
     );
     harness.key_press(Key::Enter);
     harness.run_ok();
-    tab_to(&mut harness, Role::Button, "Check");
+    tab_to(&mut harness, Role::Button, "course-check");
     harness.key_press(Key::Enter);
     harness.run_ok();
     assert!(answered(&harness).is_some_and(|answered| answered.grade.right));
     // A presenter's remote works whatever has the focus.
     next(&mut harness);
-    tab_to(&mut harness, Role::TextInput, "Your answer");
+    tab_to(&mut harness, Role::TextInput, "course-answer");
     type_text(&mut harness, "1/3");
     harness.key_press(Key::Enter);
     harness.run_ok();
@@ -368,7 +376,7 @@ fn the_keyboard_alone_is_enough() {
     tab_to(
         &mut harness,
         Role::Canvas,
-        "Drawing of cos θ over θ, degrees",
+        &english!("course-curve-area", y = "cos θ", x = "θ, degrees"),
     );
     for _ in 0..20 {
         harness.key_press(Key::ArrowLeft);
@@ -410,25 +418,25 @@ fn the_keyboard_alone_is_enough() {
 fn answers_are_handed_in_as_a_picture() {
     let mut harness = window();
     go(&mut harness, 2);
-    tab_to(&mut harness, Role::TextInput, "Your answer");
+    tab_to(&mut harness, Role::TextInput, "course-answer");
     type_text(&mut harness, "0.9");
-    press(&mut harness, "Check");
+    press(&mut harness, "course-check");
     assert!(!revealed(&harness));
-    press(&mut harness, "File");
-    press(&mut harness, "Hand in answers…");
+    press(&mut harness, "controls-group-file");
+    press(&mut harness, "controls-command-hand-in");
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("course-answers.png");
     let _ = std::fs::remove_file(&path);
     for (field, text) in [
-        ("Your name", "Ada"),
-        ("File", path.to_str().expect("a path")),
+        ("course-hand-in-name", "Ada"),
+        ("file", path.to_str().expect("a path")),
     ] {
-        let field = harness.get_by_role_and_label(Role::TextInput, field);
+        let field = harness.get_by_role_and_label(Role::TextInput, english!(field));
         field.focus();
         harness.run_ok();
         harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
         type_text(&mut harness, text);
     }
-    press(&mut harness, "Write");
+    press(&mut harness, "course-hand-in.verb");
     let there = path.clone();
     assert!(wait(&mut harness, |_| there.exists()));
     let file = std::io::BufReader::new(std::fs::File::open(&path).expect("a file"));
@@ -449,14 +457,14 @@ fn answers_are_handed_in_as_a_picture() {
 
 /// Makes the scene the target of a match, and finds its Kd again.
 fn meet_target(harness: &mut Harness<'_, App>) {
-    hands::enter(harness, "Kd diffuse coefficient", 0.9);
-    press(harness, "File");
-    press(harness, "Set as target");
+    hands::enter(harness, "material.kd", 0.9);
+    press(harness, "controls-group-file");
+    press(harness, "controls-command-set-target");
     harness.run_ok();
     ready(harness);
     assert_eq!(scene(harness).material.kd.x, 0.5);
-    hands::enter(harness, "Kd diffuse coefficient", 0.9);
-    press(harness, "Check");
+    hands::enter(harness, "material.kd", 0.9);
+    press(harness, "course-check");
     assert!(revealed(harness));
 }
 
@@ -484,7 +492,7 @@ fn so_does_a_scene_from_a_file() {
 fn a_question_out_of_sight_has_a_way_down_to_it() {
     let seen = |harness: &Harness<'_, App>| {
         harness
-            .query_by_role_and_label(Role::Button, "To the question")
+            .query_by_role_and_label(Role::Button, english!("course-to-question"))
             .is_some()
     };
     let mut high = window();
@@ -493,7 +501,7 @@ fn a_question_out_of_sight_has_a_way_down_to_it() {
     let mut low = window_of(lesson(), [1280.0, 260.0]);
     go(&mut low, 1);
     assert!(seen(&low));
-    low.get_by_role_and_label(Role::Button, "To the question")
+    low.get_by_role_and_label(Role::Button, english!("course-to-question"))
         .click();
     for _ in 0..3 {
         low.run_ok();
@@ -540,7 +548,7 @@ fn a_lesson_opens_pages_and_letters_and_nothing_else() {
     let shown = harness.get_all_by_role(Role::Link);
     let shown = shown.filter_map(|node| node.accesskit_node().label());
     let shown: Vec<_> = shown
-        .filter(|words| !words.starts_with("left out"))
+        .filter(|words| !words.starts_with(&english!("left-out", count = "")))
         .collect();
     assert_eq!(shown, ["page", "letter"]);
     for (words, _) in closed {

@@ -1,6 +1,6 @@
 //! The window as a figure in another page: the picture and the controls that its link names.
 
-use crate::common::hands::{built_in, scene, window_looking};
+use crate::common::hands::{built_in, named, scene, window_looking};
 use eframe::egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
@@ -25,22 +25,25 @@ fn a_figure_has_its_picture_and_the_controls_named() {
     for size in [[340.0, 360.0], [480.0, 420.0], [900.0, 600.0]] {
         let words = ["n", "material.ks", "light", "mode", "nothing"];
         let mut harness = figure("sphere", size, &words);
-        let fields =
-            |name: &str, role: Role| harness.query_all_by_role_and_label(role, name).count();
-        assert_eq!(fields("n specular exponent", Role::Slider), 1, "{size:?}");
-        assert_eq!(fields("Ks specular coefficient", Role::Slider), 1);
-        assert_eq!(fields("Kd diffuse coefficient", Role::Slider), 0);
+        let fields = |key: &str, role: Role| {
+            harness
+                .query_all_by_role_and_label(role, named(key))
+                .count()
+        };
+        assert_eq!(fields("material.n", Role::Slider), 1, "{size:?}");
+        assert_eq!(fields("material.ks", Role::Slider), 1);
+        assert_eq!(fields("material.kd", Role::Slider), 0);
         assert_eq!(harness.query_all_by_role(Role::Tab).count(), 0, "no rail");
         assert!(
             harness
-                .query_by_label("no control is called nothing")
+                .query_by_label(&english!("embed-unknown", name = "nothing"))
                 .is_some()
         );
         let picture = harness.get_by_role(Role::Image).rect();
         assert!(picture.width() >= size[0] - 1.0, "{picture:?}");
         assert!(picture.height() >= 0.3 * size[1], "{picture:?}");
         harness
-            .get_by_role_and_label(Role::Slider, "n specular exponent")
+            .get_by_role_and_label(Role::Slider, named("material.n"))
             .set_value_accesskit(5.0);
         harness.run_ok();
         assert_eq!(scene(&harness).material.n, 5.0);
@@ -71,7 +74,7 @@ fn the_figures_of_the_example_work() {
         let words: Vec<&str> = shown.controls.iter().map(String::as_str).collect();
         let harness = figure(&link, [600.0, 432.0], &words);
         for word in words {
-            let missing = format!("no control is called {word}");
+            let missing = english!("embed-unknown", name = word);
             assert!(harness.query_by_label(&missing).is_none(), "{link}: {word}");
         }
         let rows = [Role::Slider, Role::ComboBox, Role::SpinButton];

@@ -1,7 +1,7 @@
 //! The window's export of an animation: what the form offers, what it refuses, and what is written.
 
 use crate::common::hands;
-use crate::common::hands::{choose, enter, press, wait, window};
+use crate::common::hands::{choose, enter, named, press, wait, window};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers};
 use egui_kittest::Harness;
@@ -16,22 +16,19 @@ type Window = Harness<'static, App>;
 fn open_form(window: &mut Window, path: &Path) {
     window.key_press_modifiers(Modifiers::COMMAND, Key::E);
     window.run();
-    for (name, value) in [
-        ("Width", 40.0),
-        ("Height", 30.0),
-        ("Samples per pixel", 1.0),
-    ] {
+    for (name, value) in [("width", 40.0), ("height", 30.0), ("samples", 1.0)] {
         enter(window, name, value);
     }
     window
-        .get_by_role_and_label(Role::CheckBox, "Animation")
+        .get_by_role_and_label(Role::CheckBox, english!("animation"))
         .click_accesskit();
     window.run();
-    enter(window, "Frames", 3.0);
-    fill_in(window, "File", &path.display().to_string());
+    enter(window, "animation-frame-count", 3.0);
+    fill_in(window, "file", &path.display().to_string());
 }
 
 fn fill_in(window: &mut Window, field: &str, text: &str) {
+    let field = named(field);
     window.get_by_role_and_label(Role::TextInput, field).focus();
     window.run();
     window.key_press_modifiers(Modifiers::COMMAND, Key::A);
@@ -43,7 +40,7 @@ fn fill_in(window: &mut Window, field: &str, text: &str) {
 }
 
 fn value(window: &Window, field: &str) -> String {
-    let field = window.get_by_role_and_label(Role::TextInput, field);
+    let field = window.get_by_role_and_label(Role::TextInput, named(field));
     field.accesskit_node().value().unwrap_or_default()
 }
 
@@ -56,14 +53,16 @@ fn an_animation_is_exported_as_the_form_says() {
     open_form(&mut window, &folder.join("a.png"));
     // What goes where is there from the start.
     let n = hands::scene(&window).material.n;
-    assert_eq!(value(&window, "From"), n.to_string());
-    fill_in(&mut window, "From", "5");
-    fill_in(&mut window, "To", "500");
+    assert_eq!(value(&window, "animation-from"), n.to_string());
+    fill_in(&mut window, "animation-from", "5");
+    fill_in(&mut window, "animation-to", "500");
     press(&mut window, "GIF");
-    assert!(value(&window, "File").ends_with("a.gif"));
-    press(&mut window, "Export");
-    let exported = |window: &Harness<'_, App>| window.query_by_label_contains("Exported").is_some();
-    assert!(wait(&mut window, exported));
+    assert!(value(&window, "file").ends_with("a.gif"));
+    press(&mut window, "export");
+    let exported = english!("exported", path = "");
+    assert!(wait(&mut window, |window| window
+        .query_by_label_contains(&exported)
+        .is_some()));
     let mut options = gif::DecodeOptions::new();
     options.set_color_output(gif::ColorOutput::RGBA);
     let file = File::open(folder.join("a.gif")).expect("a film");
@@ -77,13 +76,17 @@ fn an_animation_is_exported_as_the_form_says() {
     assert_ne!(pictures[0], pictures[2]);
     // A value that does not change is refused, and the form stays for another try.
     open_form(&mut window, &folder.join("b.png"));
-    choose(&mut window, "Value", "Field of view");
-    let to = value(&window, "From");
-    fill_in(&mut window, "To", &to);
-    press(&mut window, "Export");
-    assert!(window.query_by_label_contains("nothing changes").is_some());
-    fill_in(&mut window, "To", "60");
-    press(&mut window, "Export");
+    choose(&mut window, "animation-key", "camera.fov_y");
+    let to = value(&window, "animation-from");
+    fill_in(&mut window, "animation-to", &to);
+    press(&mut window, "export");
+    assert!(
+        window
+            .query_by_label_contains(english!("animation-nothing"))
+            .is_some()
+    );
+    fill_in(&mut window, "animation-to", "60");
+    press(&mut window, "export");
     assert!(wait(&mut window, |_| folder.join("b.png").is_file()));
     let file = std::io::BufReader::new(File::open(folder.join("b.png")).expect("a film"));
     let reader = png::Decoder::new(file).read_info().expect("a header");

@@ -1,7 +1,7 @@
 //! The window by keys alone: Tab, fields, the probe and the export; and what a field takes.
 
 use crate::common::hands;
-use crate::common::hands::{TITLES, folded, picture, press, scene, window};
+use crate::common::hands::{TITLES, folded, named, picture, press, scene, window};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers};
 use egui_kittest::Harness;
@@ -43,7 +43,7 @@ fn from_the_start_keys_alone_change_n_move_the_probe_and_export() {
     let mut harness = folded("sphere");
     let before = picture(&harness);
     let mut stops = 0;
-    while focused(&harness).as_deref() != Some("n specular exponent") {
+    while focused(&harness).as_deref() != Some(named("material.n")) {
         key(&mut harness, Key::Tab);
         stops += 1;
         assert!(
@@ -94,15 +94,12 @@ fn from_the_start_keys_alone_change_n_move_the_probe_and_export() {
 #[test]
 fn a_row_is_one_stop_and_shift_leads_back() {
     let mut harness = window("sphere");
-    let (kd, kept) = ("Kd diffuse coefficient", scene(&harness).material.kd);
+    let (kd, kept) = (named("material.kd"), scene(&harness).material.kd);
     harness.get_by_role_and_label(Role::SpinButton, kd).focus();
     harness.run();
     type_text(&mut harness, "0.3");
     key(&mut harness, Key::Tab);
-    assert_eq!(
-        focused(&harness).as_deref(),
-        Some("Ks specular coefficient")
-    );
+    assert_eq!(focused(&harness).as_deref(), Some(named("material.ks")));
     harness.key_press_modifiers(Modifiers::SHIFT, Key::Tab);
     harness.run();
     assert_eq!(
@@ -117,7 +114,7 @@ fn a_row_is_one_stop_and_shift_leads_back() {
     key(&mut harness, Key::F10);
     assert_eq!(
         focused(&harness).as_deref(),
-        Some("File"),
+        Some(english!("controls-group-file")),
         "F10 leads to the menus"
     );
 }
@@ -125,7 +122,7 @@ fn a_row_is_one_stop_and_shift_leads_back() {
 #[test]
 fn a_field_takes_arithmetic_and_says_what_is_no_number() {
     let mut harness = window("sphere");
-    let name = "Kd diffuse coefficient";
+    let name = named("material.kd");
     let enter = |harness: &mut Harness<'_, App>, text: &str, end: Key| {
         harness
             .get_by_role_and_label(Role::SpinButton, name)
@@ -135,8 +132,10 @@ fn a_field_takes_arithmetic_and_says_what_is_no_number() {
         key(harness, end);
         scene(harness).material.kd.x
     };
-    let complaint =
-        |harness: &Harness<'_, App>| harness.query_by_label_contains("is not a number").is_some();
+    let complains = |harness: &Harness<'_, App>, text: &str| {
+        let complaint = english!("controls-field-wrong", text = text);
+        harness.query_by_label_contains(&complaint).is_some()
+    };
     assert_eq!(enter(&mut harness, "1/4", Key::Enter), 0.25);
     assert_eq!(enter(&mut harness, "sqrt(2)/2", Key::Tab), 0.5_f64.sqrt());
     assert_eq!(
@@ -144,10 +143,10 @@ fn a_field_takes_arithmetic_and_says_what_is_no_number() {
         0.5_f64.sqrt(),
         "Escape keeps the old value"
     );
-    assert!(!complaint(&harness));
+    assert!(!complains(&harness, "0.9"));
     for (text, end) in [("half", Key::Enter), ("1/", Key::Tab), ("nan", Key::Enter)] {
         assert_eq!(enter(&mut harness, text, end), 0.5_f64.sqrt(), "{text}");
-        assert!(complaint(&harness), "{text} is said to be wrong");
+        assert!(complains(&harness, text), "{text} is said to be wrong");
     }
     assert_eq!(
         enter(&mut harness, "inf", Key::Enter),
@@ -155,16 +154,20 @@ fn a_field_takes_arithmetic_and_says_what_is_no_number() {
         "the scene refuses it"
     );
     assert_eq!(enter(&mut harness, "0.5", Key::Enter), 0.5);
-    assert!(!complaint(&harness), "a number takes the complaint away");
+    assert!(
+        !complains(&harness, "nan"),
+        "a number takes the complaint away"
+    );
 }
 
 #[test]
 fn resetting_gives_every_kind_of_row_back_what_was_opened() {
+    let reset = english!("controls-reset", name = "");
     for name in ["sphere", "brass", "spotlight"] {
         let harness = folded(name);
         let arrows = harness.query_all_by_role(Role::Button).filter(|button| {
             let label = button.accesskit_node().label().unwrap_or_default();
-            label.starts_with("Reset ") && label != "Reset camera"
+            label.starts_with(&reset) && label != english!("controls-reset-camera")
         });
         assert_eq!(
             arrows.count(),
@@ -175,40 +178,47 @@ fn resetting_gives_every_kind_of_row_back_what_was_opened() {
     let mut harness = window("spotlight");
     let before = scene(&harness).clone();
     for (field, value, reset) in [
-        ("Ks specular coefficient", 0.9, "Ks specular coefficient"),
-        ("Od surface colour green", 0.2, "Od surface colour"),
-        ("Light 1 position y", 9.0, "Light 1 position"),
-        ("Segments", 9.0, "Segments"),
+        ("material.ks", 0.9, "material.ks"),
+        ("material.color.green", 0.2, "material.color"),
+        ("light.0.position.y", 9.0, "light.0.position"),
+        ("object.segments", 9.0, "object.segments"),
     ] {
         hands::enter(&mut harness, field, value);
         assert!(*scene(&harness) != before, "{field}");
-        press(&mut harness, &format!("Reset {reset}"));
+        let reset = english!("controls-reset", name = named(reset));
+        press(&mut harness, &reset);
         assert_eq!(*scene(&harness), before, "{reset}");
-        let left = format!("Reset {reset}");
-        let left = harness.query_by_role_and_label(Role::Button, &left);
+        let left = harness.query_by_role_and_label(Role::Button, &reset);
         assert!(left.is_none(), "nothing is left to reset");
     }
-    hands::choose(&mut harness, "Back side", "flip N");
-    press(&mut harness, "Reset Back side");
-    press(&mut harness, "Shadows off");
-    press(&mut harness, "Reset Shadows");
+    hands::choose(&mut harness, "reflection.backfacing", "flip");
+    let reset = |key: &str| english!("controls-reset", name = named(key));
+    press(&mut harness, &reset("reflection.backfacing"));
+    press(&mut harness, "shading.shadows.off");
+    press(&mut harness, &reset("shading.shadows"));
     assert_eq!(*scene(&harness), before);
 }
 
 #[test]
 fn sections_open_where_the_scene_is_about_them() {
-    let open = |harness: &Harness<'_, App>| -> Vec<String> {
+    let open = |harness: &Harness<'_, App>| -> Vec<&str> {
         harness
             .query_all_by_role(Role::DisclosureTriangle)
             .filter(|section| section.accesskit_node().data().is_expanded() == Some(true))
             .filter_map(|section| section.accesskit_node().label())
-            .filter(|label| TITLES.contains(&label.as_str()))
+            .filter_map(|label| TITLES.into_iter().find(|key| label == named(key)))
             .collect()
     };
     for (name, expected) in [
-        ("sphere", &["Material", "Lights", "Shading"][..]),
-        ("glass-ball", &["Material", "Transparency"]),
-        ("shadows", &["Material", "Surroundings"]),
+        (
+            "sphere",
+            &["controls-material", "controls-lights", "controls-shading"][..],
+        ),
+        (
+            "glass-ball",
+            &["controls-material", "controls-transparency"],
+        ),
+        ("shadows", &["controls-material", "controls-surroundings"]),
     ] {
         assert_eq!(open(&folded(name)), expected, "{name}");
     }
@@ -247,7 +257,9 @@ fn tab_through_fields_keeps_the_digits_that_are_not_shown() {
         fields.extend(focused(&harness));
     }
     assert!(
-        fields.iter().any(|name| name.contains("green")),
+        fields
+            .iter()
+            .any(|name| name.contains(english!("controls-green"))),
         "{fields:?}"
     );
     assert_eq!(scene(&harness), &before);

@@ -1,22 +1,14 @@
 //! The lights' handles in the window, and the camera's way back.
 
-use crate::common::hands::{built_in, choose, drag, press, scene, undo, window, window_of};
+use crate::common::hands::{
+    built_in, choose, drag, picture_place, press, scene, undo, window, window_of,
+};
 use eframe::egui::{Pos2, vec2};
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable;
 use glam::DVec3;
 use shading_lab::app::App;
 use shading_lab::geometry::tessellate;
 use shading_lab::scene::{Camera, Projection, View};
-
-fn picture_rect(harness: &Harness<'_, App>) -> eframe::egui::Rect {
-    harness
-        .get_by(|node| {
-            node.label()
-                .is_some_and(|label| label.starts_with("Picture,"))
-        })
-        .rect()
-}
 
 /// Where a point of the world is seen in the window.
 fn seen(harness: &Harness<'_, App>, at: DVec3) -> Pos2 {
@@ -25,13 +17,13 @@ fn seen(harness: &Harness<'_, App>, at: DVec3) -> Pos2 {
     let (pixel, _) = View::new(&scene(harness).camera, size)
         .project(at)
         .expect("before the eye");
-    picture_rect(harness).min + vec2(pixel.x as f32, pixel.y as f32)
+    picture_place(harness).min + vec2(pixel.x as f32, pixel.y as f32)
 }
 
 #[test]
 fn a_dragged_light_keeps_its_distance_and_is_one_step_of_undo() {
     let mut harness = window("sphere");
-    press(&mut harness, "Add light");
+    press(&mut harness, "lights-add");
     let before = scene(&harness).clone();
     let light = before.lights.len() - 1;
     let from = before.lights[light].position;
@@ -59,17 +51,17 @@ fn a_dragged_light_keeps_its_distance_and_is_one_step_of_undo() {
 fn the_camera_comes_back_and_shows_another_shape_whole() {
     let mut harness = window("teapot");
     let opened = scene(&harness).camera.clone();
-    let middle = picture_rect(&harness).center();
+    let middle = picture_place(&harness).center();
     drag(
         &mut harness,
         middle + vec2(90.0, 90.0),
         middle + vec2(140.0, 120.0),
     );
     assert_ne!(scene(&harness).camera, opened);
-    press(&mut harness, "Reset camera");
+    press(&mut harness, "controls-reset-camera");
     assert_eq!(scene(&harness).camera, opened);
-    choose(&mut harness, "Object kind", "plane");
-    press(&mut harness, "Reset camera");
+    choose(&mut harness, "object.kind", "plane");
+    press(&mut harness, "controls-reset-camera");
     let fitted = scene(&harness).camera.clone();
     assert!(fitted.distance() > opened.distance() + 0.1, "{fitted:?}");
     let frame = harness.state().frame();

@@ -53,8 +53,8 @@ fn paste(harness: &mut Harness<'_, App>, text: &str) {
 #[test]
 fn what_is_seen_is_copied_as_a_link_and_opened_by_pasting_it() {
     let mut first = with_page("sphere");
-    enter(&mut first, "n specular exponent", 50.0);
-    open_view(&mut first, "Profile");
+    enter(&mut first, "material.n", 50.0);
+    open_view(&mut first, "view-profile");
     first.key_press_modifiers(Modifiers::NONE, Key::F3);
     first.run();
     for _ in 0..3 {
@@ -70,7 +70,7 @@ fn what_is_seen_is_copied_as_a_link_and_opened_by_pasting_it() {
     first.run();
     assert_eq!(
         first.state().state().session.notice.as_deref(),
-        Some("Copied the link")
+        Some(english!("link-copied"))
     );
 
     let mut second = window("cone");
@@ -99,8 +99,8 @@ fn a_link_that_is_wrong_is_told_and_what_is_open_stays() {
     paste(&mut harness, "some text");
     assert!(harness.state().state().dialog.is_none());
     paste(&mut harness, "?scene=gold&set=material.n=-1");
-    let words = "link, character 13: `material.n` is -1, expected 0 to inf";
-    assert!(harness.query_by_label(words).is_some());
+    let wrong = read("?scene=gold&set=material.n=-1").expect_err("a wrong link");
+    assert!(harness.query_by_label(&wrong.to_string()).is_some());
     assert_eq!(
         *scene(&harness),
         presets::find("gold").expect("built in").scene()
@@ -165,7 +165,7 @@ fn the_code_over_the_window_is_the_link_and_any_key_or_click_closes_it() {
     for closes in [0, 1] {
         harness.key_press(Key::Q);
         harness.run();
-        let name = format!("QR code of {link}");
+        let name = english!("link-code-of", link = &*link);
         assert!(
             harness
                 .query_by_role_and_label(Role::Image, &name)
@@ -203,7 +203,7 @@ fn without_a_page_its_address_is_asked_for() {
     harness.key_press(Key::Q);
     harness.run();
     let field = |harness: &mut Harness<'_, App>, text: &str| {
-        let label = "Web page for links";
+        let label = english!("link-page");
         harness
             .get_by_role_and_label(Role::TextInput, label)
             .focus();
@@ -212,12 +212,12 @@ fn without_a_page_its_address_is_asked_for() {
             .get_by_role_and_label(Role::TextInput, label)
             .type_text(text);
         harness.run();
-        press(harness, "Show the QR code");
+        press(harness, "link-show-code");
     };
     field(&mut harness, "example.org");
     assert!(
         harness
-            .query_by_label_contains("expected the address of a page")
+            .query_by_label_contains(english!("link-no-page"))
             .is_some()
     );
     harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
@@ -236,7 +236,8 @@ fn a_notice_goes_after_four_seconds_and_no_frame_is_drawn_for_it_after_that() {
     let mut harness = window_looking(built_in("gold"), [1280.0, 800.0], &appearance, |app| {
         app.with_page(Some(PAGE.to_owned()))
     });
-    let says = |harness: &Harness<'_, App>| harness.query_by_label("Copied the link").is_some();
+    let says =
+        |harness: &Harness<'_, App>| harness.query_by_label(english!("link-copied")).is_some();
     let waits = |harness: &Harness<'_, App>| {
         harness.output().viewport_output[&ViewportId::ROOT].repaint_delay
     };
@@ -266,13 +267,13 @@ fn a_notice_goes_with_what_it_speaks_of() {
     let mut harness = with_page("gold");
     copied(&mut harness);
     harness.run();
-    press(&mut harness, "Next scene");
+    press(&mut harness, "scenes-next");
     assert_eq!(harness.state().state().session.notice, None);
     // The one of a link that was opened is about what is open now.
     paste(&mut harness, "?scene=torus");
     assert_eq!(
         harness.state().state().session.notice.as_deref(),
-        Some("Opened the link")
+        Some(english!("link-opened"))
     );
     undo(&mut harness);
     assert_eq!(
@@ -289,11 +290,11 @@ fn a_notice_is_told_for_a_while_where_there_is_no_bar_for_it() {
     harness.key_press(Key::F9);
     harness.run();
     copied(&mut harness);
-    assert!(harness.query_by_label("Copied the link").is_some());
+    assert!(harness.query_by_label(english!("link-copied")).is_some());
     for _ in 0..200 {
         harness.step();
     }
-    assert!(harness.query_by_label("Copied the link").is_none());
+    assert!(harness.query_by_label(english!("link-copied")).is_none());
     assert_eq!(harness.state().state().session.notice, None);
 }
 
@@ -347,8 +348,10 @@ fn refuses_what_is_too_large() {
         &mut harness,
         "?scene=teapot&set=object.segments=4096&set=object.rings=4096",
     );
+    let needs = english!("render-too-many-triangles", triangles = "", megabytes = "|");
+    let (_, memory) = needs.split_once('|').expect("a figure");
     let says = |harness: &Harness<'_, App>| {
-        let figure = harness.query_all_by_label_contains("MB of memory").next();
+        let figure = harness.query_all_by_label_contains(memory).next();
         figure.is_some()
     };
     assert!(wait(&mut harness, says));

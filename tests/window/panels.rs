@@ -4,7 +4,9 @@ mod equation;
 mod keys;
 mod shapes;
 
-use crate::common::hands::{drag, enter, open_view, press, scene, undo, wait, window, window_of};
+use crate::common::hands::{
+    drag, enter, named, open_view, picture_place, press, scene, undo, wait, window, window_of,
+};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, OutputCommand, vec2};
 use egui_kittest::Harness;
@@ -24,21 +26,21 @@ use std::path::Path;
 fn the_curves_have_a_tab_of_their_own_that_follows_the_scene() {
     let mut harness = window("attenuation");
     let titles = [
-        "Attenuation by distance",
-        "Specular lobe cosⁿφ",
-        "Reflected intensity by direction",
+        english!("point-plot-attenuation"),
+        &english!("point-plot-exponent", lobe = "cosⁿφ"),
+        english!("point-plot-lobe"),
     ];
     assert_eq!(
         harness.state().state().window.appearance.view,
         ViewName::Curves,
         "the scene names its tab"
     );
-    open_view(&mut harness, "Equation");
+    open_view(&mut harness, "view-equation");
     assert!(
         harness.query_by_label(titles[1]).is_none(),
         "the equation is shown"
     );
-    open_view(&mut harness, "Curves");
+    open_view(&mut harness, "view-curves");
     assert_eq!(
         harness.state().state().window.appearance.view,
         ViewName::Curves
@@ -46,10 +48,10 @@ fn the_curves_have_a_tab_of_their_own_that_follows_the_scene() {
     for title in titles {
         assert!(harness.query_by_label(title).is_some(), "{title}");
     }
+    let constant = english!("choice-reflectance-constant");
+    let reflectance = english!("point-plot-reflectance", substance = constant);
     assert!(
-        harness
-            .query_by_label("Reflectance W(θ): constant")
-            .is_some(),
+        harness.query_by_label(&reflectance).is_some(),
         "W is constant"
     );
     let described = |harness: &Harness<'_, App>| {
@@ -61,7 +63,7 @@ fn the_curves_have_a_tab_of_their_own_that_follows_the_scene() {
     let before = described(&harness);
     assert!(before.contains("probe: φ ="), "{before}");
     harness
-        .get_by_role_and_label(Role::Slider, "n specular exponent")
+        .get_by_role_and_label(Role::Slider, named("material.n"))
         .set_value_accesskit(3.0);
     harness.run();
     assert!(described(&harness) != before, "the probe's value follows n");
@@ -105,7 +107,7 @@ fn a_curve_is_read_under_the_pointer_without_a_missing_letter() {
 
 /// The text in the dialog.
 fn code(harness: &Harness<'_, App>) -> String {
-    let view = harness.query_by_role_and_label(Role::MultilineTextInput, "Code");
+    let view = harness.query_by_role_and_label(Role::MultilineTextInput, english!("code-text"));
     view.and_then(|view| view.accesskit_node().value())
         .unwrap_or_default()
 }
@@ -115,7 +117,7 @@ fn the_plan_has_a_tab_that_the_bar_opens() {
     let mut harness = window("sphere");
     let link = harness.get_by(|node| {
         node.label()
-            .is_some_and(|label| label.starts_with("left out: "))
+            .is_some_and(|label| label.starts_with(&english!("left-out", count = "")))
     });
     link.click_accesskit();
     harness.run();
@@ -126,18 +128,26 @@ fn the_plan_has_a_tab_that_the_bar_opens() {
     let says = |harness: &Harness<'_, App>, text: &str| {
         harness.query_all_by_label_contains(text).next().is_some()
     };
-    assert!(says(&harness, "back faces — a closed solid hides them"));
-    assert!(says(&harness, "side view — off"));
-    assert!(says(&harness, "light 1: specular"));
+    assert!(says(&harness, english!("render-why-closed-solid")));
+    assert!(says(&harness, english!("engine-side-view")));
+    assert!(says(
+        &harness,
+        &english!(
+            "render-term-of-light",
+            light = 1,
+            term = english!("render-term-specular")
+        )
+    ));
     harness
-        .get_by_role_and_label(Role::Slider, "n specular exponent")
+        .get_by_role_and_label(Role::Slider, named("material.n"))
         .set_value_accesskit(3.0);
     harness.run();
-    assert!(says(&harness, "□ Coverage") && says(&harness, "kept") && says(&harness, "■ Pixels"));
-}
-
-fn tab(harness: &mut Harness<'_, App>, name: &str) {
-    open_view(harness, name);
+    assert!(
+        says(
+            &harness,
+            &format!("□ {}", english!("engine-stage-coverage"))
+        ) && says(&harness, &format!("■ {}", english!("engine-stage-pixels")))
+    );
 }
 
 /// What was put on the clipboard since the window was last run.
@@ -165,27 +175,23 @@ fn the_scene_is_shown_as_code_in_three_ways() {
         "{}",
         code(&harness)
     );
-    assert!(
-        harness.query_by_label_contains("Phong's (R.V)^n").is_some(),
-        "what the calls do not say"
-    );
     let scene = scene(&harness).clone();
     let expected = opengl_c_snippet(&scene, &tessellate(&scene.object));
     assert_eq!(code(&harness), expected.parts[0].text);
+    let mut limits = expected.limits.iter();
+    let lobe = limits.find(|limit| limit.key == "export-limit-phong-lobe");
+    let lobe = lobe.expect("what the calls do not say");
+    harness.get_by_label_contains(&lobe.to_string());
 
-    tab(&mut harness, "GLSL 330");
+    open_view(&mut harness, "code-shaders");
     assert!(wait(&mut harness, |harness| code(harness)
         .contains("gl_Position")));
     assert_eq!(code(&harness), glsl_330(&scene).parts[0].text);
-    press(&mut harness, "fragment shader");
+    press(&mut harness, "export-fragment-shader");
     assert_eq!(code(&harness), glsl_330(&scene).parts[1].text);
-    assert!(
-        harness
-            .query_by_label("The code expresses the whole scene.")
-            .is_some()
-    );
+    assert!(harness.query_by_label(english!("code-complete")).is_some());
 
-    tab(&mut harness, "Whole program in C");
+    open_view(&mut harness, "code-program");
     assert!(wait(&mut harness, |harness| code(harness)
         .contains("eglInitialize")
         || code(harness).lines().count() == 200));
@@ -196,10 +202,11 @@ fn the_scene_is_shown_as_code_in_three_ways() {
         .clone();
     assert_eq!(code(&harness).lines().count(), 200);
     assert!(program.starts_with(&code(&harness)));
-    let many = format!("of {} lines", program.lines().count());
+    let all = program.lines().count();
+    let many = english!("code-first-lines", shown = 200, all = all);
     assert!(harness.query_by_label_contains(&many).is_some(), "{many}");
     harness
-        .get_by_role_and_label(Role::Button, "Copy")
+        .get_by_role_and_label(Role::Button, english!("copy"))
         .click_accesskit();
     harness.step();
     assert_eq!(copied(&harness), Some(program), "copying takes all of it");
@@ -208,7 +215,7 @@ fn the_scene_is_shown_as_code_in_three_ways() {
     harness.run();
     assert!(
         harness
-            .query_by_role_and_label(Role::Tab, "GLSL 330")
+            .query_by_role_and_label(Role::Tab, english!("code-shaders"))
             .is_none(),
         "the dialog has gone"
     );
@@ -219,36 +226,37 @@ fn code_is_saved_and_a_path_that_cannot_be_written_is_named() {
     let folder = std::env::temp_dir().join(format!("shading-lab-code-{}", std::process::id()));
     std::fs::create_dir_all(&folder).expect("a folder for the test");
     let mut harness = window("sphere");
-    press(&mut harness, "Edit");
-    press(&mut harness, "Code…");
-    tab(&mut harness, "GLSL 330");
+    press(&mut harness, "controls-group-edit");
+    press(&mut harness, "controls-command-code");
+    open_view(&mut harness, "code-shaders");
     assert!(wait(&mut harness, |harness| !code(harness).is_empty()));
     let save_to = |harness: &mut Harness<'_, App>, path: &Path| {
-        press(harness, "Save…");
+        press(harness, "save-as");
         harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
         harness.run();
         harness
-            .get_by_role_and_label(Role::TextInput, "File")
+            .get_by_role_and_label(Role::TextInput, english!("file"))
             .type_text(&path.display().to_string());
         harness.run();
-        press(harness, "Save");
+        press(harness, "save");
     };
     save_to(&mut harness, &folder.join("no/such/ball.vert"));
     assert!(
         harness
-            .query_by_label_contains("its folder does not exist")
+            .query_by_label_contains(english!("document-target-no-folder"))
             .is_some()
     );
     harness.key_press(Key::Escape);
     harness.run();
     assert!(
         harness
-            .query_by_role_and_label(Role::TextInput, "File")
+            .query_by_role_and_label(Role::TextInput, english!("file"))
             .is_none(),
         "one step back"
     );
     save_to(&mut harness, &folder.join("ball.vert"));
-    let said = harness.query_by_label_contains("Saved ").is_some();
+    let saved = english!("saved", path = "");
+    let said = harness.query_by_label_contains(&saved).is_some();
     let read = |name: &str| std::fs::read_to_string(folder.join(name)).unwrap_or_default();
     let saved = [read("ball.vert"), read("ball.frag")];
     std::fs::remove_dir_all(&folder).expect("the test's own folder");
@@ -279,7 +287,7 @@ fn probed(harness: &Harness<'_, App>) -> ProbeHit {
 fn plot(harness: &Harness<'_, App>, title: &str) -> bool {
     let mut plots = harness.query_all_by(|node| {
         node.label()
-            .is_some_and(|label| label.starts_with(&format!("{title};")))
+            .is_some_and(|label| label.starts_with(&format!("{};", named(title))))
     });
     plots.next().is_some()
 }
@@ -297,7 +305,7 @@ fn modes_taken(harness: &Harness<'_, App>) -> Vec<ShadingMode> {
 fn until_taken(harness: &mut Harness<'_, App>) {
     for _ in 0..400 {
         harness.run_ok();
-        if plot(harness, "Intensity and perceived brightness") {
+        if plot(harness, "line-intensity-title") {
             return;
         }
         std::thread::sleep(std::time::Duration::from_millis(10));
@@ -308,7 +316,7 @@ fn until_taken(harness: &mut Harness<'_, App>) {
 #[test]
 fn the_profile_has_a_tab_whose_line_is_dragged_in_the_picture() {
     let mut harness = window("flat-facets");
-    open_view(&mut harness, "Profile");
+    open_view(&mut harness, "view-profile");
     until_taken(&mut harness);
     assert_eq!(
         harness.state().state().window.appearance.view,
@@ -317,33 +325,35 @@ fn the_profile_has_a_tab_whose_line_is_dragged_in_the_picture() {
     assert_eq!(modes_taken(&harness), [ShadingMode::Flat], "the picture's");
     let switch = |harness: &mut Harness<'_, App>, mode: &str| {
         harness
-            .get_by_role_and_label(Role::CheckBox, mode)
+            .get_by_role_and_label(Role::CheckBox, named(mode))
             .click_accesskit();
         harness.run_ok();
     };
     let until = |harness: &mut Harness<'_, App>, modes: &[ShadingMode]| {
         wait(harness, |harness| modes_taken(harness) == modes)
     };
-    switch(&mut harness, "Phong");
+    switch(&mut harness, "choice-shading-phong");
     assert!(until(
         &mut harness,
         &[ShadingMode::Flat, ShadingMode::Phong]
     ));
-    switch(&mut harness, "Flat");
+    switch(&mut harness, "choice-shading-flat");
     harness.key_press(Key::Num3);
     assert!(until(
         &mut harness,
         &[ShadingMode::Gouraud, ShadingMode::Phong]
     ));
-    switch(&mut harness, "Phong");
+    switch(&mut harness, "choice-shading-phong");
     assert!(until(&mut harness, &[ShadingMode::Gouraud]));
     harness.key_press(Key::Num1);
     harness.run_ok();
     // Flat shading has no slope but jumps.
-    harness.get_by_label("Slope").click_accesskit();
+    harness
+        .get_by_label(english!("line-plot-slope"))
+        .click_accesskit();
     assert!(wait(&mut harness, |harness| plot(
         harness,
-        "Jumps of the intensity"
+        "line-jumps-title"
     )));
     // The end of the line, where the picture and the state have it.
     let before = harness.state().state().window.line;
@@ -352,12 +362,7 @@ fn the_profile_has_a_tab_whose_line_is_dragged_in_the_picture() {
         harness.state().frame().width,
         harness.state().frame().height,
     );
-    let rect = harness
-        .get_by(|node| {
-            node.label()
-                .is_some_and(|label| label.starts_with("Picture,"))
-        })
-        .rect();
+    let rect = picture_place(&harness);
     let scale = rect.height() / height as f32;
     let [_, end] = before.pixels([width, height]);
     let at = rect.min + vec2(end.x as f32, end.y as f32) * scale;
@@ -368,7 +373,8 @@ fn the_profile_has_a_tab_whose_line_is_dragged_in_the_picture() {
         "{after:?} from {end}"
     );
     assert_eq!(*scene(&harness), scene_before, "the camera stays");
-    harness.get_by_label("Save ▾").click_accesskit();
+    let save = format!("{} ▾", english!("line-save"));
+    harness.get_by_label(&save).click_accesskit();
     harness.run_ok();
     for ending in ["CSV…", "PNG…", "SVG…"] {
         assert!(harness.query_by_label(ending).is_some(), "{ending}");
@@ -378,21 +384,16 @@ fn the_profile_has_a_tab_whose_line_is_dragged_in_the_picture() {
 #[test]
 fn the_defects_are_measured_and_the_picture_is_turned_about_the_probe() {
     let mut harness = window("orientation");
-    open_view(&mut harness, "Defects");
+    open_view(&mut harness, "view-defects");
     assert!(wait(&mut harness, |harness| harness
-        .query_by_label("with barycentric weights")
+        .query_by_label(english!("picture-orientation-barycentric"))
         .is_some()));
     assert!(
         harness
-            .query_by_label_contains("Not measured: a parallel projection")
+            .query_by_label_contains(english!("picture-missing-parallel"))
             .is_some()
     );
-    let picture = harness
-        .get_by(|node| {
-            node.label()
-                .is_some_and(|label| label.starts_with("Picture,"))
-        })
-        .rect();
+    let picture = picture_place(&harness);
     // The first of two panes; its knob stands at the scene's 30 degrees.
     let [width, height] = pane_areas(2, [picture.width() as u32, picture.height() as u32])[0].size;
     let pane = eframe::egui::Rect::from_min_size(picture.min, vec2(width as f32, height as f32));
@@ -410,10 +411,12 @@ fn the_defects_are_measured_and_the_picture_is_turned_about_the_probe() {
     );
     undo(&mut harness);
     assert_eq!(scene(&harness).camera.roll, 30.0);
-    press(&mut harness, "Example: Polygonal silhouette");
+    let silhouette = english!("picture-silhouette");
+    let example = english!("picture-example-of", name = silhouette);
+    press(&mut harness, &example);
     let shown = |harness: &Harness<'_, App>| {
         harness
-            .query_by_label_contains("pixels from the true outline")
+            .query_by_label_contains(&english!("picture-silhouette-distance", at = ""))
             .is_some()
     };
     assert!(wait(&mut harness, shown));
@@ -422,8 +425,8 @@ fn the_defects_are_measured_and_the_picture_is_turned_about_the_probe() {
 #[test]
 fn the_picture_is_shown_as_it_is_perceived() {
     let mut harness = window("mach-bands");
-    open_view(&mut harness, "Profile");
-    let checkbox = "Picture as perceived";
+    open_view(&mut harness, "view-profile");
+    let checkbox = english!("line-picture-perceived");
     let perceived = |harness: &Harness<'_, App>| {
         harness
             .state()
@@ -439,10 +442,11 @@ fn the_picture_is_shown_as_it_is_perceived() {
         .click_accesskit();
     assert!(wait(&mut harness, perceived));
     // A surround wider than any picture is refused with a reason.
-    harness.get_by_label("Viewing ▾").click_accesskit();
+    let viewing = format!("{} ▾", english!("line-viewing"));
+    harness.get_by_label(&viewing).click_accesskit();
     harness.run();
-    enter(&mut harness, "Pixel density", 40.0);
-    enter(&mut harness, "Distance", 5000.0);
+    enter(&mut harness, "line-density", 40.0);
+    enter(&mut harness, "line-distance", 5000.0);
     assert!(wait(&mut harness, |harness| harness
         .query_by_label_contains("allows at most 256")
         .is_some()));
@@ -455,7 +459,7 @@ fn a_profile_of_any_height_is_clipped_to_its_pane() {
         loaded.scene.lights[0].color = Rgb::splat(bright);
         loaded.scene.compare = Compare::default();
         let mut harness = window_of(loaded);
-        open_view(&mut harness, "Profile");
+        open_view(&mut harness, "view-profile");
         assert!(wait(&mut harness, |harness| harness
             .state()
             .state()
@@ -473,31 +477,37 @@ fn a_profile_of_any_height_is_clipped_to_its_pane() {
 #[test]
 fn every_analysis_is_exported_from_its_tab() {
     let tabs: [(&str, &str, &[&str]); 10] = [
-        ("Equation", "", &["probe"]),
-        ("Curves", "", &["curves"]),
-        ("Profile", "Save ▾", &["profile"]),
-        ("Scan line", "", &["scanline"]),
-        ("Compare", "Panes", &["compare"]),
+        ("view-equation", "", &["probe"]),
+        ("view-curves", "", &["curves"]),
+        ("view-profile", "line-save", &["profile"]),
+        ("view-scan-line", "", &["scanline"]),
+        ("view-compare", "picture-view-panes", &["compare"]),
         (
-            "Defects",
-            "Where a vertex normal comes from",
+            "view-defects",
+            "picture-vertex-normal",
             &["defects", "normals"],
         ),
-        ("Defects", "When is flat shading exact?", &["conditions"]),
-        ("Plan", "Measure times", &["explain", "bench"]),
-        ("Study", "Measure", &["study"]),
-        ("Stability", "", &["stability"]),
+        ("view-defects", "picture-conditions", &["conditions"]),
+        ("view-plan", "engine-measure-times", &["explain", "bench"]),
+        ("view-study", "engine-measure", &["study"]),
+        ("view-stability", "", &["stability"]),
     ];
     let mut harness = window("sphere");
     let mut exported = Vec::new();
     for (name, button, analyses) in tabs {
-        tab(&mut harness, name);
+        open_view(&mut harness, name);
+        let button = match button {
+            "line-save" => format!("{} ▾", named(button)),
+            _ => named(button).to_owned(),
+        };
         if !button.is_empty() {
-            harness.get_by_label(button).click_accesskit();
+            harness.get_by_label(&button).click_accesskit();
         }
         let copied = |harness: &mut Harness<'_, App>, analysis: &str| {
-            (0..harness.query_all_by_label("Copy text").count()).any(|index| {
-                let button = harness.query_all_by_label("Copy text").nth(index);
+            (0..harness.query_all_by_label(english!("report-copy")).count()).any(|index| {
+                let button = harness
+                    .query_all_by_label(english!("report-copy"))
+                    .nth(index);
                 button.expect("a button").click_accesskit();
                 harness.run_ok();
                 harness
@@ -506,7 +516,7 @@ fn every_analysis_is_exported_from_its_tab() {
                     .session
                     .notice
                     .as_ref()
-                    .is_some_and(|notice| *notice == format!("Copied: {analysis}"))
+                    .is_some_and(|notice| *notice == english!("report-copied", name = analysis))
             })
         };
         for analysis in analyses {
@@ -514,8 +524,13 @@ fn every_analysis_is_exported_from_its_tab() {
                 std::thread::sleep(std::time::Duration::from_millis(10));
                 harness.run_ok();
                 // A menu closes by a click, also before there is an answer.
-                if harness.query_all_by_label("Copy text").next().is_none() && !button.is_empty() {
-                    let button = harness.query_all_by_label(button).next();
+                if harness
+                    .query_all_by_label(english!("report-copy"))
+                    .next()
+                    .is_none()
+                    && !button.is_empty()
+                {
+                    let button = harness.query_all_by_label(&button).next();
                     button
                         .into_iter()
                         .for_each(|button| button.click_accesskit());

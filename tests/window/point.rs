@@ -200,7 +200,7 @@ fn the_steps_are_gone_through_in_the_window() {
         harness.query_all_by_label_contains(text).next().is_some()
     };
     assert!(
-        says(&harness, "The vectors seen from the side"),
+        says(&harness, &english!("point-drawing", list = "")),
         "they are shown without being asked for"
     );
     for (step, line) in [
@@ -210,16 +210,16 @@ fn the_steps_are_gone_through_in_the_window() {
         ("4 of 5", "|R| = 1.0000"),
         ("5 of 5", ")/1."),
     ] {
-        press(&mut harness, "Next step");
+        press(&mut harness, "point-next-step");
         assert!(says(&harness, step) && says(&harness, line), "{step}");
     }
-    press(&mut harness, "Previous step");
+    press(&mut harness, "point-previous-step");
     assert!(says(&harness, "4 of 5"));
-    press(&mut harness, "All steps");
+    press(&mut harness, "point-all-steps");
     assert!(says(&harness, "|R| = 1.0000") && says(&harness, ")/1."));
     assert!(!says(&harness, "of 5"));
     let curves = harness
-        .query_by_role_and_label(Role::DisclosureTriangle, "Curves")
+        .query_by_role_and_label(Role::DisclosureTriangle, english!("view-curves"))
         .is_some();
     assert!(curves, "the curves are folded below");
 }

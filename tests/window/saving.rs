@@ -2,7 +2,9 @@
 //! that is kept for the next start.
 
 use crate::common::hands;
-use crate::common::hands::{enter, open_view, press, scene, undo, wait, window, window_with};
+use crate::common::hands::{
+    enter, named, open_view, press, scene, undo, wait, window, window_with,
+};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, ViewportCommand, ViewportEvent, ViewportId};
 use egui_kittest::Harness;
@@ -49,7 +51,7 @@ impl Drop for Folder {
 
 fn change(window: &mut Window, n: f64) {
     window
-        .get_by_role_and_label(Role::Slider, "n specular exponent")
+        .get_by_role_and_label(Role::Slider, named("material.n"))
         .set_value_accesskit(n);
     window.run();
 }
@@ -66,7 +68,7 @@ fn fill_in(window: &mut Window, path: &str, button: &str) {
     window.key_press_modifiers(Modifiers::COMMAND, Key::A);
     window.run();
     window
-        .get_by_role_and_label(Role::TextInput, "File")
+        .get_by_role_and_label(Role::TextInput, english!("file"))
         .type_text(path);
     window.run();
     press(window, button);
@@ -82,17 +84,20 @@ const SAVE_AS: (Modifiers, Key) = (
 const EXPORT: (Modifiers, Key) = (Modifiers::COMMAND, Key::E);
 
 fn asks(window: &Harness<'_, App>, question: &str) -> bool {
-    window.query_by_label_contains(question).is_some()
+    window.query_by_label_contains(named(question)).is_some()
 }
 
 #[test]
 fn a_name_without_an_ending_is_given_one_that_opens() {
     let folder = Folder::new("ending");
     let mut window = window("sphere");
-    save_as(&mut window, SAVE_AS, &folder.path("myscene"), "Save");
-    save_as(&mut window, SAVE_AS, &folder.path("version.2"), "Save");
-    save_as(&mut window, EXPORT, &folder.path("picture"), "Export");
-    assert!(wait(&mut window, |window| asks(window, "Exported")));
+    save_as(&mut window, SAVE_AS, &folder.path("myscene"), "save");
+    save_as(&mut window, SAVE_AS, &folder.path("version.2"), "save");
+    save_as(&mut window, EXPORT, &folder.path("picture"), "export");
+    assert!(wait(&mut window, |window| asks(
+        window,
+        &english!("exported", path = "")
+    )));
     assert_eq!(
         folder.names(),
         ["myscene.toml", "picture.png", "version.2.toml"]
@@ -116,34 +121,42 @@ fn no_file_is_replaced_without_a_question() {
     fs::write(folder.0.join("old.png"), "old").expect("a file");
     let old = |name: &str| fs::read(folder.0.join(name)).expect("a file") == b"old";
     let mut window = window("sphere");
-    save_as(&mut window, SAVE_AS, &folder.path("old"), "Save");
-    assert!(asks(&window, "Replace the file?") && old("old.toml"));
-    press(&mut window, "Back");
-    fill_in(&mut window, &folder.path("new.toml"), "Save");
+    save_as(&mut window, SAVE_AS, &folder.path("old"), "save");
+    assert!(asks(&window, "replace-file") && old("old.toml"));
+    press(&mut window, "back");
+    fill_in(&mut window, &folder.path("new.toml"), "save");
     assert!(old("old.toml") && folder.0.join("new.toml").is_file());
     // The document's own file is no other one's.
-    save_as(&mut window, SAVE_AS, &folder.path("new.toml"), "Save");
-    assert!(!asks(&window, "Replace the file?"));
-    save_as(&mut window, EXPORT, &folder.path("old.png"), "Export");
-    assert!(asks(&window, "Replace the file?"));
-    press(&mut window, "Replace");
-    assert!(wait(&mut window, |window| asks(window, "Exported")) && !old("old.png"));
-    save_as(&mut window, SAVE_AS, &folder.path("old"), "Save");
-    press(&mut window, "Replace");
+    save_as(&mut window, SAVE_AS, &folder.path("new.toml"), "save");
+    assert!(!asks(&window, "replace-file"));
+    save_as(&mut window, EXPORT, &folder.path("old.png"), "export");
+    assert!(asks(&window, "replace-file"));
+    press(&mut window, "replace");
+    assert!(
+        wait(&mut window, |window| asks(
+            window,
+            &english!("exported", path = "")
+        )) && !old("old.png")
+    );
+    save_as(&mut window, SAVE_AS, &folder.path("old"), "save");
+    press(&mut window, "replace");
     assert!(!old("old.toml"));
     // Shaders go to two files; either may be there already.
     fs::write(folder.0.join("old.frag"), "old").expect("a file");
     window.key_press_modifiers(Modifiers::COMMAND, Key::U);
     window.run();
     window
-        .get_by_role_and_label(Role::Tab, "GLSL 330")
+        .get_by_role_and_label(Role::Tab, english!("code-shaders"))
         .click_accesskit();
     window.run();
-    assert!(wait(&mut window, |window| asks(window, "lines")));
-    press(&mut window, "Save…");
-    fill_in(&mut window, &folder.path("old.vert"), "Save");
-    assert!(asks(&window, "old.frag already exists") && old("old.frag"));
-    press(&mut window, "Replace");
+    assert!(wait(&mut window, |window| asks(
+        window,
+        &english!("code-lines", count = 2)[1..]
+    )));
+    press(&mut window, "save-as");
+    fill_in(&mut window, &folder.path("old.vert"), "save");
+    assert!(asks(&window, &english!("replace-lost", names = "old.frag")) && old("old.frag"));
+    press(&mut window, "replace");
     assert!(!old("old.frag"));
 }
 
@@ -153,17 +166,15 @@ fn an_export_that_is_cancelled_writes_nothing() {
     let mut window = window("sphere");
     window.key_press_modifiers(EXPORT.0, EXPORT.1);
     window.run();
-    enter(&mut window, "Samples per pixel", 1024.0);
-    fill_in(&mut window, &folder.path("picture.png"), "Export");
-    assert!(asks(&window, "Drawing "));
-    window
-        .get_by_role_and_label(Role::Button, "Cancel")
-        .click_accesskit();
-    window.run();
-    assert!(!asks(&window, "Drawing "));
+    enter(&mut window, "samples", 1024.0);
+    fill_in(&mut window, &folder.path("picture.png"), "export");
+    let drawing = english!("drawing-file", path = "");
+    assert!(asks(&window, &drawing));
+    press(&mut window, "cancel");
+    assert!(!asks(&window, &drawing));
     std::thread::sleep(std::time::Duration::from_secs(2));
     window.run();
-    assert!(folder.names().is_empty() && !asks(&window, "Exported"));
+    assert!(folder.names().is_empty() && !asks(&window, &english!("exported", path = "")));
 }
 
 #[test]
@@ -178,15 +189,15 @@ fn no_shortcut_acts_while_a_file_is_opened() {
     window.key_press_modifiers(Modifiers::COMMAND, Key::O);
     window.run();
     window
-        .get_by_role_and_label(Role::TextInput, "File")
+        .get_by_role_and_label(Role::TextInput, english!("file"))
         .type_text(&folder.path("large.obj"));
     window.run();
     window
-        .get_by_role_and_label(Role::Button, "Open")
+        .get_by_role_and_label(Role::Button, english!("open"))
         .click_accesskit();
     let opening = |window: &mut Window| {
         window.step();
-        asks(window, "Opening ")
+        asks(window, &english!("opening", path = ""))
     };
     assert!((0..9).any(|_| opening(&mut window)));
     for (modifiers, key) in [
@@ -200,14 +211,11 @@ fn no_shortcut_acts_while_a_file_is_opened() {
     assert!(opening(&mut window));
     assert_eq!(scene(&window), &before, "a shortcut has acted");
     assert!(
-        !asks(&window, "Save the scene"),
+        !asks(&window, "file-save"),
         "a shortcut has opened a dialog"
     );
-    window
-        .get_by_role_and_label(Role::Button, "Cancel")
-        .click_accesskit();
-    window.run();
-    assert!(!asks(&window, "Opening "));
+    press(&mut window, "cancel");
+    assert!(!asks(&window, &english!("opening", path = "")));
     assert_eq!(scene(&window), &before);
 }
 
@@ -241,7 +249,7 @@ fn commands(window: &Window) -> Vec<ViewportCommand> {
 /// Presses a button and looks whether the window closes for it.
 fn closes_by(window: &mut Window, button: &str) -> bool {
     window
-        .get_by_role_and_label(Role::Button, button)
+        .get_by_role_and_label(Role::Button, named(button))
         .click_accesskit();
     (0..4).any(|_| {
         window.step();
@@ -255,23 +263,24 @@ fn a_changed_scene_is_not_closed_without_a_question() {
     let mut window = window("sphere");
     assert!(!stays_when_closed(&mut window), "nothing is lost by it");
     change(&mut window, 7.0);
-    assert!(stays_when_closed(&mut window) && asks(&window, "Save the changes to sphere?"));
-    press(&mut window, "Cancel");
-    assert!(!asks(&window, "Save the changes") && scene(&window).material.n == 7.0);
+    let unsaved = &english!("unsaved", name = "sphere");
+    assert!(stays_when_closed(&mut window) && asks(&window, unsaved));
+    press(&mut window, "cancel");
+    assert!(!asks(&window, unsaved) && scene(&window).material.n == 7.0);
     window.key_press_modifiers(Modifiers::COMMAND, Key::Q);
     window.run();
-    assert!(asks(&window, "Save the changes to sphere?"));
+    assert!(asks(&window, unsaved));
     // Saving asks for a name; leaving that question stays, too.
-    press(&mut window, "Save");
-    press(&mut window, "Cancel");
-    save_as(&mut window, SAVE_AS, &folder.path("first"), "Save");
+    press(&mut window, "save");
+    press(&mut window, "cancel");
+    save_as(&mut window, SAVE_AS, &folder.path("first"), "save");
     assert!(
         !commands(&window).contains(&ViewportCommand::Close),
         "saving alone does not close"
     );
     change(&mut window, 8.0);
     assert!(stays_when_closed(&mut window));
-    assert!(closes_by(&mut window, "Save"), "it has a file by now");
+    assert!(closes_by(&mut window, "save"), "it has a file by now");
     assert_eq!(
         load(&folder.0.join("first.toml"))
             .expect("a scene")
@@ -288,7 +297,7 @@ fn a_changed_scene_can_be_closed_without_saving() {
     let mut window = window("sphere");
     change(&mut window, 7.0);
     assert!(stays_when_closed(&mut window));
-    assert!(closes_by(&mut window, "Close without saving"));
+    assert!(closes_by(&mut window, "close-unsaved"));
     assert!(!stays_when_closed(&mut window));
 }
 
@@ -316,7 +325,7 @@ fn work_is_offered_again_after_a_window_that_was_not_closed() {
     let mut first = keeping("torus", &folder.0);
     assert!(kept(&mut first, &folder).is_empty(), "nothing has changed");
     change(&mut first, 7.0);
-    open_view(&mut first, "Profile");
+    open_view(&mut first, "view-profile");
     // Where the probe stands and which pane is worked on are kept with it.
     first.key_press_modifiers(Modifiers::SHIFT, Key::ArrowLeft);
     first.key_press(Key::K);
@@ -337,13 +346,13 @@ fn work_is_offered_again_after_a_window_that_was_not_closed() {
     assert_eq!(kept(&mut first, &folder), ["0.toml"]);
     // Another window has its own file and leaves this one's alone.
     let mut second = keeping("sphere", &folder.0);
-    assert!(!asks(&second, "Restore unsaved work?"));
+    assert!(!asks(&second, "restore-work"));
     change(&mut second, 9.0);
     assert_eq!(kept(&mut second, &folder), ["0.toml", "1.toml"]);
     drop(first);
     let mut third = keeping("cube", &folder.0);
-    assert!(asks(&third, "unsaved changes to torus"));
-    press(&mut third, "Restore");
+    assert!(asks(&third, &english!("restore-kept", name = "torus")));
+    press(&mut third, "restore");
     assert!(wait(&mut third, |window| scene(window).material.n == 7.0));
     assert_eq!(looked_at(&third), before);
     let state = third.state().state();
@@ -356,7 +365,7 @@ fn work_is_offered_again_after_a_window_that_was_not_closed() {
         ["0.toml", "1.toml"],
         "what is restored is as unsaved as before"
     );
-    assert!(stays_when_closed(&mut third) && closes_by(&mut third, "Close without saving"));
+    assert!(stays_when_closed(&mut third) && closes_by(&mut third, "close-unsaved"));
     assert!(!stays_when_closed(&mut third));
     assert_eq!(
         kept(&mut third, &folder),
@@ -365,10 +374,10 @@ fn work_is_offered_again_after_a_window_that_was_not_closed() {
     );
     drop((second, third));
     let mut fourth = keeping("cube", &folder.0);
-    press(&mut fourth, "Later");
+    press(&mut fourth, "later");
     drop(fourth);
     let mut fifth = keeping("cube", &folder.0);
-    press(&mut fifth, "Delete");
+    press(&mut fifth, "delete");
     assert!(kept(&mut fifth, &folder).is_empty());
 }
 
@@ -384,7 +393,7 @@ fn what_is_saved_is_not_kept_and_rest_costs_nothing() {
         "no frame is asked for once it is kept: {:?}",
         waits(&window)
     );
-    save_as(&mut window, SAVE_AS, &folder.path("saved"), "Save");
+    save_as(&mut window, SAVE_AS, &folder.path("saved"), "save");
     assert_eq!(kept(&mut window, &folder), ["saved.toml"]);
 }
 
@@ -395,7 +404,7 @@ fn a_model_is_restored_from_its_place_or_named_as_missing() {
     fs::write(&model, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").expect("a model");
     let mut first = keeping(&folder.path("triangle.obj"), &folder.0);
     change(&mut first, 7.0);
-    open_view(&mut first, "Profile");
+    open_view(&mut first, "view-profile");
     // Where the probe stands and which pane is worked on are kept with it.
     first.key_press_modifiers(Modifiers::SHIFT, Key::ArrowLeft);
     first.key_press(Key::K);
@@ -417,11 +426,13 @@ fn a_model_is_restored_from_its_place_or_named_as_missing() {
     drop(first);
     fs::rename(&model, folder.0.join("elsewhere.obj")).expect("renamed");
     let mut second = keeping("sphere", &folder.0);
-    press(&mut second, "Restore");
-    assert!(wait(&mut second, |window| asks(
-        window,
-        "triangle.obj: no such file"
-    )));
+    press(&mut second, "restore");
+    let missing = english!(
+        "document-no-such-file",
+        expected = english!("document-model")
+    );
+    let missing = format!("triangle.obj: {missing}");
+    assert!(wait(&mut second, |window| asks(window, &missing)));
     assert_eq!(
         kept(&mut second, &folder),
         ["0.toml"],
@@ -430,7 +441,7 @@ fn a_model_is_restored_from_its_place_or_named_as_missing() {
     drop(second);
     fs::rename(folder.0.join("elsewhere.obj"), &model).expect("renamed");
     let mut third = keeping("sphere", &folder.0);
-    press(&mut third, "Restore");
+    press(&mut third, "restore");
     assert!(wait(&mut third, |window| scene(window).material.n == 7.0));
     assert!(third.state().state().session.document().model.is_some());
 }
@@ -440,9 +451,9 @@ fn undo_reaches_across_opening_another_scene() {
     let folder = Folder::new("undo");
     let mut window = window("sphere");
     change(&mut window, 7.0);
-    save_as(&mut window, SAVE_AS, &folder.path("ball.toml"), "Save");
+    save_as(&mut window, SAVE_AS, &folder.path("ball.toml"), "save");
     change(&mut window, 8.0);
-    press(&mut window, "Next scene");
+    press(&mut window, "scenes-next");
     let state = |window: &Window| {
         let state = window.state().state();
         (
@@ -481,8 +492,8 @@ fn the_form_of_an_export_has_usual_sizes_and_keeps_proportions() {
     window.key_press_modifiers(EXPORT.0, EXPORT.1);
     window.run();
     let sides = |window: &Window| {
-        ["Width", "Height"].map(|side| {
-            let field = window.get_by_role_and_label(Role::SpinButton, side);
+        ["width", "height"].map(|side| {
+            let field = window.get_by_role_and_label(Role::SpinButton, english!(side));
             field.value().expect("a number")
         })
     };
@@ -490,14 +501,14 @@ fn the_form_of_an_export_has_usual_sizes_and_keeps_proportions() {
     press(&mut window, "4K");
     assert_eq!(sides(&window), ["3840", "2160"]);
     window
-        .get_by_role_and_label(Role::CheckBox, "Keep proportions")
+        .get_by_role_and_label(Role::CheckBox, english!("keep-shape"))
         .click_accesskit();
     window.run();
-    enter(&mut window, "Width", 1600.0);
+    enter(&mut window, "width", 1600.0);
     assert_eq!(sides(&window), ["1600", "900"]);
-    enter(&mut window, "Height", 1.0);
+    enter(&mut window, "height", 1.0);
     assert_eq!(sides(&window), ["2", "1"]);
-    press(&mut window, "Window");
+    press(&mut window, "preset-window");
     let [width, height] = sides(&window).map(|side| side.parse::<u32>().expect("a number"));
     assert_eq!([width, height], window.state().state().window.room);
 }
@@ -532,18 +543,18 @@ fn browsing_without_a_desktop_says_what_is_missing_and_a_path_can_be_typed() {
 #[cfg(target_os = "linux")]
 fn browse_without_a_desktop() {
     let folder = Folder::new("browsing");
-    let none = "This desktop has no file dialog for programs";
+    let none = "browse-none";
     let mut window = window("sphere");
     window.key_press_modifiers(Modifiers::COMMAND, Key::O);
     window.run();
     assert!(!asks(&window, none));
     window
-        .get_by_role_and_label(Role::Button, "Browse…")
+        .get_by_role_and_label(Role::Button, english!("browse"))
         .click_accesskit();
     assert!(wait(&mut window, |window| asks(window, none)));
     // The dialog is still there, for a path.
     save_scene(&folder.0.join("cube.toml"), &hands::built_in("cube").scene).expect("a file");
-    fill_in(&mut window, &folder.path("cube.toml"), "Open");
+    fill_in(&mut window, &folder.path("cube.toml"), "open");
     let opened = Origin::File(folder.0.join("cube.toml"));
     assert!(wait(&mut window, |window| {
         window.state().state().session.document().origin == opened

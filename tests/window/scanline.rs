@@ -1,6 +1,6 @@
 //! The scan line in slow motion, in the window: buttons, keys, playing, and what it shows.
 
-use crate::common::hands::{open_view, press, scene, window};
+use crate::common::hands::{enter, open_view, press, scene, window};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers};
 use egui_kittest::Harness;
@@ -15,7 +15,7 @@ fn opened(name: &str) -> Harness<'static, App> {
     let mut harness = window(name);
     harness.key_press(Key::Num3);
     harness.run();
-    open_view(&mut harness, "Scan line");
+    open_view(&mut harness, "view-scan-line");
     assert_eq!(
         harness.state().state().window.appearance.view,
         ViewName::ScanLine
@@ -61,28 +61,28 @@ fn buttons_and_keys_walk_by_pixel_edge_and_line() {
         "it begins at the pixel under the probe"
     );
     let ways = [
-        ("Pixel", Key::Comma, Key::Period, ScanLevel::Pixel),
-        ("Edge", Key::OpenBracket, Key::CloseBracket, ScanLevel::Edge),
-        ("Line", Key::PageUp, Key::PageDown, ScanLevel::Line),
+        ("pixel", Key::Comma, Key::Period, ScanLevel::Pixel),
+        ("edge", Key::OpenBracket, Key::CloseBracket, ScanLevel::Edge),
+        ("line", Key::PageUp, Key::PageDown, ScanLevel::Line),
     ];
     for (name, back, forward, level) in ways {
         key(&mut harness, Key::Home);
-        press(&mut harness, &format!("{name} forward"));
+        press(&mut harness, &format!("line-scan-{name}-forward"));
         let first = scan.forward(0, level);
         assert_eq!(step(&harness), first, "{name}");
         key(&mut harness, forward);
         assert_eq!(step(&harness), scan.forward(first, level), "{name}");
-        press(&mut harness, &format!("{name} back"));
+        press(&mut harness, &format!("line-scan-{name}-back"));
         assert_eq!(step(&harness), first, "{name}");
         key(&mut harness, back);
         assert_eq!(step(&harness), 0, "{name}");
     }
-    press(&mut harness, "Last step");
+    press(&mut harness, "line-scan-last");
     assert_eq!(step(&harness), scan.last());
-    press(&mut harness, "First step");
+    press(&mut harness, "line-scan-first");
     assert_eq!(step(&harness), 0);
     harness
-        .get_by_role_and_label(Role::Slider, "Scan step")
+        .get_by_role_and_label(Role::Slider, english!("line-scan-step"))
         .set_value_accesskit(33.0);
     harness.run();
     assert_eq!(step(&harness), 33);
@@ -97,10 +97,7 @@ fn buttons_and_keys_walk_by_pixel_edge_and_line() {
 fn it_plays_until_the_end_and_asks_for_frames_only_then() {
     let mut harness = opened("flat-facets");
     key(&mut harness, Key::Home);
-    harness
-        .get_by_role_and_label(Role::SpinButton, "Scan speed")
-        .set_value_accesskit(8.0);
-    harness.run();
+    enter(&mut harness, "line-scan-speed.name", 8.0);
     harness.key_press(Key::Space);
     for _ in 0..12 {
         harness.step();
@@ -118,10 +115,7 @@ fn it_plays_until_the_end_and_asks_for_frames_only_then() {
                 .is_playing(),
         "{reached}"
     );
-    harness
-        .get_by_role_and_label(Role::Button, "Pause")
-        .click_accesskit();
-    harness.run();
+    press(&mut harness, "line-scan-pause");
     let paused = step(&harness);
     for _ in 0..10 {
         harness.step();
@@ -137,7 +131,7 @@ fn it_plays_until_the_end_and_asks_for_frames_only_then() {
             .expect("the tab is shown")
             .is_playing()
     );
-    press(&mut harness, "Last step");
+    press(&mut harness, "line-scan-last");
     for _ in 0..5 {
         key(&mut harness, Key::Comma);
     }
@@ -150,7 +144,7 @@ fn it_plays_until_the_end_and_asks_for_frames_only_then() {
     harness.run();
     assert!(
         harness
-            .query_by_role_and_label(Role::Button, "Play")
+            .query_by_role_and_label(Role::Button, english!("line-scan-play"))
             .is_some()
     );
 }
@@ -192,13 +186,14 @@ fn what_is_shown_is_the_scan_of_the_polygon_under_the_probe() {
     for text in [
         mix.alpha_text(),
         mix.row(0),
-        format!("stored {r}, {g}, {b}"),
+        english!("line-scan-stored", r = r, g = g, b = b),
         format!("{:.3}", span.q.value.x),
     ] {
         assert!(has(&harness, &text), "{text}");
     }
     assert!(
-        has(&harness, "Edge table") && has(&harness, &format!("Face {}, 4 corners", taken.face))
+        has(&harness, english!("line-scan-edge-table"))
+            && has(&harness, &english!("found-corners", count = 4))
     );
     // Another polygon, another scan; another view of the same one, the same place in it.
     for _ in 0..9 {
@@ -208,10 +203,7 @@ fn what_is_shown_is_the_scan_of_the_polygon_under_the_probe() {
     assert!(shown(&harness).face != taken.face);
     let face = shown(&harness).face;
     let line = shown(&harness).at(step(&harness)).line.y;
-    harness
-        .get_by_role_and_label(Role::SpinButton, "Scan rows")
-        .set_value_accesskit(32.0);
-    harness.run();
+    enter(&mut harness, "line-scan-rows.name", 32.0);
     assert_eq!(
         (shown(&harness).grid.rows, shown(&harness).face),
         (32, face)
@@ -232,7 +224,7 @@ fn what_is_shown_is_the_scan_of_the_polygon_under_the_probe() {
             .ready()
             .is_none()
     );
-    assert!(has(&harness, "The probe is on the background"));
+    assert!(has(&harness, english!("line-scan-background")));
 }
 
 #[test]
@@ -247,7 +239,12 @@ fn every_shading_mode_is_shown_without_a_missing_letter() {
     ] {
         key(&mut harness, mode);
         assert_eq!(shown(&harness).mode, wanted);
-        for walk in ["Line back", "Edge forward", "Edge forward", "Pixel forward"] {
+        for walk in [
+            "line-scan-line-back",
+            "line-scan-edge-forward",
+            "line-scan-edge-forward",
+            "line-scan-pixel-forward",
+        ] {
             press(&mut harness, walk);
         }
         assert!(shown(&harness).at(step(&harness)).pixel.is_some());

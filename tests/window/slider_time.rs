@@ -1,7 +1,7 @@
 //! What the window's frame adds to the engine's when a slider has moved, without the painting by the graphics card:
 //! `cargo test --release --test window slider_time -- --ignored --nocapture`.
 
-use crate::common::hands::{picture, scene, unfold_all, window_looking};
+use crate::common::hands::{named, picture, scene, unfold_all, window_looking};
 use eframe::egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
 use shading_lab::app::Appearance;
@@ -52,12 +52,9 @@ fn measure(built_in: &str, settings: &[&str]) {
     let mut harness = window_looking(loaded, [1280.0, 800.0], &appearance, |app| app);
     unfold_all(&mut harness);
     let mut renderer = Renderer::default();
-    for (name, step) in [
-        ("Ka ambient coefficient", 0.001),
-        ("n specular exponent", 0.1),
-    ] {
+    for (name, step) in [("material.ka", 0.001), ("material.n", 0.1)] {
         let (mut changed, mut unchanged, mut engine, mut alone) = (vec![], vec![], vec![], vec![]);
-        let mut value = if name.starts_with('n') {
+        let mut value = if name == "material.n" {
             scene(&harness).material.n
         } else {
             0.2
@@ -69,7 +66,7 @@ fn measure(built_in: &str, settings: &[&str]) {
             for frame in 0..FRAMES {
                 value += step;
                 harness
-                    .get_by_role_and_label(Role::Slider, name)
+                    .get_by_role_and_label(Role::Slider, named(name))
                     .set_value_accesskit(value);
                 let time = milliseconds(|| harness.step());
                 if frame > 0 {

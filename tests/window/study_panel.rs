@@ -11,42 +11,47 @@ use shading_lab::scene::{ObjectKind, ShadingMode};
 #[test]
 fn a_study_runs_stops_and_shows_its_settings_in_the_picture() {
     let mut harness = window("sphere");
-    open_view(&mut harness, "Study");
+    open_view(&mut harness, "view-study");
     for segments in ["16", "64", "128"] {
         press(&mut harness, segments);
     }
     for method in [
-        "flat, vertex mean",
-        "Phong, not unit",
-        "Phong, scalar",
-        "angular, scalar",
+        "choice-method-flat-vertex-mean",
+        "choice-method-phong-unnormalised",
+        "choice-method-phong-scalar",
+        "choice-method-angular",
     ] {
         press(&mut harness, method);
     }
     press(&mut harness, "3 ×");
+    let about = english!("engine-study-about", frames = "|", time = "");
+    let (about, _) = about.split_once('|').expect("a number");
     assert!(
-        harness.query_by_label_contains("Draws about").is_some(),
+        harness.query_by_label_contains(about).is_some(),
         "what it will do is said first"
     );
-    press(&mut harness, "Measure");
+    press(&mut harness, "engine-measure");
     assert!(
         wait(&mut harness, |harness| harness
-            .query_by_label("Measure again")
+            .query_by_label(english!("report-again"))
             .is_some()),
         "it comes to its end"
     );
     let stale = |harness: &Harness<'_, App>| {
         harness
-            .query_by_label_contains("The scene has changed")
+            .query_by_label_contains(english!("report-stale"))
             .is_some()
     };
     assert!(!stale(&harness));
     assert!(
-        harness.query_by_label("Error against run time").is_some(),
+        harness
+            .query_by_label(english!("engine-study-plot"))
+            .is_some(),
         "the plot is there"
     );
     let before = scene(&harness).clone();
-    press(&mut harness, "Gouraud 8×4");
+    let eight = |method: &str| format!("{} 8×4", english!(method));
+    press(&mut harness, &eight("choice-method-gouraud"));
     let after = scene(&harness).clone();
     assert!(!stale(&harness), "a setting of its own changes nothing");
     assert_eq!(
@@ -57,7 +62,8 @@ fn a_study_runs_stops_and_shows_its_settings_in_the_picture() {
         ),
         (ShadingMode::Gouraud, 8, 4)
     );
-    press(&mut harness, "Taylor, scalar 8×4");
+    let taylor = eight("choice-method-taylor");
+    press(&mut harness, &taylor);
     assert_eq!(
         *scene(&harness),
         after,
@@ -65,28 +71,29 @@ fn a_study_runs_stops_and_shows_its_settings_in_the_picture() {
     );
     assert!(
         harness
-            .query_by_label_contains("it cannot be shown")
+            .query_by_label_contains(&english!("engine-study-not-shown", setting = taylor))
             .is_some()
     );
     undo(&mut harness);
     assert_eq!(*scene(&harness), before, "one step of undo");
-    enter(&mut harness, "Kd diffuse coefficient", 0.125);
+    enter(&mut harness, "material.kd", 0.125);
     assert!(stale(&harness), "another material does");
     // Another is stopped by hand and keeps what it has.
     press(&mut harness, "27 ×");
     press(&mut harness, "512");
-    press(&mut harness, "Measure again");
+    press(&mut harness, "report-again");
+    let flat = eight("choice-method-flat");
     assert!(wait(&mut harness, |harness| harness
-        .query_by_label("flat 8×4")
+        .query_by_label(&flat)
         .is_some()));
-    press(&mut harness, "Stop");
+    press(&mut harness, "report-stop");
     assert!(wait(&mut harness, |harness| harness
-        .query_by_label("Measure again")
+        .query_by_label(english!("report-again"))
         .is_some()));
-    assert!(harness.query_by_label("flat 8×4").is_some());
+    assert!(harness.query_by_label(&flat).is_some());
     assert!(
         harness
-            .query_by_label_contains("results are incomplete")
+            .query_by_label_contains(english!("report-stopped"))
             .is_some()
     );
 }
@@ -95,7 +102,7 @@ fn a_study_runs_stops_and_shows_its_settings_in_the_picture() {
 fn the_catalogue_is_drawn_and_a_case_opens_as_the_scene() {
     let mut harness = window("sphere");
     let before = scene(&harness).clone();
-    open_view(&mut harness, "Stability");
+    open_view(&mut harness, "view-stability");
     let last = stability_cases().last().expect("cases").title();
     assert!(
         wait(&mut harness, |harness| harness
@@ -111,12 +118,8 @@ fn the_catalogue_is_drawn_and_a_case_opens_as_the_scene() {
         harness.query_by_label_contains(case.naive()).is_some()
             && harness.query_by_label_contains(case.engine()).is_some()
     );
-    assert!(
-        harness
-            .query_by_label_contains("Condition number 10⁷")
-            .is_some()
-    );
-    press(&mut harness, "Open as scene");
+    assert!(harness.query_by_label_contains("10⁷").is_some());
+    press(&mut harness, "engine-open-case");
     let opened = scene(&harness).clone();
     assert_eq!(
         (opened.object.kind, opened.image.size),

@@ -1,6 +1,6 @@
 //! The picture that the window hands to the graphics card is the renderer's, whatever has changed since the last one.
 
-use crate::common::hands::{picture, undo, window_on};
+use crate::common::hands::{named, picture, undo, window_on};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Color32, ColorImage, ImageData, Key, TextureId, TexturesDelta, Vec2, vec2};
 use egui_kittest::kittest::Queryable;
@@ -66,7 +66,7 @@ type Change = (&'static str, fn(&mut Harness<'_, App>));
 
 fn slide(harness: &mut Harness<'_, App>, name: &str, value: f64) {
     harness
-        .get_by_role_and_label(Role::Slider, name)
+        .get_by_role_and_label(Role::Slider, named(name))
         .set_value_accesskit(value);
 }
 
@@ -74,24 +74,24 @@ fn slide(harness: &mut Harness<'_, App>, name: &str, value: f64) {
 fn the_window_shows_what_was_drawn() {
     const LARGE: Vec2 = vec2(1400.0, 900.0);
     let changes: [Change; 14] = [
-        ("n", |h| slide(h, "n specular exponent", 12.0)),
-        ("Ka", |h| slide(h, "Ka ambient coefficient", 0.3)),
-        ("Ka again", |h| slide(h, "Ka ambient coefficient", 0.4)),
+        ("n", |h| slide(h, "material.n", 12.0)),
+        ("Ka", |h| slide(h, "material.ka", 0.3)),
+        ("Ka again", |h| slide(h, "material.ka", 0.4)),
         ("flat shading", |h| h.key_press(Key::Num1)),
-        ("Kd", |h| slide(h, "Kd diffuse coefficient", 0.5)),
+        ("Kd", |h| slide(h, "material.kd", 0.5)),
         ("exact shading", |h| h.key_press(Key::Num5)),
-        ("Ks", |h| slide(h, "Ks specular coefficient", 0.65)),
+        ("Ks", |h| slide(h, "material.ks", 0.65)),
         ("Gouraud shading", |h| h.key_press(Key::Num3)),
         ("n in Gouraud shading", |h| {
-            slide(h, "n specular exponent", 30.0);
+            slide(h, "material.n", 30.0);
         }),
         ("a larger window", |h| {
             h.set_size(LARGE);
         }),
-        ("n in it", |h| slide(h, "n specular exponent", 80.0)),
+        ("n in it", |h| slide(h, "material.n", 80.0)),
         ("the camera", |h| h.key_press(Key::Plus)),
-        ("n once more", |h| slide(h, "n specular exponent", 9.0)),
-        ("n and again", |h| slide(h, "n specular exponent", 8.0)),
+        ("n once more", |h| slide(h, "material.n", 9.0)),
+        ("n and again", |h| slide(h, "material.n", 8.0)),
     ];
     for (scene, keeps) in [
         ("sphere", false),

@@ -1,6 +1,6 @@
 //! The picture in the hand: one finger turns it, two zoom and shift it, a long press sets the probe.
 
-use crate::common::hands::{folded, picture_place, press, scene, window};
+use crate::common::hands::{folded, named, picture_place, press, scene, window};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Event, Modifiers, PointerButton, Pos2, Rect, TouchDeviceId, TouchId, TouchPhase, vec2,
@@ -112,7 +112,7 @@ fn a_long_press_sets_the_probe() {
 
 #[test]
 fn a_field_stays_in_sight_when_the_keyboard_takes_half_of_the_screen() {
-    const N: &str = "n specular exponent";
+    let n = named("material.n");
     for ([width, height], keyboard) in [
         ([390.0, 844.0], 400.0),
         ([844.0, 390.0], 200.0),
@@ -122,10 +122,10 @@ fn a_field_stays_in_sight_when_the_keyboard_takes_half_of_the_screen() {
         harness.set_size(vec2(width, height));
         harness.run();
         if harness
-            .query_by_role_and_label(Role::SpinButton, N)
+            .query_by_role_and_label(Role::SpinButton, n)
             .is_none()
         {
-            press(&mut harness, "Scene");
+            press(&mut harness, "view-controls");
         }
         // While it is typed in, it is a field of text.
         let place = |harness: &Harness<'_, App>| {
@@ -134,10 +134,10 @@ fn a_field_stays_in_sight_when_the_keyboard_takes_half_of_the_screen() {
                 .map(|node| node.rect())
         };
         harness
-            .get_by_role_and_label(Role::SpinButton, N)
+            .get_by_role_and_label(Role::SpinButton, n)
             .scroll_to_me();
         harness.run();
-        harness.get_by_role_and_label(Role::SpinButton, N).click();
+        harness.get_by_role_and_label(Role::SpinButton, n).click();
         harness.run();
         assert!(
             place(&harness).is_some(),

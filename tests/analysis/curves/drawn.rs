@@ -67,9 +67,9 @@ fn an_svg_is_text_with_its_labels_in_it() {
     assert!(svg.contains("<title>a &lt; b &amp; &quot;c&quot;</title>"));
     for label in [
         "n = 20, now",
-        "half-width",
+        english!("point-legend-half-width"),
         "W(80°)",
-        "diffuse + specular",
+        english!("point-both-terms"),
         "farthest: f(",
         "distance from the light",
     ] {

@@ -1,6 +1,6 @@
 //! What commands say of a scene: probes, code, benchmarks, plans and tables.
 
-use crate::common::program::Folder;
+use crate::common::program::{Folder, outside};
 use serde_json::Value;
 use shading_lab::render::SimdLevel;
 use std::fs;
@@ -82,12 +82,12 @@ fn a_probe_adds_up_to_its_pixel() {
     );
     assert_eq!(
         folder.prints(&["probe", "sphere", "--pixel", "0,0"]),
-        "pixel (0, 0) shows the background\n"
+        english!("point-report-background", x = 0, y = 0) + "\n"
     );
     folder.fails(
         &["probe", "sphere", "--pixel", "768,0"],
         2,
-        &["error: --pixel 768,0: outside the picture, expected 0,0 to 767,767"],
+        &[&outside("--pixel 768,0", "767,767")],
     );
 }
 
@@ -132,16 +132,16 @@ fn phi_lies_between_r_and_v_and_alpha_between_n_and_h_in_every_model() {
         let mirrored = degrees(vector(&light["r"]), vector(&probe["view"]));
         assert!((phi - mirrored).abs() < 1e-4, "{model}: φ {phi}");
         assert!((alpha - phi).abs() > 1.0, "the angles cannot be told apart");
-        for line in [
-            format!("{phi:.2}°  φ, R to V"),
-            format!("{alpha:.2}°  α, N to H"),
-        ] {
+        for line in [format!("{phi:.2}°  φ, "), format!("{alpha:.2}°  α, ")] {
             assert!(text.contains(&line), "{model}: {line}\n{text}");
         }
         let angle = if model == "phong" { phi } else { alpha };
         let lobe = match model {
             "cook-torrance" => lobe.to_owned(),
-            _ if angle > 90.0 => "points away".to_owned(),
+            _ if angle > 90.0 => {
+                let away = english!("point-points-away", vector = "|");
+                away.rsplit('|').next().unwrap_or_default().to_owned()
+            }
             _ => format!("{lobe}{angle:.2}°"),
         };
         assert!(text.contains(&lobe), "{model}: {lobe}\n{text}");
@@ -153,13 +153,13 @@ fn phi_lies_between_r_and_v_and_alpha_between_n_and_h_in_every_model() {
     for number in 0..=4 {
         let heading = text
             .lines()
-            .any(|line| line.starts_with(&format!("light {number}")));
+            .any(|line| line.starts_with(&english!("point-light", number = number)));
         assert_eq!(heading, (1..=3).contains(&number), "light {number}\n{text}");
     }
     let one = ["--set", "light.0.kind=area", "--set", "light.0.samples=1"];
     let text = folder.prints(&[&["probe", "sphere", "--pixel", "384,384"][..], &one].concat());
     assert!(
-        text.contains("valuated at one point of the light\n"),
+        text.contains(&english!("point-over-samples", count = 1)),
         "{text}"
     );
 }
@@ -177,7 +177,9 @@ fn a_light_that_adds_nothing_says_why() {
     let black = ["material.kd=0", "material.ks=0"];
     let (words, light) = at("384,384", &black);
     assert!(
-        words.contains("adds nothing: Kd·Od is 0, and Ks·Os is 0") && !words.contains("in shadow"),
+        words.contains("Kd·Od is 0")
+            && words.contains("Ks·Os is 0")
+            && !words.contains(english!("point-zero-in-shadow")),
         "{words}"
     );
     assert_eq!(light["diffuse_zero"], serde_json::json!(["coefficient"]));
@@ -186,14 +188,14 @@ fn a_light_that_adds_nothing_says_why() {
         "384,384",
         &["light.0.position=[0,0,-5]", "shading.shadows=true"],
     );
-    assert!(
-        words.contains("adds nothing: the light is behind the surface, N·L ≤ 0"),
-        "{words}"
-    );
+    assert!(words.contains(english!("point-zero-behind.why")), "{words}");
     assert_eq!(light["specular_zero"], serde_json::json!(["faces-away"]));
     let (words, light) = at("384,384", &["material.ks=0"]);
+    let specular = english!("point-specular");
+    let why = english!("render-why-ks-os-zero");
+    let nothing = english!("point-term-adds-nothing", term = specular, why = why);
     assert!(
-        words.contains("specular adds nothing: Ks·Os is 0") && words.contains("N·L\n"),
+        words.contains(&nothing) && words.contains("N·L\n"),
         "{words}"
     );
     assert_eq!(
@@ -263,7 +265,8 @@ fn a_scene_is_written_as_code() {
     assert_eq!((output.status.code(), output.stdout.len()), (Some(0), 0));
     let program = fs::read_to_string(folder.0.join("cube.c")).expect("a program");
     assert!(
-        program.contains("n = 200: GL_SHININESS goes up to 128.") && program.contains("int main(")
+        program.contains(&english!("export-limit-shininess", n = 200))
+            && program.contains("int main(")
     );
     let snippet = folder.run(&[&["code", "cube"][..], &set].concat()).stdout;
     assert!(String::from_utf8_lossy(&snippet).contains("glMaterialf(") && snippet.len() < 8000);
@@ -274,14 +277,16 @@ fn a_scene_is_written_as_code() {
         "--set",
         "object.rings=1024",
     ];
-    let text = "error: sphere: 2095104 triangles to write, expected at most 1000000: use a coarser mesh, or c-snippet";
+    let text = &format!(
+        "sphere: {}",
+        english!("export-too-large", triangles = 2095104, most = 1000000)
+    );
     folder.fails(
         &[&["code", "sphere", "--target", "c"][..], &large].concat(),
         2,
         &[text],
     );
-    let no_folder =
-        "error: no/s.vert: its folder does not exist, expected a file in an existing folder";
+    let no_folder = &format!("no/s.vert: {}", english!("document-target-no-folder"));
     folder.fails(
         &["code", "sphere", "--target", "glsl", "-o", "no/s"],
         1,
@@ -342,7 +347,8 @@ fn a_benchmark_names_every_figure() {
     assert!(dark["changes"]["light"]["median_ms"].is_null());
     let text = folder.prints(&["bench", "cube", "--frames", "1", "--size", "8x8"]);
     assert!(
-        text.contains("everything") && text.contains("camera"),
+        text.contains(english!("engine-everything"))
+            && text.contains(english!("engine-change-camera")),
         "{text}"
     );
 }
@@ -360,7 +366,8 @@ fn a_benchmark_runs_at_the_level_that_is_asked_for() {
         if available.iter().any(|(name, _)| name == level) {
             assert_eq!(folder.json(&arguments)["simd"], word);
         } else {
-            folder.refuses(&arguments, "not on this machine");
+            let words = english!("engine-no-simd-level", level = "|", available = "|");
+            folder.refuses(&arguments, words.split('|').nth(1).unwrap_or_default());
         }
     }
     folder.refuses(&["bench", "sphere", "--simd", "avx"], "expected avx512");
@@ -424,12 +431,13 @@ fn the_plan_of_a_frame_is_explained() {
     assert_eq!(rows.lines().count(), 1 + terms.len());
     let text = folder.prints(&["explain", "cube", "--frames", "1", "--size", "8x8"]);
     assert!(
-        text.contains("a closed solid hides them") && text.contains("Work saved"),
+        text.contains(english!("render-why-closed-solid"))
+            && text.contains(english!("engine-saved")),
         "{text}"
     );
     folder.refuses(
         &["explain", "cube", "--frames", "0"],
-        "expected a whole number from 1 to 100000",
+        &english!("cli-expected-whole", low = 1, high = 100000),
     );
 }
 

@@ -252,7 +252,10 @@ fn a_file_opens_no_other_than_its_row_says() {
         let output = ends(folder.command(&["collect", "other.png"]));
         let errors = String::from_utf8_lossy(&output.stderr).into_owned();
         assert_eq!(output.status.code(), Some(2), "{scene}: {errors}");
-        assert!(errors.contains("needs a file"), "{scene}: {errors}");
+        assert!(
+            errors.contains(english!("class-needs-lesson")),
+            "{scene}: {errors}"
+        );
     }
     let link = "?scene=sphere&set=object.kind=obj&set=object.path=a.obj";
     let output = ends(folder.command(&["check", link]));

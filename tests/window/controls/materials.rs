@@ -2,7 +2,7 @@
 
 use super::choice_changes_the_picture;
 use crate::common::hands::{
-    choose, enter, folded, picture, press, scene, undo, unfold, window, window_of,
+    choose, enter, folded, named, picture, press, scene, undo, unfold, window, window_of,
 };
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers};
@@ -18,17 +18,17 @@ fn microfacets_have_a_roughness_instead_of_n() {
     let mut harness = window("sphere");
     let is_there = |harness: &Harness<'_, App>, name| {
         harness
-            .query_by_role_and_label(Role::Slider, name)
+            .query_by_role_and_label(Role::Slider, named(name))
             .is_some()
     };
-    assert!(is_there(&harness, "n specular exponent") && !is_there(&harness, "m roughness"));
-    choose(&mut harness, "Reflection model", "Cook–Torrance  D·G");
-    assert!(!is_there(&harness, "n specular exponent") && is_there(&harness, "m roughness"));
+    assert!(is_there(&harness, "material.n") && !is_there(&harness, "material.roughness"));
+    choose(&mut harness, "reflection.model", "cook-torrance");
+    assert!(!is_there(&harness, "material.n") && is_there(&harness, "material.roughness"));
     let before = picture(&harness);
-    enter(&mut harness, "m roughness", 0.5);
+    enter(&mut harness, "material.roughness", 0.5);
     let rough = picture(&harness);
     assert!(rough != before);
-    choose(&mut harness, "D microfacet distribution", "GGX");
+    choose(&mut harness, "reflection.distribution", "ggx");
     assert_eq!(scene(&harness).reflection.distribution, Distribution::Ggx);
     assert!(picture(&harness) != rough);
 }
@@ -37,7 +37,10 @@ fn microfacets_have_a_roughness_instead_of_n() {
 fn another_model_with_an_equally_wide_highlight_is_one_step() {
     let mut harness = window("sphere");
     let before = scene(&harness).clone();
-    press(&mut harness, "Equivalent exponent for Blinn");
+    press(
+        &mut harness,
+        &english!("controls-match-exponent", model = "Blinn"),
+    );
     assert_eq!(scene(&harness).reflection.model, ReflectionModel::Blinn);
     assert!(
         (scene(&harness).material.n / before.material.n - 4.0).abs() < 0.1,
@@ -46,7 +49,7 @@ fn another_model_with_an_equally_wide_highlight_is_one_step() {
     );
     undo(&mut harness);
     assert_eq!(*scene(&harness), before);
-    press(&mut harness, "Equivalent roughness");
+    press(&mut harness, "controls-match-roughness");
     assert_eq!(
         scene(&harness).reflection.model,
         ReflectionModel::CookTorrance
@@ -56,17 +59,17 @@ fn another_model_with_an_equally_wide_highlight_is_one_step() {
 #[test]
 fn the_reflectance_of_a_metal_changes_the_picture() {
     for entry in ["glass", "silver", "gold"] {
-        choice_changes_the_picture("sphere", &[], "W reflectance by angle", entry);
+        choice_changes_the_picture("sphere", &[], "material.reflectance", entry);
     }
     let mut harness = window("sphere");
     assert!(
         harness
-            .query_by_role_and_label(Role::SpinButton, "k extinction red")
+            .query_by_role_and_label(Role::SpinButton, named("material.extinction.red"))
             .is_none()
     );
-    choose(&mut harness, "W reflectance by angle", "custom η and k");
+    choose(&mut harness, "material.reflectance", "custom");
     let before = picture(&harness);
-    enter(&mut harness, "k extinction red", 4.0);
+    enter(&mut harness, "material.extinction.red", 4.0);
     assert!(picture(&harness) != before);
 }
 
@@ -74,14 +77,14 @@ fn the_reflectance_of_a_metal_changes_the_picture() {
 fn a_pattern_and_a_highlight_colour_change_the_picture() {
     let mut harness = window("sphere");
     let plain = picture(&harness);
-    enter(&mut harness, "Os highlight colour green", 0.0);
+    enter(&mut harness, "material.specular_color.green", 0.0);
     assert!(picture(&harness) != plain);
     undo(&mut harness);
-    choose(&mut harness, "Pattern", "checker");
+    choose(&mut harness, "pattern.kind", "checker");
     assert_eq!(scene(&harness).pattern.kind, PatternKind::Checker);
     let coarse = picture(&harness);
     assert!(coarse != plain);
-    enter(&mut harness, "Pattern scale", 0.1);
+    enter(&mut harness, "pattern.scale", 0.1);
     assert!(picture(&harness) != coarse);
 }
 
@@ -90,18 +93,18 @@ fn transparency_and_surroundings_unfold() {
     let mut harness = folded("sphere");
     assert!(
         harness
-            .query_by_role_and_label(Role::SpinButton, "Kt transparency")
+            .query_by_role_and_label(Role::SpinButton, named("transparency.kt"))
             .is_none(),
         "the section is folded at first"
     );
-    unfold(&mut harness, "Transparency");
-    let index = harness.get_by_role_and_label(Role::SpinButton, "η relative index");
+    unfold(&mut harness, "controls-transparency");
+    let index = harness.get_by_role_and_label(Role::SpinButton, named("transparency.ior"));
     assert!(
         index.accesskit_node().is_disabled(),
         "nothing is transmitted"
     );
-    enter(&mut harness, "Kt transparency", 0.5);
-    enter(&mut harness, "η relative index", 1.33);
+    enter(&mut harness, "transparency.kt", 0.5);
+    enter(&mut harness, "transparency.ior", 1.33);
     assert_eq!(
         (
             scene(&harness).transparency.kt,
@@ -109,18 +112,19 @@ fn transparency_and_surroundings_unfold() {
         ),
         (0.5, 1.33)
     );
+    let symbol = format!("Transmitted {}", english!("in-equation"));
     assert!(
         harness
-            .query_by_role_and_label(Role::Button, "Transmitted in the equation")
+            .query_by_role_and_label(Role::Button, &symbol)
             .is_some()
     );
-    unfold(&mut harness, "Surroundings");
-    press(&mut harness, "Shadows on");
-    press(&mut harness, "Ground on");
-    enter(&mut harness, "Ground height", -0.5);
-    choose(&mut harness, "Backdrop", "stripes");
-    enter(&mut harness, "Backdrop distance", 3.0);
-    choose(&mut harness, "Ia ambient source", "one bounce");
+    unfold(&mut harness, "controls-surroundings");
+    press(&mut harness, "shading.shadows.on");
+    press(&mut harness, "ground.visible.on");
+    enter(&mut harness, "ground.height", -0.5);
+    choose(&mut harness, "backdrop.pattern", "stripes");
+    enter(&mut harness, "backdrop.distance", 3.0);
+    choose(&mut harness, "ambient.source", "bounce");
     let scene = scene(&harness);
     assert!(scene.shading.shadows && scene.ground.visible);
     assert_eq!((scene.ground.height, scene.backdrop.distance), (-0.5, 3.0));
@@ -132,8 +136,8 @@ fn transparency_and_surroundings_unfold() {
 fn a_named_material_is_one_step() {
     let mut harness = window("sphere");
     let before = scene(&harness).clone();
-    press(&mut harness, "Materials");
-    press(&mut harness, "Gold");
+    press(&mut harness, "controls-materials");
+    press(&mut harness, "material-gold");
     assert_eq!(
         scene(&harness).material.ka,
         Rgb::new(0.24725, 0.1995, 0.0745)
@@ -150,7 +154,7 @@ fn a_model_drawn_without_its_materials_says_so_until_it_is_dismissed_or_gone() {
     let path = folder.join("red.obj");
     let model = "mtllib red.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     std::fs::write(&path, model).expect("a model");
-    let warning = "red.obj: drawn with the scene's material";
+    let warning = &english!("document-no-materials", name = "red.obj");
     let mut harness = window_of(load(&path).expect("a model"));
     let says = |harness: &Harness<'_, App>| harness.query_by_label_contains(warning).is_some();
     // Not for four seconds only, and what is said for four seconds goes before it.
@@ -162,11 +166,11 @@ fn a_model_drawn_without_its_materials_says_so_until_it_is_dismissed_or_gone() {
     assert!(!says(&harness));
     harness.run_steps(40);
     assert!(says(&harness));
-    press(&mut harness, "Next scene");
+    press(&mut harness, "scenes-next");
     assert!(!says(&harness), "it speaks of what is not shown");
     undo(&mut harness);
     assert!(says(&harness));
-    press(&mut harness, "Dismiss");
+    press(&mut harness, "dismiss");
     assert!(!says(&harness));
     harness.run_steps(4);
     assert!(!says(&harness), "once is enough");

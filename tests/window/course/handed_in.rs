@@ -68,8 +68,18 @@ fn opened(path: &Path) -> Harness<'static, App> {
 
 fn show_course(harness: &mut Harness<'_, App>) {
     if !harness.state().state().window.shows(ViewName::Course) {
-        press(harness, "Course");
+        press(harness, "course");
     }
+}
+
+/// What the window says of so many right answers.
+fn right(right: usize, count: usize) -> String {
+    english!("course-answers-right", right = right, count = count)
+}
+
+/// How often a message stands in the window.
+fn count(harness: &Harness<'_, App>, key: &str) -> usize {
+    harness.query_all_by_label(english!(key)).count()
 }
 
 fn says(harness: &Harness<'_, App>, words: &str) -> bool {
@@ -79,30 +89,41 @@ fn says(harness: &Harness<'_, App>, words: &str) -> bool {
 #[test]
 fn who_answered_what_stands_beside_the_picture_with_its_marks() {
     let mut harness = opened(&write("handed-in.png", &picture()));
-    assert!(wait(&mut harness, |harness| says(harness, "2 of 8 right")));
-    for words in ["Ada Lovelace", "Every kind of question", "Question 8"] {
+    assert!(wait(&mut harness, |harness| says(harness, &right(2, 8))));
+    for words in [
+        "Ada Lovelace",
+        "Every kind of question",
+        &english!("course-answers-question", number = 8),
+    ] {
         assert!(says(&harness, words), "{words}");
     }
-    assert_eq!(harness.query_all_by_label("right").count(), 2);
-    assert_eq!(harness.query_all_by_label("wrong").count(), 1);
+    assert_eq!(count(&harness, "course-mark-right"), 2);
+    assert_eq!(count(&harness, "course-answers-wrong"), 1);
     // What was given first, what in the end, and what is right.
-    for words in ["0.900 units", "0.500 units", "Wider", "3 tries · 12 s"] {
+    let tries = english!("course-answers-tries", count = 3);
+    let tries = format!(
+        "{tries} · {}",
+        english!("course-answers-seconds", seconds = 12)
+    );
+    for words in ["0.900 units", "0.500 units", "Wider", &tries] {
         assert!(says(&harness, words), "{words}");
     }
-    let right = harness.query_all_by_label("Right answer").count();
+    let right = count(&harness, "course-answers-solution");
     assert_eq!(right, 4, "where the answer is not right, and is no curve");
 
     // They belong to this picture.
-    press(&mut harness, "Next scene");
+    press(&mut harness, "scenes-next");
     show_course(&mut harness);
     assert!(!says(&harness, "Ada Lovelace") && says(&harness, "Ambient light"));
     hands::undo(&mut harness);
     show_course(&mut harness);
     assert!(says(&harness, "Ada Lovelace"));
     // The lessons are a step away, and so is the way back.
-    press(&mut harness, "Lessons");
+    press(&mut harness, "course-lessons");
     assert!(!says(&harness, "Ada Lovelace"));
-    harness.get_by_label("Answers handed in").click_accesskit();
+    harness
+        .get_by_label(english!("course-answers"))
+        .click_accesskit();
     harness.run_ok();
     assert!(says(&harness, "Ada Lovelace"));
     assert_eq!(*scene(&harness), Scene::default());
@@ -113,7 +134,7 @@ fn in_a_small_window_the_answers_are_in_sight_and_the_controls_a_step_away() {
     let loaded = load(&write("handed-in-small.png", &picture())).expect("a scene");
     let appearance = Appearance::default();
     let mut harness = hands::window_looking(loaded, [1024.0, 768.0], &appearance, |app| app);
-    assert!(wait(&mut harness, |harness| says(harness, "2 of 8 right")));
+    assert!(wait(&mut harness, |harness| says(harness, &right(2, 8))));
     assert!(!harness.state().state().window.appearance.controls);
     harness.key_press(Key::F4);
     harness.run_ok();
@@ -128,23 +149,20 @@ fn answers_to_a_lesson_of_the_program_are_marked_as_well() {
     let bytes = hand_in_bytes(&frame(), &Scene::default(), &lesson, &record, "");
     let path = write("handed-in-empty.png", &bytes.expect("a picture"));
     let mut harness = opened(&path);
-    let count = lesson
-        .steps
-        .iter()
-        .filter(|step| step.question.is_some())
-        .count();
-    let right = format!("0 of {count} right");
+    let steps = lesson.steps.iter();
+    let questions = steps.filter(|step| step.question.is_some()).count();
+    let right = right(0, questions);
     assert!(wait(&mut harness, |harness| says(harness, &right)));
     assert!(says(&harness, "handed-in-empty.png"), "who gave no name");
-    assert_eq!(harness.query_all_by_label("none").count(), count);
+    assert_eq!(count(&harness, "course-answers-none"), questions);
 }
 
 #[test]
 fn answers_that_were_changed_do_not_count() {
     let path = write("handed-in-changed.png", &changed(&picture()));
     let harness = opened(&path);
-    let why = "These answers do not count: the answers were changed after they were handed in.";
-    assert!(says(&harness, why));
+    let why = english!("course-answers-void", why = english!("class-changed"));
+    assert!(says(&harness, &why));
     // A picture without answers is one like any other.
     let mut plain = Vec::new();
     write_png(&mut plain, &frame(), Some(&Scene::default()), &[]).expect("a picture");

@@ -10,19 +10,17 @@ use shading_lab::app::App;
 use shading_lab::document::{load, save_scene};
 use std::path::Path;
 
-const BACK: &str = "Back to the lesson";
+const BACK: &str = "course-return";
 
 /// Leads to another scene.
 type Way<'w> = dyn Fn(&mut Harness<'_, App>) + 'w;
 
 /// Whether the lesson's locks hold, which must be the same everywhere.
 fn hides(harness: &mut Harness<'_, App>) -> bool {
-    hands::open_view(harness, "Equation");
-    let said = harness
-        .query_by_label_contains("Numbers are hidden")
-        .is_some();
+    hands::open_view(harness, "view-equation");
+    let said = harness.query_by_label(english!("course-hidden")).is_some();
     let back = harness
-        .query_by_role_and_label(Role::Button, BACK)
+        .query_by_role_and_label(Role::Button, english!(BACK))
         .is_some();
     let state = harness.state().state();
     assert_eq!((state.course.hides(), said), (said, said));
@@ -30,10 +28,10 @@ fn hides(harness: &mut Harness<'_, App>) -> bool {
     said
 }
 
-/// Opens a scene from the gallery, by its title.
+/// Opens a scene from the gallery, by the key of its title.
 fn choose_scene(harness: &mut Harness<'_, App>, title: &str) {
-    press(harness, "File");
-    press(harness, "Scenes…");
+    press(harness, "controls-group-file");
+    press(harness, "controls-command-scenes");
     press(harness, title);
     harness.run_ok();
 }
@@ -47,10 +45,10 @@ fn paste(harness: &mut Harness<'_, App>, text: &str) {
 fn open(harness: &mut Harness<'_, App>, path: &Path) {
     harness.key_press_modifiers(Modifiers::COMMAND, Key::O);
     harness.run_ok();
-    let field = harness.get_by_role_and_label(Role::TextInput, "File");
+    let field = harness.get_by_role_and_label(Role::TextInput, english!("file"));
     field.type_text(&path.display().to_string());
     harness.run_ok();
-    press(harness, "Open");
+    press(harness, "open");
     let title = path.file_name().expect("a name").to_string_lossy();
     assert!(hands::wait(harness, |harness| {
         harness.state().state().session.document().origin.name() == title
@@ -70,11 +68,11 @@ fn at_the_choice() -> Harness<'static, App> {
 fn another_scene_shows_its_numbers_and_a_way_back() {
     let mut harness = at_the_choice();
     // The scene that the step shows too, as it comes with the program.
-    choose_scene(&mut harness, "One sphere, one lamp");
+    choose_scene(&mut harness, "scene-sphere");
     assert_ne!(scene(&harness).material.n, 20.0);
     assert!(!hides(&mut harness));
     // What the step asks is about its own scene.
-    press(&mut harness, "Course");
+    press(&mut harness, "course");
     assert!(
         harness
             .query_by_role_and_label(Role::RadioButton, "Wider")
@@ -95,7 +93,7 @@ fn every_way_to_another_scene_leaves_the_lesson_and_undo_returns_to_it() {
     std::fs::create_dir_all(&folder).expect("a folder");
     let file = folder.join("own.toml");
     save_scene(&file, &load(Path::new("sphere")).expect("a scene").scene).expect("a file");
-    let gallery = |harness: &mut Harness<'_, App>| choose_scene(harness, "Measured gold");
+    let gallery = |harness: &mut Harness<'_, App>| choose_scene(harness, "scene-gold");
     let opened = |harness: &mut Harness<'_, App>| open(harness, &file);
     let link = |harness: &mut Harness<'_, App>| paste(harness, "?scene=gold&set=material.n=5");
     let ways: [(&str, &Way); 3] = [
@@ -137,7 +135,7 @@ fn what_a_step_draws_and_locks_stays_with_its_scene() {
     harness.drop_at(place);
     harness.run_ok();
     assert_eq!(state(&harness), (true, true, false));
-    choose_scene(&mut harness, "Measured gold");
+    choose_scene(&mut harness, "scene-gold");
     assert_eq!(
         state(&harness),
         (false, false, true),

@@ -1,6 +1,6 @@
 //! Which keys reach which control.
 
-use crate::common::hands::{enter, press, scene, window};
+use crate::common::hands::{enter, named, press, scene, window};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers, Shape};
 use egui_kittest::Harness;
@@ -31,21 +31,22 @@ fn tab_goes_from_field_to_field_and_the_keys_with_it() {
     let mut harness = window("sphere");
     let before = scene(&harness).clone();
     harness
-        .get_by_role_and_label(Role::SpinButton, "Kd diffuse coefficient")
+        .get_by_role_and_label(Role::SpinButton, named("material.kd"))
         .focus();
     harness.run();
     type_keys(&mut harness, "0.3");
+    let reset = english!("controls-reset", name = named("material.kd"));
     harness.key_press(Key::Tab);
     harness.run();
     assert!(
         harness
-            .query_by_role_and_label(Role::Button, "Reset Kd diffuse coefficient")
+            .query_by_role_and_label(Role::Button, &reset)
             .is_some(),
         "it has come to stand between"
     );
     assert!(
         harness
-            .get_by_role_and_label(Role::SpinButton, "Ks specular coefficient")
+            .get_by_role_and_label(Role::SpinButton, named("material.ks"))
             .is_focused()
     );
     type_keys(&mut harness, "0.6");
@@ -56,7 +57,7 @@ fn tab_goes_from_field_to_field_and_the_keys_with_it() {
     harness.run();
     assert!(
         harness
-            .get_by_role_and_label(Role::SpinButton, "Ks specular coefficient")
+            .get_by_role_and_label(Role::SpinButton, named("material.ks"))
             .is_focused(),
         "Shift leads back"
     );
@@ -73,7 +74,7 @@ fn tab_goes_from_field_to_field_and_the_keys_with_it() {
         expected,
         "what was typed is in its fields and nowhere else"
     );
-    press(&mut harness, "Reset Kd diffuse coefficient");
+    press(&mut harness, &reset);
     assert_eq!(
         scene(&harness).material.kd,
         before.material.kd,
@@ -125,7 +126,7 @@ fn what_has_the_focus_is_plain_to_see_and_keeps_its_keys() {
         assert!(
             !name
                 .flatten()
-                .is_some_and(|name| name.starts_with("Reset ")),
+                .is_some_and(|name| name.starts_with(&english!("controls-reset", name = ""))),
             "the way back is no stop of Tab"
         );
         harness.key_press(Key::Escape);
@@ -140,7 +141,7 @@ fn keys_go_to_what_stands_in_front() {
     let mut harness = window("sphere");
     let before = scene(&harness).clone();
     harness
-        .get_by_role_and_label(Role::SpinButton, "Kd diffuse coefficient")
+        .get_by_role_and_label(Role::SpinButton, named("material.kd"))
         .focus();
     harness.run();
     // A dialog takes the keys from the field behind it.
@@ -149,7 +150,7 @@ fn keys_go_to_what_stands_in_front() {
     type_keys(&mut harness, "13");
     assert_eq!(
         harness
-            .get_by_role_and_label(Role::TextInput, "File")
+            .get_by_role_and_label(Role::TextInput, english!("file"))
             .value()
             .as_deref(),
         Some("13")
@@ -159,12 +160,16 @@ fn keys_go_to_what_stands_in_front() {
     // So does the progress of work on a file: a picture that takes its time.
     harness.key_press_modifiers(Modifiers::COMMAND, Key::E);
     harness.run();
-    enter(&mut harness, "Samples per pixel", 1024.0);
+    enter(&mut harness, "samples", 1024.0);
     harness
-        .get_by_role_and_label(Role::Button, "Export")
+        .get_by_role_and_label(Role::Button, english!("export"))
         .click_accesskit();
     harness.run_steps(3);
-    let working = |harness: &Harness<'_, App>| harness.query_by_label_contains("Drawing").is_some();
+    let working = |harness: &Harness<'_, App>| {
+        harness
+            .query_by_label_contains(&english!("drawing-file", path = ""))
+            .is_some()
+    };
     assert!(working(&harness));
     for key in [Key::Num1, Key::C, Key::A, Key::V, Key::F4, Key::Delete] {
         harness.key_press(key);
@@ -176,7 +181,7 @@ fn keys_go_to_what_stands_in_front() {
     assert!(
         working(&harness)
             && harness
-                .query_by_role_and_label(Role::TextInput, "File")
+                .query_by_role_and_label(Role::TextInput, english!("file"))
                 .is_none(),
         "no dialog opens over it"
     );

@@ -1,6 +1,6 @@
 //! Polygons, tessellation and the camera, from their controls and in the picture.
 
-use crate::common::hands::{choose, drag, enter, press, scene, undo, window};
+use crate::common::hands::{choose, drag, enter, named, picture_place, press, scene, undo, window};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, vec2};
 use egui_kittest::Harness;
@@ -12,12 +12,7 @@ use shading_lab::scene::{ObjectKind, View};
 
 /// Where a point of the scene is on the screen.
 fn on_screen(harness: &Harness<'_, App>, world: DVec3) -> Pos2 {
-    let rect = harness
-        .get_by(|node| {
-            node.label()
-                .is_some_and(|label| label.starts_with("Picture,"))
-        })
-        .rect();
+    let rect = picture_place(harness);
     let size = [
         harness.state().frame().width,
         harness.state().frame().height,
@@ -102,36 +97,40 @@ fn a_vertex_is_dragged_in_the_picture() {
 #[test]
 fn polygons_are_counted_and_their_vertices_typed() {
     let mut harness = window("sphere");
-    choose(&mut harness, "Object kind", "polygons");
+    choose(&mut harness, "object.kind", "polygons");
     assert_eq!(
         scene(&harness).object.vertices.len(),
         4,
         "a quadrilateral to begin with"
     );
     assert_eq!(scene(&harness).validate(), Ok(()));
-    assert!(harness.query_by_label("4 vertices, 1 face").is_some());
     assert!(
         harness
-            .query_by_role_and_label(Role::Slider, "Segments")
+            .query_by_label(&english!("lights-polygons", vertices = 4, faces = 1))
+            .is_some()
+    );
+    assert!(
+        harness
+            .query_by_role_and_label(Role::Slider, named("object.segments"))
             .is_none()
     );
-    enter(&mut harness, "Vertex", 2.0);
-    enter(&mut harness, "Vertex position x", 1.25);
+    enter(&mut harness, "lights-vertex", 2.0);
+    enter(&mut harness, "lights-vertex-position.name.x", 1.25);
     assert_eq!(scene(&harness).object.vertices[2].x, 1.25);
     undo(&mut harness);
     assert_eq!(scene(&harness).object.vertices[2].x, 0.85);
     let mut harness = window("sphere");
-    choose(&mut harness, "Object kind", "corrugated sheet");
+    choose(&mut harness, "object.kind", "corrugated");
     assert_eq!(scene(&harness).object.kind, ObjectKind::Corrugated);
-    enter(&mut harness, "Segments", 2.0);
+    enter(&mut harness, "object.segments", 2.0);
     assert_eq!(
         (scene(&harness).object.segments, scene(&harness).validate()),
         (2, Ok(()))
     );
     // What is too few for a ball becomes enough.
     let mut harness = window("vertex-normals");
-    enter(&mut harness, "Segments", 2.0);
-    choose(&mut harness, "Object kind", "sphere");
+    enter(&mut harness, "object.segments", 2.0);
+    choose(&mut harness, "object.kind", "sphere");
     assert_eq!(
         (scene(&harness).object.segments, scene(&harness).validate()),
         (3, Ok(()))
@@ -143,18 +142,12 @@ fn the_camera_is_rolled_and_put_back() {
     let mut harness = window("cube");
     let before = scene(&harness).clone();
     harness
-        .get_by_role_and_label(Role::Slider, "Roll")
+        .get_by_role_and_label(Role::Slider, named("camera.roll"))
         .set_value_accesskit(90.0);
     harness.run();
     assert_eq!(scene(&harness).camera.roll, 90.0);
     // What is under the pointer follows it: to the right in the picture is upwards in the world.
-    let middle = harness
-        .get_by(|node| {
-            node.label()
-                .is_some_and(|label| label.starts_with("Picture,"))
-        })
-        .rect()
-        .center();
+    let middle = picture_place(&harness).center();
     drag(
         &mut harness,
         middle + vec2(150.0, 150.0),
@@ -167,7 +160,7 @@ fn the_camera_is_rolled_and_put_back() {
             && turned.eye.xz().angle_to(before.camera.eye.xz()).abs() < 0.05,
         "{turned:?}"
     );
-    press(&mut harness, "Reset camera");
+    press(&mut harness, "controls-reset-camera");
     assert_eq!(scene(&harness).camera, before.camera);
 }
 
@@ -177,13 +170,13 @@ fn one_number_cuts_every_shape_into_as_many_triangles() {
     let drawn =
         |harness: &Harness<'_, App>| tessellate(&scene(harness).object).triangle_count() as f64;
     for wanted in [6.0, 100.0, 7000.0, 150_000.0] {
-        enter(&mut harness, "Triangles", wanted);
+        enter(&mut harness, "lights-triangles", wanted);
         let found = drawn(&harness);
         assert!(
             (found - wanted).abs() <= 2.0 * wanted.sqrt(),
             "{found} for {wanted}"
         );
-        let field = harness.get_by_role_and_label(Role::SpinButton, "Triangles");
+        let field = harness.get_by_role_and_label(Role::SpinButton, english!("lights-triangles"));
         assert_eq!(
             field.accesskit_node().numeric_value(),
             Some(found),
@@ -207,11 +200,11 @@ fn one_number_cuts_every_shape_into_as_many_triangles() {
     );
     // A slider's end, and numbers beyond what is typed sensibly.
     harness
-        .get_by_role_and_label(Role::Slider, "Triangles")
+        .get_by_role_and_label(Role::Slider, english!("lights-triangles"))
         .set_value_accesskit(12.0);
     harness.run();
     assert_eq!(drawn(&harness), 12.0);
-    enter(&mut harness, "Triangles", -5.0);
+    enter(&mut harness, "lights-triangles", -5.0);
     assert_eq!(
         (
             scene(&harness).object.segments,
@@ -228,14 +221,15 @@ fn one_number_cuts_every_shape_into_as_many_triangles() {
 fn the_teapot_is_cut_by_one_number_too() {
     let mut harness = window("teapot");
     for wanted in [128.0, 3000.0, 60_000.0] {
-        enter(&mut harness, "Triangles", wanted);
+        enter(&mut harness, "lights-triangles", wanted);
         let found = tessellate(&scene(&harness).object).triangle_count() as f64;
         assert!(
             (found - wanted).abs() <= 16.0 * wanted.sqrt(),
             "{found} for {wanted}"
         );
     }
-    press(&mut harness, "Reset Triangles");
+    let reset = english!("controls-reset", name = named("lights-triangles"));
+    press(&mut harness, &reset);
     assert_eq!(
         (
             scene(&harness).object.segments,
