@@ -17,7 +17,7 @@ use crate::scene::{Rgb, Scene, ShadingMode};
 use crate::text::{excerpt, text};
 use glam::DVec2;
 use serde_json::{Value as Json, json};
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::HashMap;
 use std::fmt;
 use std::sync::Arc;
@@ -27,6 +27,9 @@ pub struct Lab {
     model: Option<Arc<Mesh>>,
     inner: RefCell<Inner>,
     account: RefCell<Account>,
+    /// The step's probe, and whether it was measured.
+    probe: Option<DVec2>,
+    probe_measured: Cell<bool>,
 }
 
 struct Inner {
@@ -124,7 +127,14 @@ impl Lab {
                 known: HashMap::new(),
             }),
             account: RefCell::new(Account::new(budget.clone())),
+            probe: staged.shown.probe,
+            probe_measured: Cell::new(false),
         }
+    }
+
+    /// Returns whether a number was taken at the step's probe.
+    pub fn probe_measured(&self) -> bool {
+        self.probe_measured.get()
     }
 
     /// Has what follows counted against another budget, as a step of its own.
@@ -345,6 +355,9 @@ impl LabPlace<'_> {
                 let place = self
                     .probe
                     .ok_or_else(|| text!("lesson-no-probe").to_owned())?;
+                if self.lab.probe == Some(place) {
+                    self.lab.probe_measured.set(true);
+                }
                 let pixel = self.pixel(place);
                 let [x, y] = pixel.ok_or_else(|| text!("lesson-probe-outside").to_owned())?;
                 format!("{x},{y}")

@@ -2,8 +2,8 @@
 
 use super::data::Open;
 use super::parts::right_colour;
-use crate::app::focus::named;
-use crate::app::palette::vector_text;
+use crate::app::widgets::focus::named;
+use crate::app::widgets::palette::vector_text;
 use crate::figure::palette::Vector;
 use crate::figure::short;
 use crate::lesson::{CURVE_POINTS, Solution};

@@ -1,16 +1,17 @@
 //! What the window remembers of the course: the lesson that is open, and what was answered.
 
+use super::glide::Glide;
 use super::marking::HandedIn;
 use super::work::{Prepare, Prepared};
-use crate::app::appearance::Overlays;
-use crate::app::document::CoursePart;
+use crate::app::session::appearance::Overlays;
+use crate::app::session::document::CoursePart;
 use crate::jobs::Background;
 use crate::lesson::{
     Answer, Answered, CURVE_POINTS, Grade, Kind, LESSONS, Lab, Lesson, Question, Record, Solution,
     Staged, Step, are_there, find, value_of,
 };
 use crate::scene::Scene;
-use crate::text::{Language, in_language, language, text};
+use crate::text::{Language, language, text};
 use egui_commonmark::CommonMarkCache;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
@@ -36,6 +37,8 @@ pub struct Course {
     pub list: Option<(Language, Vec<Listed>)>,
     /// How many lessons were opened so far.
     pub openings: u64,
+    /// The way to the scene of a step.
+    pub gliding: Option<Glide>,
 }
 
 impl Default for Course {
@@ -48,6 +51,7 @@ impl Default for Course {
             seed: 1,
             list: None,
             openings: 0,
+            gliding: None,
         }
     }
 }
@@ -388,6 +392,16 @@ impl Course {
         self.open.as_ref().filter(|open| open.in_view)
     }
 
+    /// Whether the picture is that of a lesson's step.
+    pub fn shows_step(&self) -> bool {
+        self.in_view().is_some()
+    }
+
+    /// Whether a lesson is open whose step is not what is shown.
+    pub fn has_left_lesson(&self) -> bool {
+        self.open.as_ref().is_some_and(Open::is_left)
+    }
+
     /// Whether numbers are hidden until the question is answered.
     pub fn hides(&self) -> bool {
         let hides = |open: &Open| open.current().stage.hide && open.question().is_some();
@@ -440,24 +454,12 @@ impl Course {
         self.in_view().is_some_and(shows)
     }
 
-    /// Whether the step speaks of the probe, in either language, so that its place is marked without vectors too. Where a place
-    /// is asked for, a mark would look like an answer.
+    /// Returns whether the step's numbers or its answer are taken at the probe, so that its place is marked without vectors too. Where
+    /// a place is asked for, a mark would look like an answer.
     pub fn shows_probe(&self) -> bool {
-        let Some(open) = self.in_view() else {
-            return false;
-        };
-        let Some(Ok(known)) = open.known() else {
-            return false;
-        };
-        let speaks = |language: Language| {
-            let word = in_language(language, || text!("course-probe"));
-            [&known.text, &known.ask]
-                .iter()
-                .any(|words| words.to_lowercase().contains(word))
-        };
-        open.current().stage.probe.is_some()
-            && !open.asks_place()
-            && Language::ALL.into_iter().any(speaks)
+        let at_probe = |open: &Open| matches!(open.known(), Some(Ok(known)) if known.at_probe);
+        self.in_view()
+            .is_some_and(|open| at_probe(open) && !open.asks_place())
     }
 
     /// The lesson that is open, or that was answered last, with its answers, where there are any.

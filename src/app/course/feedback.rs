@@ -4,8 +4,8 @@ use super::data::{Course, Open};
 use super::parts::right_colour;
 use super::prose::prose_ui;
 use crate::app::engine::Engine;
-use crate::app::focus::named;
-use crate::app::state::AppState;
+use crate::app::session::Session;
+use crate::app::widgets::focus::named;
 use crate::figure::short;
 use crate::lesson::{Answered, Grade, Kind, Solution, control_name};
 use crate::text::text;
@@ -16,9 +16,9 @@ use eframe::egui::{Grid, Label, Rect, RichText, Ui, vec2};
 const BELOW: f32 = 12.0;
 
 /// Right or wrong; the right answer and why, once it may be seen. When it comes it is scrolled into sight.
-pub fn feedback_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, engine: &Engine) {
+pub fn feedback_ui(ui: &mut Ui, course: &mut Course, session: &mut Session, engine: &Engine) {
     let top = ui.cursor().min;
-    said_ui(ui, course, state, engine);
+    said_ui(ui, course, session, engine);
     let told = course
         .open
         .as_mut()
@@ -31,7 +31,7 @@ pub fn feedback_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, engin
     }
 }
 
-fn said_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, _: &Engine) {
+fn said_ui(ui: &mut Ui, course: &mut Course, session: &mut Session, _: &Engine) {
     let revealed = course.revealed();
     let answered = course.answered().cloned();
     let Some(open) = &mut course.open else { return };
@@ -43,12 +43,12 @@ fn said_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, _: &Engine) {
         return;
     }
     verdict_ui(ui, &answered);
-    right_ui(ui, open, &answered, state);
+    right_ui(ui, open, &answered, session);
     if let Some(Ok(known)) = open.known() {
         let why = known.why.clone();
         if !why.trim().is_empty() {
             ui.add_space(4.0);
-            ui.push_id("why", |ui| prose_ui(ui, state, &mut open.markdown, &why));
+            ui.push_id("why", |ui| prose_ui(ui, &mut open.markdown, &why));
         }
     }
 }
@@ -87,7 +87,7 @@ fn verdict_ui(ui: &mut Ui, answered: &Answered) {
 }
 
 /// The right answer in words and numbers, beside the student's.
-fn right_ui(ui: &mut Ui, open: &Open, answered: &Answered, state: &mut AppState) {
+fn right_ui(ui: &mut Ui, open: &Open, answered: &Answered, session: &mut Session) {
     let (Some(question), Some(solution)) = (open.question(), open.solution()) else {
         return;
     };
@@ -124,7 +124,7 @@ fn right_ui(ui: &mut Ui, open: &Open, answered: &Answered, state: &mut AppState)
             );
             ui.label(values);
             if ui.link(text!("course-set-it")).clicked() {
-                set(state, &[format!("{control}={right}")]);
+                set(session, &[format!("{control}={right}")]);
             }
         }
         (Kind::Match(kind), Solution::Match(right)) => {
@@ -149,16 +149,15 @@ fn right_ui(ui: &mut Ui, open: &Open, answered: &Answered, state: &mut AppState)
                     }
                 });
             if ui.link(text!("course-set-it")).clicked() {
-                set(state, &kind.settings(right));
+                set(session, &kind.settings(right));
             }
         }
         _ => {}
     }
 }
 
-fn set(state: &mut AppState, settings: &[String]) {
-    if let Ok(scene) = state.document.scene.with_overrides(settings) {
-        state.document.scene = scene;
-        state.derive();
+fn set(session: &mut Session, settings: &[String]) {
+    if let Ok(scene) = session.document.scene.with_overrides(settings) {
+        session.put_scene(scene);
     }
 }

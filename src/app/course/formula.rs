@@ -1,6 +1,6 @@
 //! Formulas in the text of lessons: `K_a·I_a`, `(R·V)^n`, `cos θ`. Letters that the window knows are those of the equation.
 
-use crate::app::typeset::{Piece, letter};
+use crate::app::widgets::typeset::{Piece, letter};
 use eframe::egui::Visuals;
 use std::iter::Peekable;
 use std::str::Chars;
@@ -148,8 +148,8 @@ fn command(rest: &mut Peekable<Chars<'_>>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::symbol::Symbol;
-    use crate::app::typeset::spoken;
+    use crate::app::widgets::symbol::Symbol;
+    use crate::app::widgets::typeset::spoken;
 
     fn read(formula: &str) -> Vec<Piece> {
         pieces(&Visuals::dark(), formula).concat()

@@ -1,9 +1,9 @@
 //! What a step draws over the picture: its line, the place that the student has marked, and the right one.
 
-use crate::app::letter::letter;
-use crate::app::palette;
-use crate::app::place::{Place, ProfileLine};
-use crate::app::state::AppState;
+use crate::app::course::Course;
+use crate::app::session::place::{Place, ProfileLine};
+use crate::app::widgets::letter::letter;
+use crate::app::widgets::palette;
 use crate::figure::palette::Vector;
 use crate::text::text;
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Stroke, vec2};
@@ -13,8 +13,8 @@ use glam::DVec2;
 const MARK: f32 = 8.0;
 
 /// Paints it.
-pub fn paint(painter: &Painter, state: &AppState, place: Place, font: &FontId) {
-    let course = &state.course;
+pub fn paint(painter: &Painter, course: &Course, place: Place, font: &FontId) {
+    let course = &course;
     let dark = |width| Stroke::new(width, Color32::from_black_alpha(170));
     let white = |width| Stroke::new(width, Color32::WHITE);
     if let Some((line, along)) = course.line() {

@@ -1,7 +1,7 @@
 //! Answers that were handed in, graded by the engine in the background.
 
 use crate::analysis::{Codec, Watch};
-use crate::app::document::CoursePart;
+use crate::app::session::document::CoursePart;
 use crate::jobs::{Background, Work};
 use crate::lesson::{
     Answer, ClassQuestion, Given, Grade, HandIn, HandInError, Lesson, Question, are_there,

@@ -3,10 +3,11 @@
 use super::data::Open;
 use super::parts::waiting_ui;
 use crate::analysis::{Codec, LinearPicture, Watch, error_figures};
-use crate::app::background::{PICTURES, wake};
-use crate::app::focus::named;
-use crate::app::palette::vector_text;
-use crate::app::state::AppState;
+use crate::app::session::Session;
+use crate::app::session::window::WindowState;
+use crate::app::widgets::background::{PICTURES, wake};
+use crate::app::widgets::focus::named;
+use crate::app::widgets::palette::vector_text;
 use crate::figure::palette::Vector;
 use crate::geometry::Mesh;
 use crate::jobs::{Background, Work, model_from_bytes, model_to_bytes};
@@ -103,7 +104,8 @@ struct Matching {
 pub fn match_ui(
     ui: &mut Ui,
     open: &Open,
-    state: &mut AppState,
+    session: &Session,
+    window: &mut WindowState,
     question: &Question,
     kind: &Match,
     revealed: bool,
@@ -111,7 +113,7 @@ pub fn match_ui(
     let (Some(staged), Some(Solution::Match(values))) = (&open.staged, open.solution()) else {
         return waiting_ui(ui, text!("course-preparing"));
     };
-    let mut own: Matching = state.own.take();
+    let mut own: Matching = window.own.take();
     let now = ui.input(|input| input.time);
     if own.of != Some((open.opening, open.step)) {
         own = Matching {
@@ -125,7 +127,7 @@ pub fn match_ui(
     let Ok(mut target) = staged.scene.with_overrides(&settings) else {
         return;
     };
-    let mut present = state.document.scene.clone();
+    let mut present = session.document.scene.clone();
     // The students may look from elsewhere, but then nothing can be compared.
     present.camera = target.camera.clone();
     let [width, height] = target.image.size;
@@ -172,7 +174,7 @@ pub fn match_ui(
         let words = text!("course-match-tries", count = own.changes, time = time);
         ui.label(RichText::new(words).weak());
     }
-    state.own.put(own);
+    window.own.put(own);
 }
 
 fn picture_ui(ui: &mut Ui, own: &Matching, [width, height]: [u32; 2]) {

@@ -6,13 +6,15 @@ use super::feedback::feedback_ui;
 use super::matching::match_ui;
 use super::parts::{cross, error_ui, right_colour, waiting_ui};
 use super::prose::{caption_ui, prose_ui};
+use crate::app::controls::row::evaluate;
 use crate::app::engine::Engine;
-use crate::app::focus::{named, picture_id, switch_named};
-use crate::app::row::evaluate;
-use crate::app::sign::tick;
-use crate::app::state::AppState;
-use crate::app::symbol::Symbol;
-use crate::app::theme::text_field;
+use crate::app::session::Session;
+use crate::app::session::action::Requests;
+use crate::app::session::window::WindowState;
+use crate::app::widgets::focus::{named, picture_id, switch_named};
+use crate::app::widgets::sign::tick;
+use crate::app::widgets::symbol::{self, Symbol};
+use crate::app::widgets::theme::text_field;
 use crate::lesson::{Kind, Solution, Term};
 use crate::text::text;
 use eframe::egui::accesskit::Role;
@@ -29,7 +31,14 @@ const MARK: f32 = 16.0;
 const CHOICE: f32 = 22.0;
 
 /// The question of the step, with its answer so far, and the right one once that may be seen.
-pub fn question_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, engine: &Engine) {
+pub fn question_ui(
+    ui: &mut Ui,
+    course: &mut Course,
+    session: &mut Session,
+    window: &mut WindowState,
+    requests: &mut Requests,
+    engine: &Engine,
+) {
     let stroke = Stroke::new(1.0, ui.visuals().widgets.noninteractive.bg_stroke.color);
     let card = Frame::new()
         .stroke(stroke)
@@ -37,7 +46,7 @@ pub fn question_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, engin
         .inner_margin(Margin::same(10))
         .show(ui, |ui| {
             ui.set_width(ui.available_width());
-            contents_ui(ui, course, state, engine);
+            contents_ui(ui, course, session, window, requests, engine);
         });
     if let Some(open) = &mut course.open {
         let rect = card.response.rect;
@@ -47,16 +56,15 @@ pub fn question_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, engin
         }
     }
     if course.revealed()
-        && state.lit.next.is_none()
         && let Some(open) = &course.open
         && let Some(term) = open.question().and_then(|question| question.term)
     {
-        state.lit.next = Some(symbol(term));
+        symbol::light_up_otherwise(ui.ctx(), symbol_of(term));
     }
 }
 
 /// The letter of the equation that a term is lit up by.
-fn symbol(term: Term) -> Symbol {
+fn symbol_of(term: Term) -> Symbol {
     match term {
         Term::Ambient => Symbol::Ka,
         Term::Diffuse => Symbol::Kd,
@@ -67,7 +75,14 @@ fn symbol(term: Term) -> Symbol {
     }
 }
 
-fn contents_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, engine: &Engine) {
+fn contents_ui(
+    ui: &mut Ui,
+    course: &mut Course,
+    session: &mut Session,
+    window: &mut WindowState,
+    requests: &mut Requests,
+    engine: &Engine,
+) {
     let revealed = course.revealed();
     let now = ui.input(|input| input.time);
     let Some(open) = &mut course.open else { return };
@@ -78,14 +93,14 @@ fn contents_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, engine: &
         Some(Err(_)) => return,
         None => return waiting_ui(ui, text!("course-preparing")),
     };
-    ui.push_id("ask", |ui| prose_ui(ui, state, &mut open.markdown, &ask));
+    ui.push_id("ask", |ui| prose_ui(ui, &mut open.markdown, &ask));
     ui.add_space(4.0);
     let Some(question) = open.question().cloned() else {
         return;
     };
     let mut entered = false;
     match &question.kind {
-        Kind::Choice(_) => choice_ui(ui, open, state, &names, revealed),
+        Kind::Choice(_) => choice_ui(ui, open, &names, revealed),
         Kind::Value(value) => entered = value_ui(ui, open, &value.unit, revealed),
         Kind::Point(_) => entered = point_ui(ui, open, revealed),
         Kind::Curve(curve) => {
@@ -95,20 +110,26 @@ fn contents_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, engine: &
         Kind::Settings(_) => {
             ui.label(RichText::new(text!("course-settings")).weak());
         }
-        Kind::Order(_) => order_ui(ui, open, state, &names, revealed),
+        Kind::Order(_) => order_ui(ui, open, &names, revealed),
         Kind::Match(kind) => {
-            match_ui(ui, open, state, &question, kind, revealed);
+            match_ui(ui, open, session, window, &question, kind, revealed);
         }
     }
     ui.add_space(6.0);
     if !revealed {
-        check_ui(ui, course, state, entered);
+        check_ui(ui, course, session, requests, entered);
     }
-    feedback_ui(ui, course, state, engine);
+    feedback_ui(ui, course, session, engine);
 }
 
 /// The buttons that grade the answer and show the right one.
-fn check_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, entered: bool) {
+fn check_ui(
+    ui: &mut Ui,
+    course: &mut Course,
+    session: &Session,
+    requests: &mut Requests,
+    entered: bool,
+) {
     let Some(open) = &course.open else { return };
     let Some(question) = open.question() else {
         return;
@@ -125,7 +146,7 @@ fn check_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, entered: boo
     }
     let answer = open
         .draft
-        .answer(&question.kind, &state.document.scene, evaluate);
+        .answer(&question.kind, &session.document.scene, evaluate);
     let ready = answer.is_some() && open.solution().is_some() && open.staged.is_some();
     let given = course.answered();
     // What was said of another answer.
@@ -172,7 +193,7 @@ fn check_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, entered: boo
         if let Some(open) = &mut course.open {
             open.draft.onward = typed;
         }
-        state.ask(crate::app::action::Action::ShowAnswer);
+        requests.ask(crate::app::session::action::Action::ShowAnswer);
     }
 }
 
@@ -192,7 +213,6 @@ impl Card<'_> {
     pub fn show(
         &self,
         ui: &mut Ui,
-        state: &mut AppState,
         cache: &mut CommonMarkCache,
         front: impl FnOnce(&mut Ui),
     ) -> eframe::egui::Response {
@@ -231,7 +251,7 @@ impl Card<'_> {
                     })
                 .max(20.0),
             );
-            caption_ui(ui, state, cache, self.words);
+            caption_ui(ui, cache, self.words);
         });
         let height = inside.min_rect().max.y + pad - outer.min.y;
         let size = vec2(width, height.max(ui.spacing().interact_size.y));
@@ -277,7 +297,7 @@ impl Card<'_> {
     }
 }
 
-fn choice_ui(ui: &mut Ui, open: &mut Open, state: &mut AppState, names: &[String], revealed: bool) {
+fn choice_ui(ui: &mut Ui, open: &mut Open, names: &[String], revealed: bool) {
     let right = match open.solution() {
         Some(Solution::Choice(right)) if revealed => Some(*right),
         _ => None,
@@ -292,7 +312,7 @@ fn choice_ui(ui: &mut Ui, open: &mut Open, state: &mut AppState, names: &[String
             right: right.map(|right| right == index),
             enabled: !revealed,
         };
-        let response = card.show(ui, state, &mut open.markdown, |ui| {
+        let response = card.show(ui, &mut open.markdown, |ui| {
             let (rect, _) = ui.allocate_exact_size(vec2(16.0, CHOICE), Sense::hover());
             let visuals = ui.visuals();
             let stroke = Stroke::new(1.5, visuals.text_color());
@@ -353,7 +373,7 @@ fn point_ui(ui: &mut Ui, open: &Open, revealed: bool) -> bool {
 }
 
 /// Cards that are moved by dragging or by their buttons, the least first.
-fn order_ui(ui: &mut Ui, open: &mut Open, state: &mut AppState, names: &[String], revealed: bool) {
+fn order_ui(ui: &mut Ui, open: &mut Open, names: &[String], revealed: bool) {
     let right = match open.solution() {
         Some(Solution::Order(right)) if revealed => Some(right.clone()),
         _ => None,
@@ -403,7 +423,7 @@ fn order_ui(ui: &mut Ui, open: &mut Open, state: &mut AppState, names: &[String]
                 }
             });
         };
-        let response = card.show(ui, state, &mut open.markdown, ways);
+        let response = card.show(ui, &mut open.markdown, ways);
         places.push(response.rect);
         // Behind the buttons, so that they keep their clicks.
         let handle = response
@@ -436,7 +456,7 @@ fn order_ui(ui: &mut Ui, open: &mut Open, state: &mut AppState, names: &[String]
             let words = names.get(*item).map_or("", |words| words);
             let words = format!("{}\\. {words}", place + 1);
             ui.push_id(("right", place), |ui| {
-                prose_ui(ui, state, &mut open.markdown, &words);
+                prose_ui(ui, &mut open.markdown, &words);
             });
         }
     }
