@@ -6,7 +6,6 @@ use super::prose::prose_ui;
 use super::question::question_ui;
 use super::work::{Prepare, Prepared};
 use crate::app::controls::named::{Named, rows_ui};
-use crate::app::engine::Engine;
 use crate::app::session::Session;
 use crate::app::session::action::Requests;
 use crate::app::session::action::{Action, Turn};
@@ -32,7 +31,6 @@ pub fn step_ui(
     session: &mut Session,
     window: &mut WindowState,
     requests: &mut Requests,
-    engine: &Engine,
 ) {
     prepare(ui, course);
     Panel::bottom("course-steps")
@@ -50,7 +48,7 @@ pub fn step_ui(
     let shown = area.show(ui, |ui| {
         // Not under the scroll bar.
         ui.set_max_width(ui.available_width() - 4.0);
-        body_ui(ui, course, session, window, requests, engine);
+        body_ui(ui, course, session, window, requests);
         ui.add_space(8.0);
         keep_in_sight(ui);
     });
@@ -215,7 +213,6 @@ fn body_ui(
     session: &mut Session,
     window: &mut WindowState,
     requests: &mut Requests,
-    engine: &Engine,
 ) {
     let Some(open) = &mut course.open else { return };
     ui.heading(&open.current().title);
@@ -251,7 +248,7 @@ fn body_ui(
     }
     if open.question().is_some() {
         ui.add_space(4.0);
-        question_ui(ui, course, session, window, requests, engine);
+        question_ui(ui, course, session, window, requests);
     }
     again_ui(ui, course, session, requests);
     let Some(open) = &course.open else { return };

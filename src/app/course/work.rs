@@ -32,6 +32,13 @@ pub struct Prepared {
     pub at_probe: bool,
 }
 
+impl Prepared {
+    /// Returns the right answer, once it is known.
+    pub fn right(&self) -> Option<&Solution> {
+        self.solution.as_ref()?.as_ref().ok()
+    }
+}
+
 impl Work for Prepare {
     type Answer = Prepared;
 

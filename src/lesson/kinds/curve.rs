@@ -93,6 +93,10 @@ impl Asks for Curve {
     fn is_drawn(&self) -> bool {
         true
     }
+
+    fn follows_line(&self) -> bool {
+        matches!(self.of, CurveOf::Profile(_))
+    }
 }
 
 impl QuestionKind for Curve {
@@ -110,7 +114,7 @@ impl QuestionKind for Curve {
                 return None;
             }
         };
-        let own = of.is_profile().then_some([0.0, 1.0]);
+        let own = matches!(of, CurveOf::Profile(_)).then_some([0.0, 1.0]);
         let x = reader.range("x", keys.x.or(own));
         let y = reader.range("y", keys.y.or(own));
         let tolerance = reader.positive("tolerance", keys.tolerance.or(Some(0.1)));
@@ -209,12 +213,5 @@ impl QuestionKind for Curve {
         let words = escaped(text!("class-curves"));
         let plot = self.plot(&lines);
         format!("<figure>{plot}<figcaption>{words}</figcaption></figure>\n")
-    }
-}
-
-impl CurveOf {
-    /// Returns whether it is an intensity along the step's line.
-    pub fn is_profile(&self) -> bool {
-        matches!(self, Self::Profile(_))
     }
 }

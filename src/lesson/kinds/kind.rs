@@ -37,6 +37,11 @@ pub trait Asks {
         false
     }
 
+    /// Its answer is drawn over the places of the step's line.
+    fn follows_line(&self) -> bool {
+        false
+    }
+
     /// Its answer is a place in the picture.
     fn asks_place(&self) -> bool {
         false
