@@ -83,17 +83,17 @@ use std::path::{Path, PathBuf};
 pub struct Lesson {
     /// Lower-case words with hyphens.
     pub name: String,
-    /// What heads it.
+    /// Its title.
     pub title: String,
     /// The chapter that it belongs to.
     pub topic: String,
-    /// How long it takes.
+    /// The time that it takes.
     pub minutes: u32,
     /// A sentence about it; may be empty.
     pub about: String,
     /// Its steps, at least one.
     pub steps: Vec<Step>,
-    /// Where the files lie that it names; none for a built-in lesson.
+    /// The folder of the files that it names; none for a built-in lesson.
     pub folder: Option<PathBuf>,
     /// The file that it was read from, whole.
     pub source: String,
@@ -102,26 +102,26 @@ pub struct Lesson {
 /// A step of a lesson.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Step {
-    /// What heads it.
+    /// Its title.
     pub title: String,
     /// CommonMark, with numbers that the engine fills in.
     pub text: Prose,
     /// The scene, and what is shown of it.
     pub stage: Stage,
-    /// What is asked; nothing in a step that only shows.
+    /// The question; none in a step that only shows.
     pub question: Option<Question>,
-    /// Where it begins in the file, from 1.
+    /// The line of the file at which it begins, from 1.
     pub line: u64,
 }
 
-/// What is wrong with a lesson.
+/// The problems of a lesson.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LessonError {
-    /// At least one, by their lines.
+    /// The problems, at least one, by their lines.
     pub problems: Vec<LessonProblem>,
 }
 
-/// One thing that is wrong with a lesson.
+/// A problem of a lesson.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LessonProblem {
     /// From 1.
@@ -164,12 +164,12 @@ pub enum OpenError {
     /// Its file could not be read.
     #[error(transparent)]
     File(#[from] LoadError),
-    /// What it says is wrong.
+    /// Its text is wrong.
     #[error("{}", in_file(.path, .error))]
     Lesson {
         /// The file.
         path: PathBuf,
-        /// What is wrong, line by line.
+        /// The problems, line by line.
         error: LessonError,
     },
 }
@@ -182,7 +182,7 @@ fn in_file(path: &Path, error: &LessonError) -> String {
     lines.join("\n")
 }
 
-/// What a file was expected to be.
+/// The kind of file that was expected.
 const LESSON_FILE: Message = Message("lesson-file");
 
 impl Lesson {
@@ -198,12 +198,12 @@ impl Lesson {
         })
     }
 
-    /// Whether a file is a lesson, by its name.
+    /// Returns whether a file is a lesson, by its name.
     pub fn is_file(path: &Path) -> bool {
         ending(path).as_deref() == Some("md")
     }
 
-    /// The same as [`Self::open`], with everything that the engine finds wrong with it.
+    /// Opens a lesson's file and has the engine check it.
     ///
     /// # Errors
     /// As [`Self::open`], and what [`check`] says.

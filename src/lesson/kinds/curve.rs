@@ -9,7 +9,7 @@ use crate::render::Frame;
 use crate::scene::ShadingMode;
 use crate::text::{fixed, text};
 
-/// How many points of a curve are compared.
+/// The number of points of a curve that are compared.
 pub const CURVE_POINTS: usize = 65;
 
 /// A curve drawn over `x`.

@@ -36,7 +36,7 @@ impl Field {
         self.rect.lerp_inside(vec2(along, 1.0 - up))
     }
 
-    /// The nearest point of the curve, and the value at that height.
+    /// Finds the nearest point of the curve, and the value at that height.
     fn read(&self, at: Pos2) -> (usize, f64) {
         let along = ((at.x - self.rect.min.x) / self.rect.width()).clamp(0.0, 1.0);
         let up = 1.0 - ((at.y - self.rect.min.y) / self.rect.height()).clamp(0.0, 1.0);
@@ -47,7 +47,7 @@ impl Field {
 
 /// A drawing, with what is drawn in it.
 pub struct CurveWidget {
-    /// At each point, where one was drawn.
+    /// The value at each point, where one was drawn.
     drawn: Vec<Option<f64>>,
     /// The point that the keys are at.
     cursor: usize,
@@ -244,7 +244,7 @@ impl CurveWidget {
     }
 }
 
-/// The value at an end of an axis, without the zeros behind its point.
+/// Formats the value at an end of an axis, without the zeros behind its point.
 fn end(value: f64) -> String {
     let digits = short(value);
     if !digits.contains('.') || digits.contains('×') {
@@ -261,7 +261,7 @@ fn points(curve: &[Option<f64>]) -> Vec<(usize, f64)> {
         .collect()
 }
 
-/// The value of a point; of one that is not drawn that of the nearest drawn one, and the middle where nothing is drawn.
+/// Returns the value of a point; of one that is not drawn that of the nearest drawn one, and the middle where nothing is drawn.
 fn height(curve: &[Option<f64>], at: usize, [low, high]: [f64; 2]) -> f64 {
     let drawn = points(curve).into_iter();
     let nearest = drawn.min_by_key(|(index, _)| index.abs_diff(at));
@@ -350,7 +350,7 @@ fn line(painter: &Painter, field: &Field, points: &[(usize, f64)], stroke: Strok
     }
 }
 
-/// The area between the drawn curve and the right one.
+/// Fills the area between the drawn curve and the right one.
 fn between(painter: &Painter, field: &Field, own: &[(usize, f64)], right: &[f64], colour: Color32) {
     let mut mesh = Mesh::default();
     for pair in own.windows(2) {

@@ -16,7 +16,7 @@ pub struct OrderWidget {
 }
 
 impl OrderWidget {
-    /// The items in another order than the lesson has them.
+    /// Puts the items into another order than the lesson has them.
     pub fn new(count: usize, seed: u64) -> Self {
         let turn = seed as usize % count.max(1);
         let order = (0..count).rev().map(|item| (item + turn) % count);
