@@ -42,7 +42,8 @@ pub use hand_in::{
 pub use kinds::kind::Asks;
 pub use kinds::{
     Answer, CURVE_POINTS, Choice, ChoiceOption, Curve, CurveOf, Extreme, Find, Goal, Item, Kind,
-    Match, MatchValues, Order, Point, RightIf, Settings, Solution, Value, letter, short_answer,
+    Match, MatchValues, Order, Point, RightIf, Settings, Solution, Value, letter, picture_distance,
+    short_answer, short_number,
 };
 pub use lab::{Lab, LabPlace};
 pub use links::{may_open, without_closed_links};

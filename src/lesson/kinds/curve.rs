@@ -40,6 +40,11 @@ pub enum CurveOf {
 }
 
 impl Curve {
+    /// Returns whether enough of a curve is drawn: nine tenths of its points.
+    pub fn is_whole(drawn: &[Option<f64>]) -> bool {
+        10 * drawn.iter().flatten().count() >= 9 * CURVE_POINTS
+    }
+
     /// Returns the abscissa of one of its points.
     fn abscissa(&self, index: usize) -> f64 {
         let [from, to] = self.x;
@@ -153,20 +158,21 @@ impl QuestionKind for Curve {
         given.len() == CURVE_POINTS && given.iter().flatten().all(|value| value.is_finite())
     }
 
-    /// Grades a curve by its mean distance; none where less than nine tenths were drawn.
+    /// Grades a curve by its mean distance; none where too little was drawn.
     fn grade(
         &self,
         given: &Vec<Option<f64>>,
         right: &Vec<[f64; 2]>,
         _: LabPlace<'_>,
     ) -> Option<Grade> {
-        let distances: Vec<f64> = given
-            .iter()
-            .zip(right)
-            .filter_map(|(given, [_, right])| given.map(|given| (given - right).abs()))
+        if given.len() != right.len() || !Self::is_whole(given) {
+            return None;
+        }
+        let pairs = given.iter().zip(right);
+        let distances: Vec<f64> = pairs
+            .filter_map(|(given, [_, right])| Some((given.as_ref()? - right).abs()))
             .collect();
-        let enough = given.len() == right.len() && 10 * distances.len() >= 9 * right.len();
-        let mean = enough.then(|| distances.iter().sum::<f64>() / distances.len() as f64)?;
+        let mean = distances.iter().sum::<f64>() / distances.len() as f64;
         Some(Grade::within(
             mean / (self.y[1] - self.y[0]),
             self.tolerance,

@@ -1,7 +1,7 @@
 //! The cards of options and items.
 
-use super::super::parts::{cross, right_colour};
-use super::super::prose::caption_ui;
+use crate::app::course::parts::{cross, right_colour};
+use crate::app::course::prose::caption_ui;
 use crate::app::widgets::focus::switch_named;
 use crate::app::widgets::sign::tick;
 use eframe::egui::accesskit::Role;

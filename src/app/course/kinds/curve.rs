@@ -1,12 +1,12 @@
 //! A curve drawn by hand, and the right one laid over it.
 
-use super::super::parts::right_colour;
 use super::widget::{Asked, Widget};
+use crate::app::course::parts::right_colour;
 use crate::app::widgets::focus::named;
 use crate::app::widgets::palette::vector_text;
 use crate::figure::palette::Vector;
 use crate::figure::short;
-use crate::lesson::{Answer, CURVE_POINTS, Kind, Question, Solution};
+use crate::lesson::{Answer, CURVE_POINTS, Curve, Kind, Question, Solution};
 use crate::scene::Scene;
 use crate::text::text;
 use eframe::egui::accesskit::Role;
@@ -164,7 +164,7 @@ impl Widget for CurveWidget {
                     ui.label(RichText::new(text!("course-curve-right")).color(right_colour(ui)));
                     return;
                 }
-                if 10 * own.len() < 9 * CURVE_POINTS {
+                if !Curve::is_whole(&self.drawn) {
                     ui.label(RichText::new(text!("course-curve-whole")).weak());
                 }
                 if ui.button(text!("course-curve-clear")).clicked() {
@@ -177,8 +177,7 @@ impl Widget for CurveWidget {
     }
 
     fn answer(&self, _: &Question, _: &Scene) -> Option<Answer> {
-        let drawn = self.drawn.iter().flatten().count();
-        (10 * drawn >= 9 * CURVE_POINTS).then(|| Answer::Curve(self.drawn.clone()))
+        Curve::is_whole(&self.drawn).then(|| Answer::Curve(self.drawn.clone()))
     }
 
     fn along(&self) -> Option<f64> {

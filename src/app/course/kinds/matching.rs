@@ -1,8 +1,8 @@
 //! A picture to be matched: the target beside the student's own, and how far they are apart.
 
-use super::super::parts::waiting_ui;
 use super::widget::{Asked, Widget, set_ui};
-use crate::analysis::{Codec, LinearPicture, Watch, error_figures};
+use crate::analysis::{Codec, Watch};
+use crate::app::course::parts::waiting_ui;
 use crate::app::session::Session;
 use crate::app::widgets::background::{PICTURES, wake};
 use crate::app::widgets::focus::named;
@@ -11,7 +11,9 @@ use crate::figure::palette::Vector;
 use crate::figure::short;
 use crate::geometry::Mesh;
 use crate::jobs::{Background, Work, model_from_bytes, model_to_bytes};
-use crate::lesson::{Answer, Kind, Match, Question, Solution, control_name, value_of};
+use crate::lesson::{
+    Answer, Kind, Match, Question, Solution, control_name, picture_distance, value_of,
+};
 use crate::render::Renderer;
 use crate::scene::Scene;
 use crate::text::text;
@@ -78,12 +80,7 @@ impl Work for Likeness {
         let mut renderer = Renderer::default();
         renderer.set_model(self.model.clone());
         let [a, b] = [0, 1].map(|index| renderer.linear_picture(&self.scenes[index]));
-        let picture = |pixels| LinearPicture {
-            width: self.scenes[0].image.size[0],
-            pixels,
-            clamps: true,
-        };
-        Ok(error_figures(picture(&a), picture(&b)).rms)
+        Ok(picture_distance(self.scenes[0].image.size[0], &a, &b))
     }
 }
 

@@ -1,8 +1,8 @@
 //! An order: cards that are moved by dragging or by their buttons, the least first.
 
-use super::super::prose::prose_ui;
 use super::card::Card;
 use super::widget::{Asked, Widget};
+use crate::app::course::prose::prose_ui;
 use crate::app::widgets::focus::named;
 use crate::lesson::{Answer, Question, Solution};
 use crate::scene::Scene;
