@@ -151,8 +151,8 @@ impl App {
     #[must_use]
     pub fn with_welcome(mut self) -> Self {
         let default = Origin::BuiltIn(presets::DEFAULT.to_owned());
-        self.state.window.welcome =
-            !self.state.window.appearance.welcomed && self.state.session.document.origin == default;
+        self.state.window.welcome = !self.state.window.appearance.welcomed
+            && self.state.session.document().origin == default;
         // A link may have said where.
         self.state.window.seek_highlight =
             self.state.window.welcome && self.state.window.probe == ProbePoint::default();
@@ -202,7 +202,6 @@ impl App {
                 engine,
             );
             state.window.room = self.room.whole;
-            state.session.commit();
             return;
         }
         let known = layout.picture.is_some();
@@ -213,11 +212,10 @@ impl App {
                 // frame that jumps.
                 ui.ctx().request_discard("layout");
             }
-            if let Some(picture) = layout.picture {
-                welcome::welcome_ui(ui.ctx(), state, picture);
+            if let Some(picture) = layout.picture.filter(|_| state.dialog.is_none()) {
+                welcome::welcome_ui(ui.ctx(), &mut state.window, &mut state.requests, picture);
             }
         }
-        self.state.session.commit();
     }
 
     fn settle(&mut self, ctx: &Context) {
@@ -234,10 +232,7 @@ impl App {
         }
         let (held, time) = ctx.input(|input| (input.pointer.any_down(), input.time));
         let held = held || self.state.course.gliding.is_some();
-        self.state
-            .session
-            .history
-            .observe(&self.state.session.document, held, time);
+        self.state.session.observe(held, time);
         if symbol::turn(ctx) {
             ctx.request_repaint();
         }
@@ -303,7 +298,7 @@ impl App {
         };
         let title = format!(
             "{}{mark} — shading-lab",
-            self.state.session.document.origin.name()
+            self.state.session.document().origin.name()
         );
         if title != self.title {
             system::set_title(ctx, &title);
@@ -330,12 +325,12 @@ impl App {
                     self.state.window.seek_highlight = true;
                 }
             }
-            Action::Save => match self.state.session.document.scene_file() {
+            Action::Save => match self.state.session.document().scene_file() {
                 Some(path) => self.save(ctx, path),
                 None => self.perform(ctx, Action::SaveAs),
             },
             Action::SaveAs => {
-                let path = self.state.session.document.suggested("toml");
+                let path = self.state.session.document().suggested("toml");
                 self.ask_file(ctx, FileTask::SaveScene, path);
             }
             Action::SaveTo(path) => self.save(ctx, path),
@@ -350,7 +345,7 @@ impl App {
                     film: None,
                     wrong: None,
                 };
-                let path = self.state.session.document.suggested("png");
+                let path = self.state.session.document().suggested("png");
                 self.ask_file(ctx, FileTask::Export(form), path);
             }
             Action::CopyPicture => self.copy_picture(ctx),
@@ -361,7 +356,7 @@ impl App {
             Action::Code => self.state.dialog = Some(Dialog::Code(CodeForm::default())),
             Action::Scenes => self.state.dialog = Some(Dialog::Scenes),
             Action::NextScene(step) => {
-                let name = scene_after(&self.state.session.document.origin, step).to_owned();
+                let name = scene_after(&self.state.session.document().origin, step).to_owned();
                 self.perform(ctx, Action::OpenBuiltIn(name));
             }
             Action::Keys => self.state.dialog = Some(Dialog::Keys),
@@ -386,7 +381,7 @@ impl App {
                     self.state.dialog = Some(Dialog::message(text!("course-hand-in"), words));
                 }
             },
-            Action::LoadStage => self.files.load_stage(ctx, &self.state),
+            Action::LoadStage => self.files.load_stage(ctx, &self.state.course),
             Action::Quit if self.may_close() => self.close(ctx),
             Action::CloseUnsaved => self.close(ctx),
             Action::Restore => {
@@ -414,17 +409,14 @@ impl App {
 
     fn save(&mut self, ctx: &Context, path: PathBuf) {
         let leaving = std::mem::take(&mut self.state.leaving);
-        match crate::document::save_scene(&path, &self.state.session.document.scene) {
+        match crate::document::save_scene(&path, &self.state.session.document().scene) {
             Ok(()) => {
                 let origin = Origin::File(path.clone());
-                if self.state.session.document.origin != origin {
-                    self.state.session.opened = self.state.session.document.scene.clone();
+                if self.state.session.document().origin != origin {
                     self.state.window.appearance.remember(&path);
-                    self.state.session.activate(self.state.session.panes.active);
                 }
-                self.state.session.document.origin = origin;
+                self.state.session.save_as(origin);
                 self.state.session.notice = Some(text!("saved", path = path.display().to_string()));
-                self.state.session.mark_saved();
                 if leaving == Leaving::OnceSaved {
                     self.close(ctx);
                 }
@@ -436,12 +428,12 @@ impl App {
     }
 
     fn copy_picture(&mut self, ctx: &Context) {
-        let Document { scene, model, .. } = &self.state.session.document;
+        let Document { scene, model, .. } = self.state.session.document();
         let mut scene = scene.clone();
         scene.image.size = self.room.whole;
         let mut renderer = Renderer::default();
         renderer.set_model(model.clone());
-        let over = files::Over::new(&self.state);
+        let over = files::Over::new(&self.state.session, &self.state.window);
         let Some(frame) = files::picture(&mut renderer, &scene, 1, Some(&over), &mut |_| true)
         else {
             return;
@@ -488,7 +480,13 @@ impl eframe::App for App {
         }
         self.panels(ui);
         self.files.poll(&ctx, &mut self.state);
-        toast::toast_ui(&ctx, &mut self.state);
+        let AppState {
+            session,
+            window,
+            dialog,
+            ..
+        } = &mut self.state;
+        toast::toast_ui(&ctx, session, window, dialog.is_some());
         dialogs::dialog_ui(&ctx, &mut self.state, &mut self.files);
         self.settle(&ctx);
         // What has come to stand in front takes the focus from what is behind it.
@@ -504,7 +502,7 @@ impl eframe::App for App {
             &ctx,
             self.recovery.is_some() && state.session.modified(),
             || state.link().ok().map(|written| written.link),
-            || picture_bytes(engine.frame(), Some(&state.session.document.scene)).ok(),
+            || picture_bytes(engine.frame(), Some(&state.session.document().scene)).ok(),
         );
     }
 

@@ -316,7 +316,7 @@ pub fn controls_ui(
     requests: &mut Requests,
     engine: &Engine,
 ) {
-    let opened = std::mem::take(&mut session.just_opened);
+    let opened = session.take_just_opened();
     let opens = open_in(&session.initial);
     let mut area = ScrollArea::vertical().auto_shrink(false);
     if opened {

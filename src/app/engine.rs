@@ -82,14 +82,14 @@ impl Engine {
         smooth: bool,
     ) {
         let size = size.map(|side| side.clamp(1, Image::MAX_SIDE));
-        let shown = session.document.scene.shown_panes();
+        let shown = session.document().scene.shown_panes();
         let count = shown.iter().max().map_or(1, |last| last + 1);
         let before = self.active;
         self.active = session.panes.active.min(count - 1);
         self.panes.resize_with(count, PaneEngine::default);
         let several = shown.len() > 1;
         let pixel = window.probe.pixel(size);
-        let model = session.document.model.as_ref();
+        let model = session.document().model.as_ref();
         let (mut redrawn, mut reprobed) = (false, false);
         let wanted: Vec<(usize, Wanted<'_>)> = shown
             .iter()
@@ -129,9 +129,9 @@ impl Engine {
         redrawn |= self.shown != shown;
         self.shown = shown;
         reprobed |= before != self.active;
-        let measured = Some((session.document.scene.reference_pane(), text::language()));
+        let measured = Some((session.document().scene.reference_pane(), text::language()));
         if redrawn || self.measured != measured {
-            self.measure(&session.document.scene);
+            self.measure(&session.document().scene);
             self.measured = measured;
         }
         self.draw_difference(ctx, session, window, redrawn);
@@ -181,7 +181,7 @@ impl Engine {
                 .iter()
                 .filter_map(|&pane| Some((pane, panes[pane].drawn()?.clone())))
                 .collect(),
-            model: session.document.model.clone(),
+            model: session.document().model.clone(),
             alive,
         });
     }
@@ -251,7 +251,7 @@ impl Engine {
         window: &WindowState,
         redrawn: bool,
     ) {
-        let compare = &session.document.scene.compare;
+        let compare = &session.document().scene.compare;
         let (&[first, last], CompareView::Difference) = (&self.shown[..], compare.view) else {
             self.difference = None;
             return;

@@ -59,8 +59,6 @@ pub fn picture_ui(
     let name = text!("picture-name", mode = mode);
     let response = focus::named(response, Role::Image, &name);
     keep_arrows(ui, &response);
-    // What the panels changed is shown by every pane.
-    session.commit();
     let panes = panes::places(session, whole);
     let place = pointed(ui, session, window, &response, &panes).unwrap_or(whole);
     let view = View::new(&session.shown.scene.camera, place.size);
@@ -379,7 +377,8 @@ fn drag(
         }
         Grip::Wipe => {
             let share = whole.pixel(at).x / f64::from(whole.size[0].max(1));
-            session.document.scene.compare.wipe = (share.clamp(0.0, 1.0) * 1000.0).round() / 1000.0;
+            let share = (share.clamp(0.0, 1.0) * 1000.0).round() / 1000.0;
+            session.edit(|scene, _| scene.compare.wipe = share);
         }
         Grip::Roll => handles::turn_to(session, window, *place, at),
         Grip::LineEnd(end) => window.line.put(end, pixel, place.size),

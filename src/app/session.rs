@@ -21,27 +21,30 @@ use crate::document::undrawn;
 use crate::render::check_mesh_memory;
 use crate::scene::parameter::Parameter;
 use crate::scene::{Choice as _, Compare, CompareView, Pane, Scene, SceneError, ShadingMode};
-use document::{Document, History};
+use document::{Document, History, Origin};
 
 /// The document that is open, as its panes show it, and the documents that undo and redo lead to.
 #[derive(Default)]
 pub struct Session {
     /// The scene that is open.
-    pub document: Document,
+    document: Document,
     /// The document as the active pane shows it; the controls edit its scene, see [`Session::commit`].
     pub shown: Document,
     /// The documents that undo and redo lead to.
-    pub history: History,
+    history: History,
     /// The panes of a comparison, and which of them is active.
     pub panes: Panes,
     /// The document as last opened or saved.
-    pub saved: Document,
+    saved: Document,
     /// The scene as opened, or as saved in a new file.
-    pub opened: Scene,
+    opened: Scene,
     /// The active pane's scene as opened: the values that resetting returns to.
     pub initial: Scene,
     /// Whether another scene has been opened since the controls were last shown.
-    pub just_opened: bool,
+    just_opened: bool,
+    /// Whether the document differs from what was saved; and whether it has changed since the history last saw it.
+    modified: bool,
+    unobserved: bool,
     /// Documents that were open before, as they were opened or saved: undo reaches back to them.
     opened_history: Vec<(Document, Scene)>,
     /// Index of the light whose controls are shown.
@@ -55,6 +58,31 @@ pub struct Session {
 }
 
 impl Session {
+    /// Returns the document that is open.
+    pub fn document(&self) -> &Document {
+        &self.document
+    }
+
+    /// Returns the document as last opened or saved.
+    pub fn saved(&self) -> &Document {
+        &self.saved
+    }
+
+    /// Returns the scene as opened, or as saved in a new file.
+    pub fn opened(&self) -> &Scene {
+        &self.opened
+    }
+
+    /// Returns the documents that undo and redo lead to.
+    pub fn history(&self) -> &History {
+        &self.history
+    }
+
+    /// Returns, once, whether another scene has been opened.
+    pub fn take_just_opened(&mut self) -> bool {
+        std::mem::take(&mut self.just_opened)
+    }
+
     /// Begins anew with `document`, which undo does not take back.
     pub fn begin(&mut self) {
         self.history = History::new(self.document.clone());
@@ -80,8 +108,9 @@ impl Session {
     }
 
     /// Takes the document as it is for saved, and remembers it for when undo comes back to it.
-    pub fn mark_saved(&mut self) {
+    fn mark_saved(&mut self) {
         self.saved = self.document.clone();
+        (self.modified, self.unobserved) = (false, true);
         let (origin, history) = (&self.saved.origin, &self.history);
         self.opened_history
             .retain(|(saved, _)| saved.origin != *origin && history.reaches(&saved.origin));
@@ -117,9 +146,16 @@ impl Session {
         }
     }
 
-    /// Whether the document has changed since it was opened or saved.
+    /// Records in the history what has become of the document by the end of a frame, see [`History::observe`].
+    pub fn observe(&mut self, held: bool, time: f64) {
+        if held || std::mem::take(&mut self.unobserved) {
+            self.history.observe(&self.document, held, time);
+        }
+    }
+
+    /// Returns whether the document has changed since it was opened or saved.
     pub fn modified(&self) -> bool {
-        self.document != self.saved
+        self.modified
     }
 
     /// Takes over what has changed in the active pane's scene or in the document, so that every pane shows it. What a scene
@@ -157,6 +193,8 @@ impl Session {
     /// Derives from the document all that follows from it: the panes' scenes, what is chosen in them and what is wrong with the
     /// model. Whatever changes the document ends here, undo and redo too.
     fn derive(&mut self) {
+        self.modified = self.document != self.saved;
+        self.unobserved = true;
         let Self {
             document,
             shown,
@@ -193,10 +231,33 @@ impl Session {
         self.vertex = self.vertex.min(vertices.saturating_sub(1));
     }
 
-    /// Puts another scene in the place of the document's, as one edit of it, see [`Session::commit`].
-    pub fn put_scene(&mut self, scene: Scene) {
-        self.document.scene = scene;
+    /// Edits the document's scene, beside the active pane's as opened; what a scene file would refuse is taken back, see
+    /// [`Session::commit`].
+    pub fn edit(&mut self, change: impl FnOnce(&mut Scene, &Scene)) {
+        change(&mut self.document.scene, &self.initial);
         self.commit();
+    }
+
+    /// Puts another scene in the place of the document's, as one edit of it.
+    pub fn put_scene(&mut self, scene: Scene) {
+        self.edit(|present, _| *present = scene);
+    }
+
+    /// Takes the document as it is for saved as `origin`. In a new file it is as opened.
+    pub fn save_as(&mut self, origin: Origin) {
+        if self.document.origin != origin {
+            self.opened = self.document.scene.clone();
+            self.activate(self.panes.active);
+        }
+        self.document.origin = origin;
+        self.mark_saved();
+    }
+
+    /// Puts another scene in the place of the document's, as a change that needs not be saved.
+    pub fn show_scene(&mut self, scene: Scene) {
+        self.put_scene(scene);
+        self.saved.scene.clone_from(&self.document.scene);
+        self.modified = self.document != self.saved;
     }
 
     /// Takes `document` for the one that is open as it has become.

@@ -145,7 +145,7 @@ fn the_picture_moves_on_to_the_next_step() {
     harness.key_press(Key::PageDown);
     harness.step();
     let mut seen = Vec::new();
-    while harness.state().state().gliding.is_some() {
+    while harness.state().state().course.gliding.is_some() {
         harness.step();
         seen.push(n(&harness));
         // It is neither a change that could be lost nor a step of undo.
@@ -167,7 +167,7 @@ fn a_lesson_alone_says_what_its_scenes_show() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/lessons/en/diffuse.md");
     let mut harness = window_with(Lesson::open(&path).expect("a lesson"));
     let titled = |harness: &Harness<'_, App>| {
-        let document = &harness.state().state().session.document;
+        let document = harness.state().state().session.document();
         harness.query_by_label(&document.title()).is_some()
     };
     assert!(!titled(&harness));

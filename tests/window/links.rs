@@ -77,11 +77,15 @@ fn what_is_seen_is_copied_as_a_link_and_opened_by_pasting_it() {
     paste(&mut second, &format!("  {link}\n"));
     assert_eq!(scene(&second), scene(&first));
     let [a, b] = [&first, &second].map(|window| window.state().state());
-    assert_eq!(b.appearance.view, ViewName::Profile);
-    assert!(b.appearance.views && !b.modified() && b.document.origin.name() == "sphere");
-    let size = b.room;
-    assert_eq!(a.probe.pixel(size), b.probe.pixel(size));
-    assert!((a.line.0[0] - b.line.0[0]).length() < 1e-4);
+    assert_eq!(b.window.appearance.view, ViewName::Profile);
+    assert!(
+        b.window.appearance.views
+            && !b.session.modified()
+            && b.session.document().origin.name() == "sphere"
+    );
+    let size = b.window.room;
+    assert_eq!(a.window.probe.pixel(size), b.window.probe.pixel(size));
+    assert!((a.window.line.0[0] - b.window.line.0[0]).length() < 1e-4);
     undo(&mut second);
     assert_eq!(
         *scene(&second),

@@ -104,7 +104,7 @@ fn a_name_without_an_ending_is_given_one_that_opens() {
         );
     }
     assert_eq!(
-        window.state().state().session.document.origin,
+        window.state().state().session.document().origin,
         Origin::File(folder.0.join("version.2.toml"))
     );
 }
@@ -349,7 +349,7 @@ fn work_is_offered_again_after_a_window_that_was_not_closed() {
     let state = third.state().state();
     assert!(
         state.session.modified()
-            && state.session.document.origin == Origin::BuiltIn("torus".to_owned())
+            && state.session.document().origin == Origin::BuiltIn("torus".to_owned())
     );
     assert_eq!(
         kept(&mut third, &folder),
@@ -432,7 +432,7 @@ fn a_model_is_restored_from_its_place_or_named_as_missing() {
     let mut third = keeping("sphere", &folder.0);
     press(&mut third, "Restore");
     assert!(wait(&mut third, |window| scene(window).material.n == 7.0));
-    assert!(third.state().state().session.document.model.is_some());
+    assert!(third.state().state().session.document().model.is_some());
 }
 
 #[test]
@@ -446,9 +446,9 @@ fn undo_reaches_across_opening_another_scene() {
     let state = |window: &Window| {
         let state = window.state().state();
         (
-            state.session.document.origin.name(),
+            state.session.document().origin.name(),
             state.session.modified(),
-            state.session.opened.material.n,
+            state.session.opened().material.n,
         )
     };
     let next = state(&window);
@@ -546,7 +546,7 @@ fn browse_without_a_desktop() {
     fill_in(&mut window, &folder.path("cube.toml"), "Open");
     let opened = Origin::File(folder.0.join("cube.toml"));
     assert!(wait(&mut window, |window| {
-        window.state().state().session.document.origin == opened
+        window.state().state().session.document().origin == opened
     }));
     // Wherever a path is asked for.
     window.key_press_modifiers(SAVE_AS.0, SAVE_AS.1);

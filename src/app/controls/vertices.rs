@@ -43,6 +43,7 @@ pub fn move_vertex(object: &mut Object, v: u32, to: DVec3, unit: f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::ObjectKind;
 
     fn square() -> Object {
         Object {

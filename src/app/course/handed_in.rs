@@ -39,7 +39,7 @@ pub fn handed_in_ui(ui: &mut Ui, course: &mut Course, session: &Session) {
             ui.set_max_width(ui.available_width() - 4.0);
             match &*answers {
                 Err(why) => {
-                    ui.heading(session.document.origin.name());
+                    ui.heading(session.document().origin.name());
                     error_ui(ui, &text!("course-answers-void", why = why.to_string()));
                 }
                 Ok(answers) => {
@@ -63,7 +63,7 @@ pub fn handed_in_ui(ui: &mut Ui, course: &mut Course, session: &Session) {
 /// By whom, to which lesson, and how many answers are right.
 fn head_ui(ui: &mut Ui, session: &Session, answers: &HandIn, handed_in: &HandedIn) {
     let marked = handed_in.work.answer();
-    let file = session.document.origin.name();
+    let file = session.document().origin.name();
     let name = Some(&answers.name).filter(|name| !name.is_empty());
     ui.heading(name.unwrap_or(&file));
     let title = marked.map_or(&answers.title, |marked| &marked.title);

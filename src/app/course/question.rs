@@ -90,7 +90,7 @@ fn contents_ui(
         staged: open.staged.as_deref(),
         step: (open.opening, open.step),
         markdown: &mut open.markdown,
-        scene: &session.document.scene,
+        scene: &session.document().scene,
         window,
         changed: false,
     };
@@ -121,7 +121,7 @@ fn check_ui(
     {
         return error_ui(ui, why);
     }
-    let answer = open.answer(&session.document.scene);
+    let answer = open.answer(&session.document().scene);
     let ready = answer.is_some() && open.solution().is_some() && open.staged.is_some();
     let given = course.answered();
     // The last grade is that of another answer.

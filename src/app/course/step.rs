@@ -301,7 +301,7 @@ pub fn back_ui(ui: &mut Ui, requests: &mut Requests) {
 fn again_ui(ui: &mut Ui, course: &Course, session: &Session, requests: &mut Requests) {
     let Some(open) = &course.open else { return };
     let Some(staged) = &open.staged else { return };
-    if session.document.scene == staged.scene {
+    if session.document().scene == staged.scene {
         return;
     }
     ui.add_space(6.0);

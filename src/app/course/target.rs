@@ -22,14 +22,14 @@ const SOUGHT: [(&str, f64); 4] = [
 /// Returns a match whose target is the scene in view, if that can be named.
 pub fn as_target(session: &Session) -> Option<Lesson> {
     let built_in = |name| Some((name, presets::find(name)?.scene()));
-    let (name, base) = match &session.document.origin {
+    let (name, base) = match &session.document().origin {
         Origin::BuiltIn(name) => built_in(name),
         Origin::New => built_in(presets::DEFAULT),
         Origin::File(path) => path
             .to_str()
-            .map(|path| (path, session.saved.scene.clone())),
+            .map(|path| (path, session.saved().scene.clone())),
     }?;
-    lesson_for(&session.document, name, &base)
+    lesson_for(session.document(), name, &base)
 }
 
 /// Makes the lesson for a scene that is named and was opened as `base`.

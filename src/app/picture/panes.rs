@@ -55,7 +55,7 @@ pub struct PanePlace {
 
 /// The panes that are shown in the room of `whole`.
 pub fn places(session: &Session, whole: Place) -> Vec<PanePlace> {
-    let scene = &session.document.scene;
+    let scene = &session.document().scene;
     let shown = scene.shown_panes();
     if shown.len() > 1 && scene.compare.view == CompareView::Panes {
         let areas = pane_areas(shown.len(), whole.size);
@@ -93,7 +93,7 @@ pub fn places(session: &Session, whole: Place) -> Vec<PanePlace> {
 
 /// Where the line of a wipe is on the screen.
 pub fn wipe_line(session: &Session, whole: Place) -> f32 {
-    let column = (session.document.scene.compare.wipe * f64::from(whole.size[0])).round() as f32;
+    let column = (session.document().scene.compare.wipe * f64::from(whole.size[0])).round() as f32;
     whole.rect.min.x + column / whole.pixels_per_point
 }
 
@@ -110,13 +110,13 @@ pub fn pane_at(panes: &[PanePlace], active: usize, point: Pos2) -> Option<PanePl
 
 /// Whether what lies over a pane's picture is drawn: that of one pane only where several share a place.
 pub fn is_overlaid(session: &Session, pane: usize) -> bool {
-    session.document.scene.compare.view == CompareView::Panes || pane == session.panes.active
+    session.document().scene.compare.view == CompareView::Panes || pane == session.panes.active
 }
 
 /// Whether a point is on the line of a wipe, within `reach`.
 pub fn on_wipe(session: &Session, panes: &[PanePlace], point: Pos2, reach: f32) -> bool {
     let between = |pair: &[PanePlace]| (pair[0].seen.max.x - point.x).abs() <= reach;
-    session.document.scene.compare.view == CompareView::Wipe && panes.windows(2).any(between)
+    session.document().scene.compare.view == CompareView::Wipe && panes.windows(2).any(between)
 }
 
 /// The captions of panes that are compared, and what else stands over them.
@@ -145,7 +145,7 @@ pub fn captions_ui(
     }
     let painter = ui.painter().with_clip_rect(whole.rect);
     let rect = whole.rect.shrink(MARGIN);
-    match session.document.scene.compare.view {
+    match session.document().scene.compare.view {
         CompareView::Single => {}
         CompareView::Panes => {
             for (pane, one) in panes.iter().zip(figures) {
@@ -312,7 +312,7 @@ fn name_ui(
     name: &str,
     (room, align): (Rect, Align2),
 ) -> Rect {
-    let mark = if pane.pane == session.document.scene.reference_pane() {
+    let mark = if pane.pane == session.document().scene.reference_pane() {
         "◆ "
     } else {
         ""
@@ -333,7 +333,7 @@ fn name_ui(
         requests.ask(Action::Activate(pane.pane));
     }
     Popup::menu(&response).show(|ui| menu_ui(ui, session, requests, pane.pane));
-    let apart = session.document.scene.compare.view == CompareView::Panes;
+    let apart = session.document().scene.compare.view == CompareView::Panes;
     if let Some(at) = response.interact_pointer_pos().filter(|_| apart) {
         let target = panes.iter().find(|other| other.seen.contains(at));
         let target = target.filter(|other| other.pane != pane.pane);

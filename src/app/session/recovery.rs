@@ -42,7 +42,7 @@ pub struct Around {
 impl Around {
     fn of(session: &Session, window: &WindowState) -> Self {
         Self {
-            origin: session.document.origin.clone(),
+            origin: session.document().origin.clone(),
             probe: window.probe,
             line: window.line,
             view: window.appearance.view,
@@ -60,7 +60,7 @@ impl Around {
             window.line = self.line;
         }
         window.show_view(self.view);
-        if session.document.scene.shown_panes().contains(&self.pane) {
+        if session.document().scene.shown_panes().contains(&self.pane) {
             session.activate(self.pane);
         }
     }
@@ -143,7 +143,7 @@ impl Recovery {
 
     fn is_kept(&self, session: &Session, window: &WindowState) -> bool {
         let kept = |(document, around): &(Document, Around)| {
-            *document == session.document && *around == Around::of(session, window)
+            document == session.document() && *around == Around::of(session, window)
         };
         self.kept.as_ref().is_some_and(kept)
     }
@@ -151,9 +151,9 @@ impl Recovery {
     fn write(&mut self, session: &Session, window: &WindowState) {
         self.due = None;
         let around = Around::of(session, window);
-        self.kept = Some((session.document.clone(), around.clone()));
+        self.kept = Some((session.document().clone(), around.clone()));
         self.written = true;
-        let (path, scene) = (self.own.path.clone(), session.document.scene.clone());
+        let (path, scene) = (self.own.path.clone(), session.document().scene.clone());
         let write = move |_: &dyn Watch<()>| {
             let around = serde_json::to_string(&around).unwrap_or_default();
             let text = format!("{HEAD}{around}\n{}", scene.to_toml());

@@ -59,9 +59,9 @@ pub fn menus_ui(
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let name = if low {
                 scene_buttons_ui(ui, window, course, requests);
-                session.document.title()
+                session.document().title()
             } else {
-                session.document.origin.name()
+                session.document().origin.name()
             };
             let text = if session.modified() {
                 format!("{name} *")
@@ -106,7 +106,7 @@ fn menu_ui(
     ui.separator();
     ui.menu_button(text!("controls-group-compare"), |ui| {
         for (view, name, tip) in VIEWS {
-            let present = session.document.scene.compare.view == view;
+            let present = session.document().scene.compare.view == view;
             let radio = ui.radio(present, text!(name));
             if radio.on_hover_text(text!(tip)).clicked() {
                 requests.ask(Action::Compare(view));
@@ -174,9 +174,9 @@ pub fn title_ui(
             scene_buttons_ui(ui, window, course, requests);
             ui.with_layout(Layout::top_down(Align::Min), |ui| {
                 ui.spacing_mut().item_spacing.y = 1.0;
-                let title = RichText::new(session.document.title()).strong();
+                let title = RichText::new(session.document().title()).strong();
                 ui.add(Label::new(title).truncate());
-                let sentence = session.document.sentence();
+                let sentence = session.document().sentence();
                 if !sentence.is_empty() {
                     ui.add(Label::new(RichText::new(sentence).weak()).wrap());
                 }

@@ -5,7 +5,6 @@ use super::dialog::{CodeForm, Dialog, Language};
 use crate::analysis::Watch;
 use crate::app::session::document::Document;
 use crate::app::session::window::WindowState;
-use crate::app::shell::state::AppState;
 use crate::app::system;
 use crate::app::widgets::background::wake;
 use crate::app::widgets::dialog::{Choice, both, buttons_ui, path_ui};
@@ -167,9 +166,9 @@ fn asked<'a>(window: &'a WindowState, form: &CodeForm) -> Option<(PathBuf, &'a W
     Some((PathBuf::from(form.path.as_ref()?.trim()), written))
 }
 
-/// Writes the files that the form asks for; the dialog stays open and says what has become of it.
-pub fn save(state: &mut AppState, mut form: CodeForm) {
-    if let Some((target, written)) = asked(&state.window, &form) {
+/// Writes the files that the form asks for; returns the dialog, which stays open and says what has become of it.
+pub fn save(window: &WindowState, mut form: CodeForm) -> Dialog {
+    if let Some((target, written)) = asked(window, &form) {
         form.message = Some(match save_code(&target, &written.export) {
             Ok(()) => {
                 form.path = None;
@@ -178,7 +177,7 @@ pub fn save(state: &mut AppState, mut form: CodeForm) {
             Err(error) => error.to_string(),
         });
     }
-    state.dialog = Some(Dialog::Code(form));
+    Dialog::Code(form)
 }
 
 /// The files that the form asks for.

@@ -477,7 +477,8 @@ impl AppState {
                 self.follow_document();
             }
             Action::ResetCamera => {
-                orbit::reset(&mut self.session.shown, &self.session.opened, size);
+                let opened = self.session.opened().clone();
+                orbit::reset(&mut self.session.shown, &opened, size);
             }
             Action::Shade { mode, renormalise } => {
                 self.session.shown.scene.shading.mode = mode;
@@ -487,7 +488,7 @@ impl AppState {
             Action::NextComparison => self.session.compare(self.session.next_comparison()),
             Action::Activate(pane) => self.session.activate(pane),
             Action::NextPane => {
-                let shown = self.session.document.scene.shown_panes();
+                let shown = self.session.document().scene.shown_panes();
                 let place = shown
                     .iter()
                     .position(|pane| *pane == self.session.panes.active)
@@ -507,7 +508,7 @@ impl AppState {
                 self.session
                     .rearrange(active, |scene| scene.remove_pane(pane));
             }
-            Action::Reference(pane) => self.session.document.scene.set_reference(pane),
+            Action::Reference(pane) => self.session.edit(|scene, _| scene.set_reference(pane)),
             Action::AddLight(light) => self.add_light(light, size),
             Action::MoveProbe(by) => self.window.probe = self.window.probe.moved(by, size),
             Action::Orbit([right, up]) => orbit::orbit(camera, right, up),

@@ -116,7 +116,7 @@ fn accept(ctx: &Context, state: &mut AppState, files: &mut Files, mut dialog: Di
         _ => vec![],
     };
     let lost = |path: &&PathBuf| {
-        path.is_file() && !state.session.document.is_from(path) && agreed.as_ref() != Some(path)
+        path.is_file() && !state.session.document().is_from(path) && agreed.as_ref() != Some(path)
     };
     let names = targets
         .iter()
@@ -144,25 +144,27 @@ pub fn perform(ctx: &Context, state: &mut AppState, files: &mut Files, dialog: D
             FileTask::SaveScene => state
                 .requests
                 .ask(Action::SaveTo(PathBuf::from(path.trim()))),
-            FileTask::HandIn(name) => files.hand_in(ctx, state, name, PathBuf::from(path)),
+            FileTask::HandIn(name) => {
+                let (document, course) = (state.session.document(), &mut state.course);
+                files.hand_in(ctx, document, course, name, PathBuf::from(path));
+            }
             FileTask::Export(mut form) => {
-                if let Err(why) = files.export(ctx, state, &form, PathBuf::from(&path)) {
+                let (session, window, file) = (&state.session, &state.window, PathBuf::from(&path));
+                if let Err(why) = files.export(ctx, session, window, &form, file) {
                     form.wrong = Some(why);
                     let task = FileTask::Export(form);
                     state.dialog = Some(Dialog::File { task, path });
                 }
             }
             FileTask::SaveAnswer(_) => {
-                if let Err(text) = report::save(
-                    &mut state.session,
-                    &mut state.window,
-                    Path::new(path.trim()),
-                ) {
+                if let Err(text) =
+                    report::save(&mut state.session, &state.window, Path::new(path.trim()))
+                {
                     state.dialog = Some(Dialog::message(text!("analysis-not-saved"), text));
                 }
             }
         },
-        Dialog::Code(form) => code::save(state, form),
+        Dialog::Code(form) => state.dialog = Some(code::save(&state.window, form)),
         Dialog::Replace { then, .. } => perform(ctx, state, files, *then),
         Dialog::Unsaved => {
             state.leaving = Leaving::OnceSaved;
@@ -190,7 +192,7 @@ fn contents_ui(ui: &mut Ui, dialog: &mut Dialog, state: &mut AppState) -> Choice
                 ui,
                 form,
                 &mut writer,
-                (&state.session.document, state.no_dialog),
+                (state.session.document(), state.no_dialog),
             );
             state.window.own.put(writer);
             choice
@@ -208,7 +210,7 @@ fn contents_ui(ui: &mut Ui, dialog: &mut Dialog, state: &mut AppState) -> Choice
             )
         }
         Dialog::Unsaved => {
-            let title = text!("unsaved", name = state.session.document.origin.name());
+            let title = text!("unsaved", name = state.session.document().origin.name());
             let text = text!("unsaved-lost");
             let answers = [
                 (text!("save"), Choice::Accept),
@@ -245,7 +247,7 @@ fn file_ui(ui: &mut Ui, task: &mut FileTask, path: &mut String, state: &AppState
     if let FileTask::Export(form) = task {
         export_ui(ui, form, state.window.room);
         ui.add_space(8.0);
-        film_ui(ui, &mut form.film, &state.session.document.scene, path);
+        film_ui(ui, &mut form.film, &state.session.document().scene, path);
         if let Some(wrong) = &form.wrong {
             ui.add_space(8.0);
             ui.colored_label(ui.visuals().error_fg_color, wrong);

@@ -78,6 +78,7 @@ pub fn embedded_ui(
         });
         ui.add_space(2.0);
     });
+    session.commit();
     let shown = CentralPanel::default().frame(Frame::NONE).show(ui, |ui| {
         picture::picture_ui(ui, session, window, course, requests, engine)
     });

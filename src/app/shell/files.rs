@@ -7,13 +7,16 @@ use crate::analysis::{
     draw_panes, draw_profile, panes_on_sheet, probe, profile,
 };
 use crate::animation::write_film;
+use crate::app::course::Course;
 use crate::app::engine::overlay_options;
+use crate::app::session::Session;
 use crate::app::session::action::Action;
 use crate::app::session::appearance::profile::ProfileAppearance;
 use crate::app::session::appearance::{Overlays, ViewName};
 use crate::app::session::document::Document;
 use crate::app::session::place::{ProbePoint, ProfileLine};
 use crate::app::session::recovery;
+use crate::app::session::window::WindowState;
 use crate::app::shell::state::AppState;
 use crate::app::system;
 use crate::app::widgets::background::{Task, wake};
@@ -62,17 +65,14 @@ pub struct Over {
 }
 
 impl Over {
-    pub fn new(state: &AppState) -> Self {
+    pub fn new(session: &Session, window: &WindowState) -> Self {
         Self {
-            overlay: state.window.appearance.overlay.clone(),
-            profile: state.window.appearance.profile.clone(),
-            light: state.session.light,
-            point: state.window.probe,
-            vertex: state.window.pointed.kept,
-            line: state
-                .window
-                .shows(ViewName::Profile)
-                .then_some(state.window.line),
+            overlay: window.appearance.overlay.clone(),
+            profile: window.appearance.profile.clone(),
+            light: session.light,
+            point: window.probe,
+            vertex: window.pointed.kept,
+            line: window.shows(ViewName::Profile).then_some(window.line),
         }
     }
 
@@ -294,12 +294,19 @@ impl Files {
     }
 
     /// Draws the last picture, and writes it with the answers to a lesson inside.
-    pub fn hand_in(&mut self, ctx: &Context, state: &mut AppState, name: String, path: PathBuf) {
-        let Some((lesson, record)) = state.course.to_hand_in() else {
+    pub fn hand_in(
+        &mut self,
+        ctx: &Context,
+        document: &Document,
+        course: &mut Course,
+        name: String,
+        path: PathBuf,
+    ) {
+        let Some((lesson, record)) = course.to_hand_in() else {
             return;
         };
-        state.course.kept.name.clone_from(&name);
-        let Document { scene, model, .. } = state.session.document.clone();
+        course.kept.name.clone_from(&name);
+        let Document { scene, model, .. } = document.clone();
         let title = text!("drawing-file", path = path.display().to_string());
         self.start(ctx, title, text!("course-not-handed-in"), move |watch| {
             let mut sized = scene.clone();
@@ -318,8 +325,8 @@ impl Files {
     }
 
     /// Loads the scene of the step that is open.
-    pub fn load_stage(&mut self, ctx: &Context, state: &AppState) {
-        let Some(open) = &state.course.open else {
+    pub fn load_stage(&mut self, ctx: &Context, course: &Course) {
+        let Some(open) = &course.open else {
             return;
         };
         let (opening, step, lesson) = (open.opening, open.step, Arc::clone(&open.lesson));
@@ -354,13 +361,14 @@ impl Files {
     pub fn export(
         &mut self,
         ctx: &Context,
-        state: &AppState,
+        session: &Session,
+        window: &WindowState,
         form: &ExportForm,
         path: PathBuf,
     ) -> Result<(), String> {
         let Document {
             mut scene, model, ..
-        } = state.session.document.clone();
+        } = session.document().clone();
         scene.image.size = form.size;
         if let Some(film) = &form.film {
             film.sweep(&scene, &path)?;
@@ -370,7 +378,7 @@ impl Files {
             scene,
             model,
             samples: form.samples,
-            over: form.overlay.then(|| Over::new(state)),
+            over: form.overlay.then(|| Over::new(session, window)),
             path,
         };
         match form.film.clone() {

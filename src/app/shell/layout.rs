@@ -71,9 +71,9 @@ impl Layout {
         Panel::top("menus").show(ui, |ui| {
             bars::menus_ui(
                 ui,
-                &mut state.session,
+                &state.session,
                 &mut state.window,
-                &mut state.course,
+                &state.course,
                 &mut state.requests,
                 low,
             );
@@ -127,9 +127,9 @@ impl Layout {
             Panel::top("title").show(ui, |ui| {
                 bars::title_ui(
                     ui,
-                    &mut state.session,
-                    &mut state.window,
-                    &mut state.course,
+                    &state.session,
+                    &state.window,
+                    &state.course,
                     &mut state.requests,
                 );
             });
@@ -149,7 +149,6 @@ impl Layout {
             picture::picture_ui(ui, session, window, course, requests, engine)
         });
         self.picture = Some(shown.response.rect);
-        session.commit();
         shown.inner
     }
 

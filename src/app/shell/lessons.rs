@@ -117,7 +117,7 @@ impl AppState {
     /// Shows a step's scene; with the answer's, where that may be seen and is `answered`.
     fn show_stage(&mut self, staged: &Staged, answered: bool) {
         let view = (self.window.appearance.views, self.window.appearance.view);
-        let before = self.session.document.scene.clone();
+        let before = self.session.document().scene.clone();
         let lesson = self
             .course
             .open
@@ -143,7 +143,7 @@ impl AppState {
         if answered && self.course.revealed() {
             self.show_answer();
         }
-        self.course.gliding = Glide::between(&before, &self.session.document.scene);
+        self.course.gliding = Glide::between(&before, &self.session.document().scene);
     }
 
     /// Draws over the picture what the step names.
@@ -165,7 +165,7 @@ impl AppState {
     /// Follows a change of the document into the lesson or out of it: what a lesson hides, locks and draws holds for its own
     /// scenes alone.
     pub fn follow_document(&mut self) {
-        let part = &self.session.document.part;
+        let part = &self.session.document().part;
         self.course.follow_hand_in(part);
         let Some(open) = &mut self.course.open else {
             return;
@@ -200,12 +200,7 @@ impl AppState {
         } else {
             ctx.request_repaint();
         }
-        self.session.put_scene(scene);
-        // It is no change that could be lost.
-        self.session
-            .saved
-            .scene
-            .clone_from(&self.session.document.scene);
+        self.session.show_scene(scene);
     }
 
     /// Shows the settings that the right answer is about, and the one that was sought.
@@ -221,10 +216,8 @@ impl AppState {
             return;
         }
         if let Ok(scene) = staged.scene.with_overrides(&question.set) {
-            self.course.gliding = Glide::between(&self.session.document.scene, &scene);
-            self.session.put_scene(scene);
-            // The lesson's change is none that could be lost.
-            self.session.saved = self.session.document.clone();
+            self.course.gliding = Glide::between(&self.session.document().scene, &scene);
+            self.session.show_scene(scene);
         }
     }
 

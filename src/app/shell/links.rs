@@ -57,13 +57,13 @@ impl AppState {
 
     /// The link of what is seen.
     pub fn link(&self) -> Result<Written, WriteError> {
-        let origin = match &self.session.document.origin {
+        let origin = match &self.session.document().origin {
             Origin::BuiltIn(name) => Some(name.as_str()),
             Origin::New | Origin::File(_) => None,
         };
         write(
             &self.window.appearance.page,
-            &self.session.document.scene,
+            &self.session.document().scene,
             origin,
             &self.shown_in_links(),
         )

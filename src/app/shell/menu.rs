@@ -54,8 +54,8 @@ fn item_ui(
     };
     // What would be undone and redone is named.
     let change = match action {
-        Action::Undo => Some(session.history.undoable()),
-        Action::Redo => Some(session.history.redoable()),
+        Action::Undo => Some(session.history().undoable()),
+        Action::Redo => Some(session.history().redoable()),
         _ => None,
     };
     let idle = change == Some(None);

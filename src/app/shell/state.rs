@@ -42,7 +42,7 @@ impl AppState {
             origin,
             part,
             ..
-        } = &self.session.document;
+        } = self.session.document();
         if let Some(view) = ViewName::named(&scene.about.view) {
             self.window.show_view(view);
         }

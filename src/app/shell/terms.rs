@@ -20,7 +20,7 @@ fn coefficients(material: &mut Material) -> [&mut Rgb; 3] {
 
 /// Switches the term of this number off or on again.
 pub fn switch(session: &mut Session, window: &mut WindowState, term: usize) {
-    let opened = coefficients(&mut session.opened.material.clone()).map(|value| *value)[term];
+    let opened = coefficients(&mut session.opened().material.clone()).map(|value| *value)[term];
     let usual = coefficients(&mut Material::default()).map(|value| *value)[term];
     let mut kept: SwitchedOff = window.own.take();
     let value = &mut coefficients(&mut session.shown.scene.material)[term];

@@ -3,7 +3,6 @@
 use crate::app::session::action::Requests;
 use crate::app::session::action::{Action, Turn};
 use crate::app::session::window::WindowState;
-use crate::app::shell::state::AppState;
 use crate::text::text;
 use eframe::egui::{Align2, Area, Button, Context, Frame, Id, Order, Rect, RichText, Ui, vec2};
 
@@ -11,8 +10,8 @@ use eframe::egui::{Align2, Area, Button, Context, Frame, Id, Order, Rect, RichTe
 const LOW: f32 = 320.0;
 
 /// A card at the bottom of the picture until one of its ways is taken.
-pub fn welcome_ui(ctx: &Context, state: &mut AppState, picture: Rect) {
-    if !state.window.welcome || state.dialog.is_some() {
+pub fn welcome_ui(ctx: &Context, window: &mut WindowState, requests: &mut Requests, picture: Rect) {
+    if !window.welcome {
         return;
     }
     let width = (picture.width() - 32.0).min(520.0);
@@ -23,12 +22,7 @@ pub fn welcome_ui(ctx: &Context, state: &mut AppState, picture: Rect) {
         .show(ctx, |ui| {
             Frame::window(ui.style()).show(ui, |ui| {
                 ui.set_width((width - 32.0).max(0.0));
-                card_ui(
-                    ui,
-                    &mut state.window,
-                    &mut state.requests,
-                    picture.height() < LOW,
-                );
+                card_ui(ui, window, requests, picture.height() < LOW);
             });
         });
 }

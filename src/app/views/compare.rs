@@ -85,7 +85,7 @@ fn views_ui(
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         for (view, name, tip) in VIEWS {
-            let chosen = session.document.scene.compare.view == view;
+            let chosen = session.document().scene.compare.view == view;
             if ui
                 .add(Button::selectable(chosen, text!(name)))
                 .on_hover_text(text!(tip))
@@ -104,7 +104,7 @@ fn views_ui(
         {
             requests.ask(Action::AllModes);
         }
-        let full = session.document.scene.compare.panes.len() >= Compare::MAX_PANES;
+        let full = session.document().scene.compare.panes.len() >= Compare::MAX_PANES;
         let most = text!("picture-panes-full", count = Compare::MAX_PANES + 1);
         ui.add_enabled_ui(!full, |ui| {
             ui.menu_button(text!("picture-add-pane"), |ui| add_ui(ui, typed, session))
@@ -113,20 +113,19 @@ fn views_ui(
         .inner
         .on_disabled_hover_text(most);
     });
-    if session.document.scene.compare.panes.is_empty() {
+    if session.document().scene.compare.panes.is_empty() {
         ui.add_space(4.0);
         ui.label(text!("picture-compare-empty"));
     }
-    if session.document.scene.compare.view == CompareView::Difference {
+    if session.document().scene.compare.view == CompareView::Difference {
         ui.add_space(4.0);
-        let Session {
-            document, initial, ..
-        } = &mut *session;
-        parameter(ui, initial, &mut document.scene, &DIFFERENCE);
-        parameter(ui, initial, &mut document.scene, &GAIN);
+        session.edit(|scene, initial| {
+            parameter(ui, initial, scene, &DIFFERENCE);
+            parameter(ui, initial, scene, &GAIN);
+        });
     }
     ui.add_space(6.0);
-    let count = session.document.scene.pane_count();
+    let count = session.document().scene.pane_count();
     for pane in 0..count {
         pane_ui(ui, session, requests, engine, pane, count);
     }
@@ -146,11 +145,11 @@ fn pane_ui(
     pane: usize,
     count: usize,
 ) {
-    let name = session.document.scene.pane_name(pane);
+    let name = session.document().scene.pane_name(pane);
     let (number, shown) = (pane + 1, engine.shown.contains(&pane));
     ui.horizontal(|ui| {
         if count > 1 {
-            let reference = session.document.scene.reference_pane() == pane;
+            let reference = session.document().scene.reference_pane() == pane;
             let label = text!("picture-reference-pane", number = number);
             let mark = Button::selectable(reference, if reference { "◆" } else { "◇" });
             let response = ui.add(mark.frame(false)).on_hover_text(&label);
@@ -182,10 +181,10 @@ fn pane_ui(
             });
         });
     });
-    let Some(own) = pane
-        .checked_sub(1)
-        .and_then(|index| session.document.scene.compare.panes.get_mut(index))
-    else {
+    let Some(place) = pane.checked_sub(1) else {
+        return;
+    };
+    let Some(own) = session.document().scene.compare.panes.get(place) else {
         return;
     };
     let mut released = None;
@@ -203,7 +202,7 @@ fn pane_ui(
         }
     });
     if let Some(index) = released {
-        own.set.remove(index);
+        session.edit(|scene, _| _ = scene.compare.panes[place].set.remove(index));
     }
 }
 
@@ -257,18 +256,19 @@ fn add_ui(ui: &mut Ui, typed: &mut Typed, session: &mut Session) {
     if let Some(set) = chosen {
         *typed = Typed::default();
         // The last pane may be the reference because it is the last.
-        let scene = &mut session.document.scene;
-        let (alone, reference) = (scene.compare.panes.is_empty(), scene.reference_pane());
-        scene.compare.panes.push(Pane {
-            name: String::new(),
-            set,
+        session.edit(|scene, _| {
+            let (alone, reference) = (scene.compare.panes.is_empty(), scene.reference_pane());
+            scene.compare.panes.push(Pane {
+                name: String::new(),
+                set,
+            });
+            if !alone {
+                scene.set_reference(reference);
+            }
+            if scene.compare.view == CompareView::Single {
+                scene.compare.view = CompareView::Panes;
+            }
         });
-        if !alone {
-            scene.set_reference(reference);
-        }
-        if scene.compare.view == CompareView::Single {
-            scene.compare.view = CompareView::Panes;
-        }
         ui.close();
     }
 }
@@ -300,7 +300,7 @@ fn figures_ui(
     };
     ui.label(RichText::new(text!("picture-against", name = reference.name.as_str())).strong());
     let mut view = ReportView::default();
-    let scene = &session.document.scene;
+    let scene = &session.document().scene;
     view.set(Comparison(figures.to_vec()).report(&analysis::About { name: "", scene }));
     view.ui(ui);
     let size = engine.size;
@@ -319,7 +319,7 @@ fn figures_ui(
             }
         }
     });
-    let state_scene = session.document.scene.clone();
+    let state_scene = session.document().scene.clone();
     export_ui(ui, session, window, requests, "compare", || {
         let image = engine.drawn()?.image.clone();
         let scene = Scene {
@@ -332,7 +332,7 @@ fn figures_ui(
 
 /// What can be done with a pane.
 pub fn menu_ui(ui: &mut Ui, session: &Session, requests: &mut Requests, pane: usize) {
-    let scene = &session.document.scene;
+    let scene = &session.document().scene;
     let (last, reference) = (scene.pane_count() - 1, scene.reference_pane());
     let mut asked = None;
     let mut item = |enabled: bool, text: &str, action: Action| {

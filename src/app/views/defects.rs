@@ -135,7 +135,7 @@ fn card_ui(
             .changed()
         {
             let chosen = if on { defect.scene } else { "" };
-            view.marked = Some((session.document.origin.clone(), chosen));
+            view.marked = Some((session.document().origin.clone(), chosen));
         }
     }
     if is_open(session, defect) {
@@ -157,7 +157,7 @@ const MARKED: [&str; 3] = ["silhouette", "orientation", "shared-vertices"];
 /// Whether a defect is marked in the picture: the one that was chosen, or else the one that the scene is about.
 fn is_marked(view: Option<&DefectsView>, session: &Session, defect: &Defect) -> bool {
     let chosen = view.and_then(|view| view.marked.as_ref());
-    match chosen.filter(|(origin, _)| *origin == session.document.origin) {
+    match chosen.filter(|(origin, _)| *origin == session.document().origin) {
         Some((_, scene)) => *scene == defect.scene,
         None => is_open(session, defect),
     }
@@ -358,7 +358,7 @@ fn normal_ui(
 
 /// Whether the built-in scene about a defect is open.
 fn is_open(session: &Session, defect: &Defect) -> bool {
-    matches!(&session.document.origin, Origin::BuiltIn(name) if name == defect.scene)
+    matches!(&session.document().origin, Origin::BuiltIn(name) if name == defect.scene)
 }
 
 /// Marks what was last measured in the active picture.

@@ -46,7 +46,7 @@ pub fn plan_ui(
         own.made = Some((engine.revision, window.appearance.clone()));
         let mut report = frame_plan().report(&About {
             name: "",
-            scene: &session.document.scene,
+            scene: &session.document().scene,
         });
         let section = report.section(text!("engine-window"));
         for (what, why) in not_shown(&window.appearance) {

@@ -467,7 +467,7 @@ pub fn export_ui(
     let export = Export {
         answer,
         scene,
-        name: session.document.origin.name(),
+        name: session.document().origin.name(),
     };
     if copy {
         ui.ctx().copy_text(export.answer.text(&export.about()));

@@ -64,7 +64,7 @@ pub fn scan_ui(
     requests: &mut Requests,
     engine: &Engine,
 ) {
-    view.update(engine, session.document.model.as_ref());
+    view.update(engine, session.document().model.as_ref());
     view.play(ui.ctx());
     match view.scan() {
         Some(Ok(scan)) => {

@@ -108,8 +108,8 @@ pub fn stability_ui(
     };
     if let Some(mut scene) = opened {
         // The window has its own size, and the picture is looked at in it.
-        scene.image.size = session.document.scene.image.size;
-        session.document.scene = scene;
+        scene.image.size = session.document().scene.image.size;
+        session.put_scene(scene);
     }
 }
 

@@ -45,8 +45,8 @@ fn rgb(colour: Color32) -> Rgb8 {
 
 #[cfg(test)]
 mod tests {
-    use super::theme;
     use super::*;
+    use crate::app::widgets::theme;
 
     fn contrast(a: Color32, b: Color32) -> f64 {
         palette::contrast(rgb(a), rgb(b))

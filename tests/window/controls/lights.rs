@@ -339,7 +339,14 @@ fn the_chosen_light_is_one_that_there_is_after_every_step_back() {
         done.push(step);
         check_lights(&harness, &done);
     }
-    while harness.state().state().session.history.undoable().is_some() {
+    while harness
+        .state()
+        .state()
+        .session
+        .history()
+        .undoable()
+        .is_some()
+    {
         undo(&mut harness);
     }
     check_lights(&harness, &[]);

@@ -53,7 +53,7 @@ fn open(harness: &mut Harness<'_, App>, path: &Path) {
     press(harness, "Open");
     let title = path.file_name().expect("a name").to_string_lossy();
     assert!(hands::wait(harness, |harness| {
-        harness.state().state().session.document.origin.name() == title
+        harness.state().state().session.document().origin.name() == title
     }));
     harness.run_ok();
 }

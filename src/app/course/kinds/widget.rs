@@ -90,7 +90,7 @@ pub fn numbers_ui(ui: &mut Ui, question: &Question, right: &Solution, given: &An
 /// Shows a link that puts settings into the scene.
 pub fn set_ui(ui: &mut Ui, session: &mut Session, settings: &[String]) {
     if ui.link(text!("course-set-it")).clicked()
-        && let Ok(scene) = session.document.scene.with_overrides(settings)
+        && let Ok(scene) = session.document().scene.with_overrides(settings)
     {
         session.put_scene(scene);
     }

@@ -170,7 +170,7 @@ pub fn covered(scene: &Scene, view: &View, place: Place) -> Vec<Area> {
 
 /// What the captions of panes cover, points.
 pub fn captions(session: &Session, place: Place) -> Vec<Area> {
-    let (rect, view) = (place.rect, session.document.scene.compare.view);
+    let (rect, view) = (place.rect, session.document().scene.compare.view);
     if view == CompareView::Single {
         return Vec::new();
     }
