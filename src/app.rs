@@ -1,7 +1,7 @@
 //! The window: controls in the order of the equation, the picture, and its meaning in numbers.
 //!
-//! [`AppState`] is all that the window remembers; each panel is a function of it. Menus, keys and buttons ask for
-//! actions, which are done in one place at the end of the frame. Nothing is drawn again unless something has changed.
+//! [`AppState`] is all that the window remembers: a session, how it is looked at, and the course. Each panel is a function of the parts
+//! that it needs. Menus, keys and buttons ask for actions, which are done in one place at the end of the frame. Nothing is drawn again unless something has changed.
 
 mod controls;
 mod course;
@@ -182,6 +182,23 @@ impl App {
     pub fn in_language(mut self, language: Option<Language>) -> Self {
         self.started_in =
             language.map(|language| (language, self.state.window.appearance.language));
+        self
+    }
+
+    /// The same window as a figure in another page: with the look of a new one, which is not remembered.
+    #[must_use]
+    pub fn embedded(mut self, controls: &[String]) -> Self {
+        let Appearance {
+            theme, language, ..
+        } = self.state.window.appearance;
+        self.state.window.appearance = Appearance {
+            theme,
+            language,
+            welcomed: true,
+            ..Appearance::default()
+        };
+        self.state.window.welcome = false;
+        self.state.window.embedded = Some(controls.to_vec());
         self
     }
 

@@ -1,6 +1,5 @@
 //! The window within another page, as a figure: the picture, and below it the controls that the link names.
 
-use crate::app::App;
 use crate::app::controls::named::{Named, rows_ui};
 use crate::app::course::Course;
 use crate::app::engine::Engine;
@@ -8,7 +7,6 @@ use crate::app::picture::{self, Room};
 use crate::app::session::Session;
 use crate::app::session::action::Action;
 use crate::app::session::action::Requests;
-use crate::app::session::appearance::Appearance;
 use crate::app::session::window::WindowState;
 use crate::app::widgets::focus::keep_in_sight;
 use crate::scene::Choice as _;
@@ -17,25 +15,6 @@ use eframe::egui::{CentralPanel, Frame, Panel, RichText, ScrollArea, Ui};
 
 /// The picture keeps at least this share of the height.
 const PICTURE: f32 = 0.45;
-
-impl App {
-    /// The same window as a figure in another page: with the look of a new one, which is not remembered.
-    #[must_use]
-    pub fn embedded(mut self, controls: &[String]) -> Self {
-        let Appearance {
-            theme, language, ..
-        } = self.state.window.appearance;
-        self.state.window.appearance = Appearance {
-            theme,
-            language,
-            welcomed: true,
-            ..Appearance::default()
-        };
-        self.state.window.welcome = false;
-        self.state.window.embedded = Some(controls.to_vec());
-        self
-    }
-}
 
 /// Shows the picture and the controls below it.
 pub fn embedded_ui(
