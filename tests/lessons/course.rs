@@ -171,7 +171,7 @@ fn the_right_answer_scores_full_marks_and_a_wrong_one_does_not() {
                 );
             }
             assert!(!wrong.is_empty(), "{what}: every answer is right");
-            Some((kind(question), wrong.len()))
+            Some((question.kind.name(), wrong.len()))
         })
         .collect();
     for (kind, wrong) in graded {
@@ -191,7 +191,7 @@ fn half_of_the_change_along_the_scan_line_is_in_its_middle() {
     let lesson = lesson.lesson_in(Language::English);
     let asked = |step: &&Step| {
         let question = step.question.as_ref();
-        question.is_some_and(|question| matches!(question.kind, Kind::Point { .. }))
+        question.is_some_and(|question| matches!(question.kind, Kind::Point(_)))
     };
     let step = lesson.steps.iter().find(asked).expect("a click");
     let question = step.question.as_ref().expect("a question");
@@ -215,18 +215,6 @@ fn half_of_the_change_along_the_scan_line_is_in_its_middle() {
     }
 }
 
-fn kind(question: &Question) -> &'static str {
-    match question.kind {
-        Kind::Choice { .. } => "choice",
-        Kind::Value { .. } => "value",
-        Kind::Point { .. } => "point",
-        Kind::Curve { .. } => "curve",
-        Kind::Settings { .. } => "settings",
-        Kind::Order { .. } => "order",
-        Kind::Match { .. } => "match",
-    }
-}
-
 /// A step without its words and without its place in the file.
 fn without_words(step: &Step) -> String {
     let mut stage = step.stage.clone();
@@ -236,18 +224,18 @@ fn without_words(step: &Step) -> String {
         question.line = 0;
         (question.ask, question.why) = Default::default();
         match &mut question.kind {
-            Kind::Choice { options, .. } => {
-                options
+            Kind::Choice(kind) => {
+                kind.options
                     .iter_mut()
                     .for_each(|option| option.text = Default::default());
             }
-            Kind::Order { items, .. } => {
-                items
+            Kind::Order(kind) => {
+                kind.items
                     .iter_mut()
                     .for_each(|item| item.text = Default::default());
             }
-            Kind::Curve { x_name, y_name, .. } => (*x_name, *y_name) = Default::default(),
-            Kind::Value { unit, .. } => unit.clear(),
+            Kind::Curve(kind) => (kind.x_name, kind.y_name) = Default::default(),
+            Kind::Value(kind) => kind.unit.clear(),
             _ => {}
         }
         question
@@ -286,7 +274,7 @@ fn every_lesson_asks_before_it_tells() {
             .filter_map(|step| step.question.as_ref())
             .collect();
         let by_hand =
-            |question: &&Question| matches!(question.kind, Kind::Point { .. } | Kind::Curve { .. });
+            |question: &&Question| matches!(question.kind, Kind::Point(_) | Kind::Curve(_));
         assert!(
             questions.len() >= 2 && questions.iter().any(by_hand),
             "{}: {} questions",
