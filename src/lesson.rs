@@ -3,13 +3,15 @@
 //! A lesson is a text file in CommonMark with TOML inside. The right answers are not in it: the engine computes them from the
 //! scene of the step, so that they stay right when a number is changed.
 
-mod answer;
 mod budget;
 mod builtin;
 mod check;
 mod class;
 mod class_sheet;
+mod control;
+mod grade;
 mod hand_in;
+mod kinds;
 mod lab;
 mod links;
 mod page;
@@ -17,34 +19,38 @@ mod prose;
 mod question;
 mod read;
 mod record;
-mod solve;
 mod stage;
 mod words;
 mod worksheet;
 
-pub use answer::{Answer, Grade};
 pub use budget::{Budget, TooHeavy};
 #[cfg(target_arch = "wasm32")]
 pub use builtin::take_texts;
 pub use builtin::{BuiltIn, LESSONS, TOPICS, are_there, find, topic_name};
 pub use check::check;
 pub use class::{
-    Class, ClassQuestion, Given, Group, Handed, Student, Unreadable, collect, lesson_of, letter,
-    mark, short_answer, short_solution, spread,
+    Class, ClassQuestion, Given, Group, Handed, Student, Unreadable, collect, lesson_of, mark,
+    spread,
 };
 pub use class_sheet::class_sheet;
+pub use control::{control_name, slider, value_of};
+pub use grade::Grade;
 pub use hand_in::{
     ANSWERS_KEYWORD, HandIn, HandInError, MAX_NAME, answer_parts, hand_in, hand_in_bytes,
     read_hand_in,
 };
+pub use kinds::kind::Asks;
+pub use kinds::{
+    Answer, CURVE_POINTS, Choice, ChoiceOption, Curve, CurveOf, Extreme, Find, Goal, Item, Kind,
+    Match, MatchValues, Order, Point, RightIf, Settings, Solution, Value, letter, picture_distance,
+    short_answer, short_number,
+};
 pub use lab::{Lab, LabPlace};
 pub use links::{may_open, without_closed_links};
 pub use prose::Prose;
-pub use question::{
-    ChoiceOption, CurveOf, Extreme, Find, Goal, Item, Kind, MatchValues, Question, RightIf, Term,
-};
+pub use question::Question;
+pub use read::keys::Term;
 pub use record::{Answered, Record};
-pub use solve::{CURVE_POINTS, Solution, matched_settings, slider, value_of};
 pub use stage::{OVERLAYS, Stage, Staged};
 pub use words::{in_words, without_marks};
 pub use worksheet::{Worksheet, worksheet};
@@ -70,7 +76,7 @@ use std::path::{Path, PathBuf};
 /// let staged = step.stage.load(None)?;
 /// let lab = Lab::new(&staged);
 /// let solution = question.solve(lab.place(&staged), 1)?;
-/// let grade = Answer::right(&solution).grade(question, &solution, lab.place(&staged));
+/// let grade = question.grade(&Answer::right(&solution), &solution, lab.place(&staged));
 /// assert!(grade.expect("an answer of the right kind").right);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -78,17 +84,17 @@ use std::path::{Path, PathBuf};
 pub struct Lesson {
     /// Lower-case words with hyphens.
     pub name: String,
-    /// What heads it.
+    /// Its title.
     pub title: String,
     /// The chapter that it belongs to.
     pub topic: String,
-    /// How long it takes.
+    /// The time that it takes.
     pub minutes: u32,
     /// A sentence about it; may be empty.
     pub about: String,
     /// Its steps, at least one.
     pub steps: Vec<Step>,
-    /// Where the files lie that it names; none for a built-in lesson.
+    /// The folder of the files that it names; none for a built-in lesson.
     pub folder: Option<PathBuf>,
     /// The file that it was read from, whole.
     pub source: String,
@@ -97,26 +103,26 @@ pub struct Lesson {
 /// A step of a lesson.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Step {
-    /// What heads it.
+    /// Its title.
     pub title: String,
     /// CommonMark, with numbers that the engine fills in.
     pub text: Prose,
     /// The scene, and what is shown of it.
     pub stage: Stage,
-    /// What is asked; nothing in a step that only shows.
+    /// The question; none in a step that only shows.
     pub question: Option<Question>,
-    /// Where it begins in the file, from 1.
+    /// The line of the file at which it begins, from 1.
     pub line: u64,
 }
 
-/// What is wrong with a lesson.
+/// The problems of a lesson.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LessonError {
-    /// At least one, by their lines.
+    /// The problems, at least one, by their lines.
     pub problems: Vec<LessonProblem>,
 }
 
-/// One thing that is wrong with a lesson.
+/// A problem of a lesson.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LessonProblem {
     /// From 1.
@@ -159,12 +165,12 @@ pub enum OpenError {
     /// Its file could not be read.
     #[error(transparent)]
     File(#[from] LoadError),
-    /// What it says is wrong.
+    /// Its text is wrong.
     #[error("{}", in_file(.path, .error))]
     Lesson {
         /// The file.
         path: PathBuf,
-        /// What is wrong, line by line.
+        /// The problems, line by line.
         error: LessonError,
     },
 }
@@ -177,7 +183,7 @@ fn in_file(path: &Path, error: &LessonError) -> String {
     lines.join("\n")
 }
 
-/// What a file was expected to be.
+/// The kind of file that was expected.
 const LESSON_FILE: Message = Message("lesson-file");
 
 impl Lesson {
@@ -193,12 +199,12 @@ impl Lesson {
         })
     }
 
-    /// Whether a file is a lesson, by its name.
+    /// Returns whether a file is a lesson, by its name.
     pub fn is_file(path: &Path) -> bool {
         ending(path).as_deref() == Some("md")
     }
 
-    /// The same as [`Self::open`], with everything that the engine finds wrong with it.
+    /// Opens a lesson's file and has the engine check it.
     ///
     /// # Errors
     /// As [`Self::open`], and what [`check`] says.

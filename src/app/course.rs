@@ -1,16 +1,15 @@
 //! The course: lessons beside the picture, step by step, with questions that are answered before the answer is shown.
 
-mod curve;
 mod data;
 mod edges;
 mod feedback;
 mod formula;
 mod glide;
 mod handed_in;
+mod kinds;
 mod list;
 mod mark;
 mod marking;
-mod matching;
 mod parts;
 mod prose;
 mod question;
@@ -22,17 +21,16 @@ pub use data::{Course, SavedProgress};
 pub use edges::{paint as paint_edges, watch as watch_edges};
 pub use glide::Glide;
 use handed_in::handed_in_ui;
+#[cfg(target_arch = "wasm32")]
+pub use kinds::{Likeness, Target};
 pub use mark::{from_pixel, paint};
 #[cfg(target_arch = "wasm32")]
 pub use marking::Marking;
-#[cfg(target_arch = "wasm32")]
-pub use matching::{Likeness, Target};
 pub use step::{back_ui, head_ui};
 pub use target::as_target;
 #[cfg(target_arch = "wasm32")]
 pub use work::Prepare;
 
-use super::engine::Engine;
 use crate::app::session::Session;
 use crate::app::session::action::Requests;
 use crate::app::session::appearance::ViewName;
@@ -47,13 +45,12 @@ pub fn course_ui(
     window: &mut WindowState,
     course: &mut Course,
     requests: &mut Requests,
-    engine: &Engine,
 ) {
     ui.spacing_mut().item_spacing = vec2(8.0, 6.0);
     if course.shown_hand_in().is_some() {
         handed_in_ui(ui, course, session);
     } else if course.open.is_some() {
-        step::step_ui(ui, course, session, window, requests, engine);
+        step::step_ui(ui, course, session, window, requests);
     } else {
         list::list_ui(ui, course, requests);
     }

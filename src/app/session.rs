@@ -1,5 +1,5 @@
 //! A session: the document that is open, as its panes show it, with what undo and redo lead to. What is open and how it is looked
-//! at is a [`Session`] and a [`WindowState`]; what is asked of them is an [`action::Action`].
+//! at is a [`Session`] and a [`window::WindowState`]; what is asked of them is an [`action::Action`].
 //!
 //! A pane's scene is derived from the document's. The controls edit the active pane's, [`Session::shown`]; [`Session::commit`] sends
 //! what has changed in it to the document, except for what the pane has of its own:
@@ -13,6 +13,7 @@
 pub mod action;
 pub mod appearance;
 pub mod document;
+pub mod history;
 pub mod place;
 pub mod recovery;
 pub mod window;
@@ -21,7 +22,8 @@ use crate::document::undrawn;
 use crate::render::check_mesh_memory;
 use crate::scene::parameter::Parameter;
 use crate::scene::{Choice as _, Compare, CompareView, Pane, Scene, SceneError, ShadingMode};
-use document::{Document, History, Origin};
+use document::{Document, Origin};
+use history::History;
 
 /// The document that is open, as its panes show it, and the documents that undo and redo lead to.
 #[derive(Default)]

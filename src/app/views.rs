@@ -172,7 +172,7 @@ pub static GROUPS: [Group; 5] = [
             key: ViewName::Course,
             name: "course",
             wide: false,
-            show: |ui, p| course_ui(ui, p.session, p.window, p.course, p.requests, p.engine),
+            show: |ui, p| course_ui(ui, p.session, p.window, p.course, p.requests),
         }],
     },
 ];

@@ -1,20 +1,21 @@
 //! The answers of a class: hand-ins sorted by lesson, and graded by the engine. What a hand-in says of its own grades is not read.
 
 use super::hand_in::{HandIn, digest, read_hand_in};
+use super::kinds::kind::counted;
 use super::{
-    Answer, Answered, Budget, Grade, Kind, Lab, LabPlace, Lesson, Prose, Question, Solution, Step,
-    TooHeavy, find,
+    Answer, Answered, Budget, Grade, Lab, LabPlace, Lesson, Question, Solution, Step, TooHeavy,
+    find,
 };
 use crate::document::open_picture;
 use crate::render::Frame;
-use crate::text::{Language, fixed, in_language, text};
+use crate::text::{Language, in_language, text};
 use std::io::Cursor;
 use std::path::PathBuf;
 
 /// A picture that was handed in.
 #[derive(Clone, Debug)]
 pub struct Handed {
-    /// What it is called.
+    /// Its name.
     pub path: PathBuf,
     /// Its content, where that is not in the file.
     pub bytes: Option<Vec<u8>>,
@@ -36,7 +37,7 @@ pub struct Unreadable {
     pub file: String,
     /// In the language of the moment.
     pub why: String,
-    /// The same in English, for programs.
+    /// The reason in English, for programs.
     pub english: String,
 }
 
@@ -49,7 +50,7 @@ pub struct Group {
     pub questions: Vec<ClassQuestion>,
     /// The hand-ins, by the names of their files.
     pub students: Vec<Student>,
-    /// Whether the lesson came inside a hand-in: it may open no file then.
+    /// The lesson came inside a hand-in: it may open no file then.
     foreign: bool,
 }
 
@@ -58,7 +59,7 @@ pub struct Group {
 pub struct ClassQuestion {
     /// The step, from 0.
     pub step: usize,
-    /// What was asked.
+    /// The question.
     pub ask: String,
     /// Why the answer is right; may be empty.
     pub why: String,
@@ -68,14 +69,14 @@ pub struct ClassQuestion {
     pub solution: Option<Solution>,
     /// Why there is no right answer.
     pub failure: Option<String>,
-    /// What the students saw, of questions about a place in it.
+    /// The picture that the students saw, of questions about a place in it.
     pub picture: Option<Frame>,
 }
 
 /// A hand-in that counts.
 #[derive(Debug)]
 pub struct Student {
-    /// Which of the files, from 0.
+    /// Its number among the files, from 0.
     pub index: usize,
     /// The file's name.
     pub file: String,
@@ -102,14 +103,14 @@ pub struct Given {
 }
 
 impl ClassQuestion {
-    /// The question itself.
+    /// Returns the question itself.
     pub fn question<'l>(&self, lesson: &'l Lesson) -> Option<&'l Question> {
         lesson.steps.get(self.step)?.question.as_ref()
     }
 }
 
 impl Student {
-    /// How many answers are right.
+    /// Counts the right answers.
     pub fn right(&self) -> usize {
         let right = |given: &&Option<Given>| given.as_ref().is_some_and(Given::is_right);
         self.given.iter().filter(right).count()
@@ -117,7 +118,7 @@ impl Student {
 }
 
 impl Given {
-    /// Whether it is right, within the question's tolerance.
+    /// Returns whether it is right, within the question's tolerance.
     pub fn is_right(&self) -> bool {
         self.grade.is_some_and(|grade| grade.right)
     }
@@ -129,7 +130,7 @@ impl Group {
         self.foreign
     }
 
-    /// The answers to a question, of those who gave one.
+    /// Returns the answers to a question, of those who gave one.
     pub fn given(&self, question: usize) -> impl Iterator<Item = &Given> {
         let given =
             move |student: &'_ Student| student.given.get(question).is_some_and(Option::is_some);
@@ -137,42 +138,32 @@ impl Group {
         students.filter_map(move |student| student.given[question].as_ref())
     }
 
-    /// The share of the class whose answer to a question is right.
+    /// Returns the fraction of the class whose answer to a question is right.
     pub fn share_right(&self, question: usize) -> f64 {
         let right = self.given(question).filter(|given| given.is_right());
         right.count() as f64 / self.students.len().max(1) as f64
     }
 
-    /// The numbers that were predicted, in order; of places, curves and pictures how far they are off.
+    /// Returns the numbers that were predicted, in order; of places, curves and pictures how far they are off.
     pub fn predicted(&self, question: usize) -> Vec<f64> {
         let mut numbers: Vec<f64> = self
             .given(question)
-            .filter_map(|given| match given.answered.prediction {
-                Answer::Value(value) | Answer::Settings(value) => Some(value),
-                Answer::Choice(_) | Answer::Order(_) => None,
-                _ => given.predicted?.off,
+            .filter_map(|given| {
+                let number = given.answered.prediction.number();
+                number.or(given.predicted?.off)
             })
             .collect();
         numbers.sort_by(f64::total_cmp);
         numbers
     }
 
-    /// Which options or orders were predicted, each with how often; the most frequent first.
-    pub fn counted(&self, question: usize) -> Vec<(Answer, usize)> {
-        let mut counted: Vec<(Answer, usize)> = Vec::new();
-        for given in self.given(question) {
-            let prediction = &given.answered.prediction;
-            match counted.iter_mut().find(|(answer, _)| answer == prediction) {
-                Some((_, count)) => *count += 1,
-                None => counted.push((prediction.clone(), 1)),
-            }
-        }
-        counted.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
-        counted
+    /// Returns the answers that were predicted, each with how often; the most frequent first.
+    pub fn counted(&self, question: usize) -> Vec<(&Answer, usize)> {
+        counted(self.given(question).map(|given| &given.answered.prediction))
     }
 }
 
-/// Least, quartiles and greatest of sorted numbers.
+/// Returns the smallest, the quartiles and the largest of sorted numbers.
 pub fn spread(sorted: &[f64]) -> Option<[f64; 5]> {
     let last = sorted.len().checked_sub(1)?;
     Some([0.0, 0.25, 0.5, 0.75, 1.0].map(|share| {
@@ -347,7 +338,7 @@ impl Group {
         Ok(())
     }
 
-    /// A group for the lesson of a hand-in.
+    /// Makes a group for the lesson of a hand-in.
     fn of(hand_in: &HandIn, lesson: Option<&Lesson>) -> Result<Self, String> {
         lesson_of(hand_in, lesson).map(|(lesson, foreign)| Self::new(lesson, foreign))
     }
@@ -366,7 +357,7 @@ impl Group {
         }
     }
 
-    /// Whether a hand-in belongs to it.
+    /// Returns whether a hand-in belongs to it.
     fn is_of(&self, hand_in: &HandIn, lesson: Option<&Lesson>) -> bool {
         let name = self.lesson.name == hand_in.record.lesson;
         name && match (lesson, &hand_in.source) {
@@ -507,10 +498,10 @@ impl ClassQuestion {
         if let Ok(filled) = Self::filled(self.step, question, place) {
             *self = filled;
         }
-        if pictures && matches!(question.kind, Kind::Point { .. }) {
+        if pictures && question.kind.asks().asks_place() {
             self.picture = Some(place.counted_picture()?);
         }
-        if !question.kind.is_drawn_at_random() {
+        if !question.kind.asks().is_drawn_at_random() {
             self.solution = Some(question.solve(place, 0)?);
         }
         Ok(())
@@ -532,7 +523,7 @@ impl ClassQuestion {
             }
         };
         // What cannot be graded, such as half a curve, is not right.
-        let grade = |answer: &Answer| answer.grade(question, solution, place).unwrap_or_default();
+        let grade = |answer: &Answer| question.grade(answer, solution, place).unwrap_or_default();
         let Answered {
             answer, prediction, ..
         } = &given.answered;
@@ -545,7 +536,7 @@ impl ClassQuestion {
         Ok(())
     }
 
-    /// A question of a step with the numbers in its texts.
+    /// Fills in the numbers in the texts of a step's question.
     pub(super) fn filled(
         step: usize,
         question: &Question,
@@ -554,15 +545,8 @@ impl ClassQuestion {
         let right = place
             .under(&question.set)
             .map_err(|words| (question.line, words))?;
-        let options: Vec<&Prose> = match &question.kind {
-            Kind::Choice { options, .. } => options.iter().map(|option| &option.text).collect(),
-            Kind::Order { items, .. } => items.iter().map(|item| &item.text).collect(),
-            _ => Vec::new(),
-        };
-        let options: Result<_, _> = options
-            .into_iter()
-            .map(|prose| prose.filled(&place))
-            .collect();
+        let options = question.kind.asks().options().into_iter();
+        let options: Result<_, _> = options.map(|prose| prose.filled(&place)).collect();
         Ok(Self {
             ask: question.ask.filled(&place)?,
             why: question.why.filled(&right)?,
@@ -582,38 +566,4 @@ impl ClassQuestion {
             picture: None,
         }
     }
-}
-
-/// The letter of an option or an item.
-pub fn letter(index: usize) -> char {
-    char::from(b'A' + u8::try_from(index % 26).unwrap_or(0))
-}
-
-/// An answer in a few characters.
-pub fn short_answer(answer: &Answer) -> String {
-    let number = |value: f64| {
-        let digits = if value.abs() >= 100.0 { 1 } else { 3 };
-        let text = fixed(value, digits);
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
-    };
-    match answer {
-        Answer::Choice(option) => letter(*option).to_string(),
-        Answer::Value(value) | Answer::Settings(value) => number(*value),
-        Answer::Point([x, y]) => format!("({}, {})", number(*x), number(*y)),
-        Answer::Curve(_) => "∿".to_owned(),
-        Answer::Order(order) => order.iter().map(|item| letter(*item)).collect(),
-        Answer::Match(values) => {
-            let values: Vec<String> = values.iter().map(|value| number(*value)).collect();
-            values.join(" ")
-        }
-    }
-}
-
-/// Everything about a question's right answer in a few characters.
-pub fn short_solution(question: &Question, solution: &Solution) -> String {
-    let unit = match &question.kind {
-        Kind::Value { unit, .. } => &**unit,
-        _ => "",
-    };
-    short_answer(&Answer::right(solution)) + unit
 }

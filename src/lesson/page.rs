@@ -10,7 +10,7 @@ use crate::text::language;
 use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd, html};
 use std::fmt::Write as _;
 
-/// A page; `title` is text, `style` and `body` are CSS and HTML.
+/// Returns a page; `title` is text, `style` and `body` are CSS and HTML.
 pub fn page(title: &str, style: &str, body: &str) -> String {
     let (language, title) = (language().tag(), escaped(title));
     format!(
@@ -46,7 +46,7 @@ svg text { font-family: inherit; fill: #1a1a1a; }
 @media print { body { max-width: none; padding: 0; } }
 ";
 
-/// Text as HTML.
+/// Returns text as HTML.
 pub fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
@@ -64,14 +64,14 @@ pub fn escaped(text: &str) -> String {
     out
 }
 
-/// CommonMark with formulas as HTML.
+/// Returns CommonMark with formulas as HTML.
 pub fn blocks(text: &str) -> String {
     let mut out = String::new();
     html::push_html(&mut out, events(text).into_iter());
     out
 }
 
-/// CommonMark of one paragraph, without the paragraph; what is more than that is plain text.
+/// Returns CommonMark of one paragraph as HTML without the paragraph; what is more than that is plain text.
 pub fn inline(text: &str) -> String {
     let mut events = events(text);
     let paragraph = |event: &Event<'_>| matches!(event, Event::Start(Tag::Paragraph));
@@ -203,14 +203,23 @@ fn argument(rest: &[char]) -> (&[char], usize) {
     (&rest[..length], length)
 }
 
-/// A picture inside the page; `words` says what it shows.
+/// Returns a picture inside the page; `words` says what it shows.
 pub fn picture(frame: &Frame, words: &str) -> String {
     let [width, height] = [frame.width, frame.height];
     let (address, words) = (data(frame), escaped(words));
     format!("<img src=\"{address}\" width=\"{width}\" height=\"{height}\" alt=\"{words}\"/>")
 }
 
-/// The address of a picture that contains it.
+/// Returns a white pixel, in place of a picture.
+pub fn blank_picture() -> Frame {
+    Frame {
+        width: 1,
+        height: 1,
+        pixels: vec![[0xff; 4]],
+    }
+}
+
+/// Returns the address of a picture that contains it.
 pub fn data(frame: &Frame) -> String {
     let bytes = picture_bytes(frame, None).unwrap_or_default();
     let mut text = base64(&bytes).replace('-', "+").replace('_', "/");
@@ -224,8 +233,9 @@ pub fn data(frame: &Frame) -> String {
 pub struct Axes {
     pub x: [f64; 2],
     pub y: [f64; 2],
-    /// As HTML has them.
+    /// The name of the horizontal axis, as HTML.
     pub x_name: String,
+    /// The name of the vertical axis, as HTML.
     pub y_name: String,
 }
 
@@ -235,7 +245,7 @@ const LEFT: f64 = 62.0;
 const BELOW: f64 = 44.0;
 
 impl Axes {
-    /// With curves over them: their points and the attributes of their lines. The curves may leave the field; what is outside
+    /// Draws them with curves over them: their points and the attributes of their lines. The curves may leave the field; what is outside
     /// is not seen.
     pub fn svg(&self, curves: &[(Vec<[f64; 2]>, &str)]) -> String {
         let [width, height] = FIELD;
@@ -308,7 +318,7 @@ impl Axes {
     }
 }
 
-/// A name beside an axis: SVG has no sub and sup, and shows formulas as plain text.
+/// Returns the name beside an axis: SVG has no sub and sup, and shows formulas as plain text.
 pub fn axis_name(text: &str) -> String {
     escaped(&text.replace(['$', '`'], ""))
 }

@@ -1,14 +1,15 @@
 //! What the window remembers of the course: the lesson that is open, and what was answered.
 
 use super::glide::Glide;
+use super::kinds::{Widget, widget_of};
 use super::marking::HandedIn;
 use super::work::{Prepare, Prepared};
 use crate::app::session::appearance::Overlays;
 use crate::app::session::document::CoursePart;
 use crate::jobs::Background;
 use crate::lesson::{
-    Answer, Answered, CURVE_POINTS, Grade, Kind, LESSONS, Lab, Lesson, Question, Record, Solution,
-    Staged, Step, are_there, find, value_of,
+    Answer, Answered, Grade, LESSONS, Lab, Lesson, Question, Record, Solution, Staged, Step,
+    are_there, find,
 };
 use crate::scene::Scene;
 use crate::text::{Language, language, text};
@@ -114,23 +115,14 @@ pub struct Open {
 }
 
 /// An answer that is being made.
-#[derive(Clone, Debug, Default)]
+#[derive(Default)]
 pub struct Draft {
-    pub choice: Option<usize>,
-    /// As typed.
-    pub value: String,
-    /// From the picture's middle, in units of its shorter side.
-    pub point: Option<DVec2>,
-    pub curve: Vec<Option<f64>>,
-    /// The place on a curve that the keys are at.
-    pub cursor: usize,
-    pub order: Vec<usize>,
+    /// The question's widget, with the answer; none where nothing is asked.
+    pub widget: Option<Box<dyn Widget>>,
     /// What the last check said; gone once the answer changes.
     pub grade: Option<Grade>,
     /// When the question was first seen, seconds.
     pub seen: Option<f64>,
-    /// Where the pointer is on a profile, from 0 to 1.
-    pub along: Option<f64>,
     /// Whether the step is to be scrolled to its begin.
     pub fresh: bool,
     /// Where the question begins, points from the top of the window.
@@ -146,52 +138,12 @@ pub struct Draft {
 impl Draft {
     /// The draft for a question, from the answer that was given before.
     fn new(question: Option<&Question>, answered: Option<&Answered>, seed: u64) -> Self {
-        let mut draft = Self {
-            curve: vec![None; CURVE_POINTS],
-            cursor: CURVE_POINTS / 2,
+        let given = answered.map(|answered| &answered.answer);
+        Self {
+            widget: question.map(|question| widget_of(&question.kind, given, seed)),
             fresh: true,
             ..Self::default()
-        };
-        if let Some(Kind::Order { items, .. }) = question.map(|question| &question.kind) {
-            // In another order than the lesson has them.
-            let count = items.len();
-            let turn = seed as usize % count.max(1);
-            draft.order = (0..count).rev().map(|item| (item + turn) % count).collect();
         }
-        match answered.map(|answered| &answered.answer) {
-            Some(Answer::Choice(choice)) => draft.choice = Some(*choice),
-            Some(Answer::Value(value)) => draft.value = value.to_string(),
-            Some(Answer::Point(point)) => draft.point = Some(DVec2::from_array(*point)),
-            Some(Answer::Curve(curve)) => draft.curve.clone_from(curve),
-            Some(Answer::Order(order)) => draft.order.clone_from(order),
-            Some(Answer::Settings(_) | Answer::Match(_)) | None => {}
-        }
-        draft
-    }
-
-    /// The answer, where there is a whole one; `scene` is that of the window.
-    pub fn answer(
-        &self,
-        kind: &Kind,
-        scene: &Scene,
-        number: impl Fn(&str) -> Option<f64>,
-    ) -> Option<Answer> {
-        let answer = match kind {
-            Kind::Choice { .. } => Answer::Choice(self.choice?),
-            Kind::Value { .. } => Answer::Value(number(&self.value)?),
-            Kind::Point { .. } => Answer::Point(self.point?.to_array()),
-            Kind::Curve { .. } => {
-                let drawn = self.curve.iter().flatten().count();
-                (10 * drawn >= 9 * CURVE_POINTS).then(|| Answer::Curve(self.curve.clone()))?
-            }
-            Kind::Settings { control, .. } => Answer::Settings(value_of(scene, control).ok()?),
-            Kind::Order { .. } => Answer::Order(self.order.clone()),
-            Kind::Match { controls, .. } => {
-                let values = controls.iter().map(|key| value_of(scene, key).ok());
-                Answer::Match(values.collect::<Option<_>>()?)
-            }
-        };
-        answer.fits(kind).then_some(answer)
     }
 }
 
@@ -202,6 +154,12 @@ impl Open {
 
     pub fn question(&self) -> Option<&Question> {
         self.current().question.as_ref()
+    }
+
+    /// Returns whether the answer to its question is a place in the picture.
+    fn asks_place(&self) -> bool {
+        self.question()
+            .is_some_and(|question| question.kind.asks().asks_place())
     }
 
     /// Whether another scene was opened in place of the step's.
@@ -215,20 +173,22 @@ impl Open {
     }
 
     pub fn solution(&self) -> Option<&Solution> {
-        self.known()?
-            .as_ref()
-            .ok()?
-            .solution
-            .as_ref()?
-            .as_ref()
-            .ok()
+        self.known()?.as_ref().ok()?.right()
+    }
+
+    /// Returns the answer, where there is a whole one; `scene` is that of the window.
+    pub fn answer(&self, scene: &Scene) -> Option<Answer> {
+        let question = self.question()?;
+        let answer = self.draft.widget.as_ref()?.answer(question, scene)?;
+        answer.fits(&question.kind).then_some(answer)
     }
 
     /// How right an answer is.
     pub fn grade(&self, answer: &Answer) -> Option<Grade> {
         let staged = self.staged.as_ref()?;
         let lab = Lab::new(staged);
-        answer.grade(self.question()?, self.solution()?, lab.place(staged))
+        self.question()?
+            .grade(answer, self.solution()?, lab.place(staged))
     }
 }
 
@@ -403,30 +363,23 @@ impl Course {
 
     /// Whether a click in the picture is the answer to a question.
     pub fn asks_point(&self) -> bool {
-        let asks = |open: &Open| {
-            open.staged.is_some()
-                && matches!(
-                    open.question(),
-                    Some(Question {
-                        kind: Kind::Point { .. },
-                        ..
-                    })
-                )
-        };
+        let asks = |open: &Open| open.staged.is_some() && open.asks_place();
         self.in_view().is_some_and(asks) && !self.revealed()
     }
 
     /// The place that the student has marked in the picture.
     pub fn mark(&self) -> Option<DVec2> {
         let open = self.in_view()?;
-        let asks = matches!(open.question()?.kind, Kind::Point { .. });
-        open.draft.point.filter(|_| asks)
+        open.draft.widget.as_ref()?.mark()
     }
 
     /// Marks a place in the picture.
     pub fn put_mark(&mut self, place: DVec2) {
-        if let Some(open) = &mut self.open {
-            (open.draft.point, open.draft.grade) = (Some(place), None);
+        if let Some(open) = &mut self.open
+            && let Some(widget) = &mut open.draft.widget
+        {
+            widget.put_mark(place);
+            open.draft.grade = None;
         }
     }
 
@@ -434,7 +387,7 @@ impl Course {
     pub fn right_places(&self) -> &[DVec2] {
         let solution = self.in_view().and_then(Open::solution);
         match solution {
-            Some(Solution::Places(places)) if self.revealed() => places,
+            Some(Solution::Point(places)) if self.revealed() => places,
             _ => &[],
         }
     }
@@ -443,12 +396,14 @@ impl Course {
     pub fn line(&self) -> Option<([DVec2; 2], Option<f64>)> {
         let open = self.in_view()?;
         let line = open.staged.as_ref()?.shown.line?;
-        let drawn = match open.question().map(|question| &question.kind) {
-            Some(Kind::Curve { of, .. }) => of.is_profile(),
-            _ => false,
-        };
+        let drawn = open
+            .question()
+            .is_some_and(|question| question.kind.asks().follows_line());
         let named = open.current().stage.overlays.contains(&"profile");
-        (drawn || named).then_some((line, open.draft.along.filter(|_| drawn)))
+        (drawn || named).then_some((
+            line,
+            open.draft.widget.as_ref().and_then(|widget| widget.along()),
+        ))
     }
 
     /// Whether the edges of polygons are drawn over the picture.
@@ -460,13 +415,9 @@ impl Course {
     /// Returns whether the step's numbers or its answer are taken at the probe, so that its place is marked without vectors too. Where
     /// a place is asked for, a mark would look like an answer.
     pub fn shows_probe(&self) -> bool {
-        let asks_place = |open: &Open| {
-            let kind = open.question().map(|question| &question.kind);
-            matches!(kind, Some(Kind::Point { .. }))
-        };
         let at_probe = |open: &Open| matches!(open.known(), Some(Ok(known)) if known.at_probe);
         self.in_view()
-            .is_some_and(|open| at_probe(open) && !asks_place(open))
+            .is_some_and(|open| at_probe(open) && !open.asks_place())
     }
 
     /// The lesson that is open, or that was answered last, with its answers, where there are any.

@@ -58,7 +58,7 @@ pub fn paint(painter: &Painter, window: &WindowState, course: &Course, view: &Vi
     }
 }
 
-/// Whether corners go round counter-clockwise, as those of a polygon do that turns its front to the eye.
+/// Returns whether corners go round counter-clockwise, as those of a polygon do that turns its front to the eye.
 fn faces_eye(points: &[DVec2]) -> bool {
     let next = points.iter().cycle().skip(1);
     let area: f64 = points.iter().zip(next).map(|(a, b)| a.perp_dot(*b)).sum();

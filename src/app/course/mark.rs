@@ -1,4 +1,4 @@
-//! What a step draws over the picture: its line, the place that the student has marked, and the right one.
+//! The drawing of a step over the picture: its line, the place that the student has marked, and the right one.
 
 use crate::app::course::Course;
 use crate::app::session::place::{Place, ProfileLine};
@@ -86,13 +86,13 @@ fn ring(painter: &Painter, at: Pos2, radius: f32, colour: Color32) {
     painter.circle_stroke(at, radius, Stroke::new(3.0, colour));
 }
 
-/// A place in units of the shorter side from the middle, in pixels.
+/// Converts a place in units of the shorter side from the middle to pixels.
 fn pixel(at: DVec2, size: [u32; 2]) -> DVec2 {
     let size = DVec2::from_array(size.map(f64::from));
     size / 2.0 + at * size.min_element()
 }
 
-/// The other way round.
+/// Converts pixels to units of the shorter side from the middle.
 pub fn from_pixel(pixel: DVec2, size: [u32; 2]) -> DVec2 {
     let size = DVec2::from_array(size.map(|side| f64::from(side.max(1))));
     (pixel.clamp(DVec2::ZERO, size) - size / 2.0) / size.min_element()

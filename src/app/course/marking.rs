@@ -3,13 +3,11 @@
 use crate::analysis::Watch;
 use crate::analysis::codec::Codec;
 use crate::app::session::document::CoursePart;
-use crate::figure::short;
 use crate::jobs::{Background, Work};
 use crate::lesson::{
-    Answer, ClassQuestion, Given, Grade, HandIn, HandInError, Kind, Lesson, Question, are_there,
-    lesson_of, mark, short_answer, slider,
+    Answer, ClassQuestion, Given, Grade, HandIn, HandInError, Lesson, Question, are_there,
+    lesson_of, mark, short_answer,
 };
-use crate::scene::parameter::Parameter;
 use crate::text::text;
 use egui_commonmark::CommonMarkCache;
 use serde::{Deserialize, Serialize};
@@ -21,12 +19,12 @@ pub struct HandedIn {
     pub answers: Arc<Result<HandIn, HandInError>>,
     pub work: Background<Marking>,
     pub markdown: CommonMarkCache,
-    /// Whether the list of lessons is shown in its place.
+    /// The list of lessons is shown in its place.
     pub closed: bool,
 }
 
 impl HandedIn {
-    /// The answers of a document, if it has any.
+    /// Returns the answers of a document, if it has any.
     pub fn of(part: &CoursePart) -> Option<Self> {
         let CoursePart::HandIn(answers) = part else {
             return None;
@@ -39,7 +37,7 @@ impl HandedIn {
         })
     }
 
-    /// Whether it is that of a document.
+    /// Returns whether it is that of a document.
     pub fn is_of(&self, part: &CoursePart) -> bool {
         matches!(part, CoursePart::HandIn(answers) if Arc::ptr_eq(answers, &self.answers))
     }
@@ -57,7 +55,7 @@ pub struct Marking {
 struct LessonText {
     source: String,
     folder: Option<PathBuf>,
-    /// Whether it came inside the hand-in: it may open no file then.
+    /// It came inside the hand-in: it may open no file then.
     foreign: bool,
 }
 
@@ -66,7 +64,7 @@ struct LessonText {
 pub struct Marked {
     /// The lesson's.
     pub title: String,
-    /// How many answers are right.
+    /// The number of right answers.
     pub right: usize,
     pub questions: Vec<MarkedQuestion>,
 }
@@ -95,7 +93,7 @@ pub struct MarkedAnswer {
 }
 
 impl Marking {
-    /// The work of grading `answers`, once the program's lessons are there; `own` is the lesson that was opened from a file.
+    /// Makes the work of grading `answers`, once the program's lessons are there; `own` is the lesson that was opened from a file.
     pub fn of(answers: &HandIn, own: Option<&Lesson>) -> Option<Self> {
         let own = own.filter(|own| answers.is_of(own));
         let found = match own {
@@ -150,7 +148,7 @@ fn marked(
     given: Option<&Given>,
 ) -> MarkedQuestion {
     let words = |answer: &Answer| match question {
-        Some(question) => in_words(asked, &question.kind, answer),
+        Some(question) => question.kind.words(answer, &asked.options),
         None => short_answer(answer),
     };
     let given = given.map(
@@ -171,49 +169,8 @@ fn marked(
         right: asked
             .solution
             .as_ref()
-            .filter(|_| {
-                !question.is_some_and(|question| matches!(question.kind, Kind::Curve { .. }))
-            })
+            .filter(|_| !question.is_some_and(|question| question.kind.asks().is_drawn()))
             .map(|solution| words(&Answer::right(solution))),
         failure: asked.failure.clone(),
     }
-}
-
-/// An answer in the words of its question.
-fn in_words(asked: &ClassQuestion, kind: &Kind, answer: &Answer) -> String {
-    let option = |index: &usize| asked.options.get(*index).map(String::as_str);
-    match (answer, kind) {
-        (Answer::Choice(chosen), _) => option(chosen).unwrap_or_default().to_owned(),
-        (Answer::Order(order), _) => {
-            let items: Vec<&str> = order.iter().filter_map(option).collect();
-            items.join(text!("comma"))
-        }
-        (Answer::Curve(_), _) => text!("course-answers-curve").to_owned(),
-        (Answer::Value(value), Kind::Value { unit, .. }) => {
-            format!("{} {unit}", short(*value)).trim().to_owned()
-        }
-        (Answer::Settings(value), Kind::Settings { control, .. }) => setting(control, *value),
-        (Answer::Match(values), Kind::Match { controls, .. }) => {
-            let settings = controls.iter().zip(values);
-            let settings = settings.map(|(key, value)| setting(key, *value));
-            settings.collect::<Vec<_>>().join(text!("comma"))
-        }
-        (answer, _) => short_answer(answer),
-    }
-}
-
-fn setting(key: &str, value: f64) -> String {
-    format!("{} = {}", control_name(key), short(value))
-}
-
-/// A control as its row calls it.
-pub fn control_name(key: &str) -> String {
-    let named = |(parameter, index, _): (&'static Parameter, usize, _)| {
-        if parameter.letter.is_empty() {
-            parameter.full_name(index)
-        } else {
-            parameter.letter.to_owned()
-        }
-    };
-    slider(key).map_or_else(|| key.to_owned(), named)
 }

@@ -6,7 +6,6 @@ use super::prose::prose_ui;
 use super::question::question_ui;
 use super::work::{Prepare, Prepared};
 use crate::app::controls::named::{Named, rows_ui};
-use crate::app::engine::Engine;
 use crate::app::session::Session;
 use crate::app::session::action::Requests;
 use crate::app::session::action::{Action, Turn};
@@ -14,7 +13,6 @@ use crate::app::session::appearance::ViewName;
 use crate::app::session::window::WindowState;
 use crate::app::widgets::background::wake;
 use crate::app::widgets::focus::{aside, keep_in_sight, named, switch_named};
-use crate::lesson::Kind;
 use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
@@ -33,7 +31,6 @@ pub fn step_ui(
     session: &mut Session,
     window: &mut WindowState,
     requests: &mut Requests,
-    engine: &Engine,
 ) {
     prepare(ui, course);
     Panel::bottom("course-steps")
@@ -51,7 +48,7 @@ pub fn step_ui(
     let shown = area.show(ui, |ui| {
         // Not under the scroll bar.
         ui.set_max_width(ui.available_width() - 4.0);
-        body_ui(ui, course, session, window, requests, engine);
+        body_ui(ui, course, session, window, requests);
         ui.add_space(8.0);
         keep_in_sight(ui);
     });
@@ -216,7 +213,6 @@ fn body_ui(
     session: &mut Session,
     window: &mut WindowState,
     requests: &mut Requests,
-    engine: &Engine,
 ) {
     let Some(open) = &mut course.open else { return };
     ui.heading(&open.current().title);
@@ -252,7 +248,7 @@ fn body_ui(
     }
     if open.question().is_some() {
         ui.add_space(4.0);
-        question_ui(ui, course, session, window, requests, engine);
+        question_ui(ui, course, session, window, requests);
     }
     again_ui(ui, course, session, requests);
     let Some(open) = &course.open else { return };
@@ -274,12 +270,10 @@ fn controls_ui(ui: &mut Ui, open: &Open, session: &mut Session) {
         .iter()
         .map(|word| &**word)
         .collect();
-    let own: Vec<&str> = match open.question().map(|question| &question.kind) {
-        Some(Kind::Settings { control, .. }) => vec![control],
-        Some(Kind::Match { controls, .. }) => controls.iter().map(|key| &**key).collect(),
-        _ => Vec::new(),
-    };
-    for key in own {
+    let own = open
+        .question()
+        .map(|question| question.kind.asks().controls());
+    for key in own.unwrap_or_default() {
         let named = Named::find(key);
         if !words.iter().any(|word| Named::find(word) == named) {
             words.push(key);

@@ -11,7 +11,7 @@ use std::path::Path;
 /// The lesson's text.
 const HEAD: &str = include_str!("target/head.md");
 const LEVEL: &str = include_str!("target/level.md");
-/// What is to be found, one more at each level, and what it is at first.
+/// The values that are to be found, one more at each level, and what they are at first.
 const SOUGHT: [(&str, f64); 4] = [
     ("material.kd", 0.5),
     ("material.ks", 0.5),
@@ -32,7 +32,7 @@ pub fn as_target(session: &Session) -> Option<Lesson> {
     lesson_for(session.document(), name, &base)
 }
 
-/// The lesson for a scene that is named and was opened as `base`.
+/// Makes the lesson for a scene that is named and was opened as `base`.
 fn lesson_for(document: &Document, name: &str, base: &Scene) -> Option<Lesson> {
     let scene = &document.scene;
     let settings: Vec<String> = base

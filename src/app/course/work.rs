@@ -3,7 +3,7 @@
 use crate::analysis::Watch;
 use crate::analysis::codec::Codec;
 use crate::jobs::Work;
-use crate::lesson::{Kind, Lab, Lesson, Prose, Solution};
+use crate::lesson::{Lab, Lesson, Prose, Solution};
 use crate::text::text;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
@@ -31,6 +31,13 @@ pub struct Prepared {
     pub solution: Option<Result<Solution, String>>,
     /// Whether its numbers or its answer are taken at the probe.
     pub at_probe: bool,
+}
+
+impl Prepared {
+    /// Returns the right answer, once it is known.
+    pub fn right(&self) -> Option<&Solution> {
+        self.solution.as_ref()?.as_ref().ok()
+    }
 }
 
 impl Work for Prepare {
@@ -63,13 +70,8 @@ impl Work for Prepare {
         };
         prepared.ask = fill(&question.ask)?;
         prepared.why = fill(&question.why)?;
-        let names: Vec<&Prose> = match &question.kind {
-            Kind::Choice { options, .. } => options.iter().map(|option| &option.text).collect(),
-            Kind::Order { items, .. } => items.iter().map(|item| &item.text).collect(),
-            Kind::Curve { x_name, y_name, .. } => vec![x_name, y_name],
-            _ => Vec::new(),
-        };
-        prepared.names = names.into_iter().map(fill).collect::<Result<_, _>>()?;
+        let names = question.names().into_iter();
+        prepared.names = names.map(fill).collect::<Result<_, _>>()?;
         prepared.at_probe = lab.probe_measured();
         // The text can be read while the answer is sought.
         watch.found(&prepared);

@@ -8,7 +8,7 @@ use crate::app::session::appearance::ViewName;
 use crate::app::session::document::{CoursePart, Document, Origin};
 use crate::app::session::place::{ProbePoint, ProfileLine};
 use crate::jobs::Background;
-use crate::lesson::{Kind, LESSONS, Lesson, OVERLAYS, Staged, are_there, find};
+use crate::lesson::{LESSONS, Lesson, OVERLAYS, Staged, are_there, find};
 use crate::text::text;
 use eframe::egui::Context;
 use std::sync::Arc;
@@ -212,7 +212,7 @@ impl AppState {
             return;
         };
         self.window.appearance.overlay.angles = open.overlay.angles;
-        if let Kind::Settings { .. } | Kind::Match { .. } = question.kind {
+        if !question.kind.asks().controls().is_empty() {
             return;
         }
         if let Ok(scene) = staged.scene.with_overrides(&question.set) {

@@ -1,26 +1,28 @@
 //! A picture to be matched: the target beside the student's own, and how far they are apart.
 
-use super::data::Open;
-use super::parts::waiting_ui;
+use super::widget::{Asked, Widget, set_ui};
 use crate::analysis::Watch;
 use crate::analysis::codec::Codec;
 use crate::analysis::comparison::{LinearPicture, error_figures};
+use crate::app::course::parts::waiting_ui;
 use crate::app::session::Session;
-use crate::app::session::window::WindowState;
 use crate::app::widgets::background::{PICTURES, wake};
 use crate::app::widgets::focus::named;
 use crate::app::widgets::palette::vector_text;
 use crate::figure::palette::Vector;
+use crate::figure::short;
 use crate::geometry::Mesh;
 use crate::jobs::{Background, Work, model_from_bytes, model_to_bytes};
-use crate::lesson::{Kind, Question, Solution, matched_settings};
+use crate::lesson::{
+    Answer, Kind, Match, Question, Solution, control_name, picture_distance, value_of,
+};
 use crate::render::Renderer;
 use crate::scene::Scene;
 use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Color32, ColorImage, Rect, RichText, Sense, Stroke, StrokeKind, TextureHandle, TextureOptions,
-    Ui, pos2, vec2,
+    Color32, ColorImage, Context, Grid, Rect, RichText, Sense, Stroke, StrokeKind, TextureHandle,
+    TextureOptions, Ui, pos2, vec2,
 };
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
@@ -59,7 +61,7 @@ impl Work for Target {
     }
 }
 
-/// How far two scenes are apart: the root mean square of the difference of their pictures.
+/// The distance of two scenes: the root mean square of the difference of their pictures.
 #[derive(Serialize, Deserialize)]
 pub struct Likeness {
     scenes: [Scene; 2],
@@ -78,16 +80,11 @@ impl Work for Likeness {
     fn run(&self, _: &dyn Watch<f64>) -> Result<f64, String> {
         let mut renderer = Renderer::default().with_model(self.model.clone());
         let [a, b] = [0, 1].map(|index| renderer.linear_picture(&self.scenes[index]));
-        let picture = |pixels| LinearPicture {
-            width: self.scenes[0].image.size[0],
-            pixels,
-            clamps: true,
-        };
-        Ok(error_figures(picture(&a), picture(&b)).rms)
+        Ok(picture_distance(self.scenes[0].image.size[0], &a, &b))
     }
 }
 
-/// What a match remembers.
+/// The state of a match.
 #[derive(Default)]
 struct Matching {
     of: Option<(u64, usize)>,
@@ -100,81 +97,133 @@ struct Matching {
     began: f64,
 }
 
-/// The target, the distance, and a meter that says whether the last change was for the better.
-pub fn match_ui(
-    ui: &mut Ui,
-    open: &Open,
-    session: &Session,
-    window: &mut WindowState,
-    question: &Question,
-    controls: &[String],
-    revealed: bool,
-) {
-    let (Some(staged), Some(Solution::Match(values))) = (&open.staged, open.solution()) else {
+impl Matching {
+    /// Has the target's picture drawn.
+    fn draw_target(&mut self, ctx: &Context, target: &Scene, model: Option<&Arc<Mesh>>) {
+        let work = || Target {
+            scene: target.clone(),
+            model: model.cloned(),
+        };
+        self.target
+            .ask(wake(ctx), |known| known.scene == *target, work);
+        if let (None, Some([image, ..])) = (&self.picture, self.target.answer().map(Vec::as_slice))
+        {
+            let texture = ctx.load_texture("target", image.clone(), TextureOptions::LINEAR);
+            self.picture = Some(texture);
+        }
+    }
+
+    /// Has the distance of two scenes measured.
+    fn measure(&mut self, ctx: &Context, scenes: [Scene; 2], model: Option<&Arc<Mesh>>) {
+        let work = || Likeness {
+            scenes: scenes.clone(),
+            model: model.cloned(),
+        };
+        let new = self
+            .likeness
+            .ask(wake(ctx), |known| known.scenes == scenes, work);
+        if new && let Some(distance) = self.likeness.answer() {
+            let [first, _, last] = self.distances;
+            if last != Some(*distance) {
+                self.distances = [first.or(Some(*distance)), last, Some(*distance)];
+                self.changes += u32::from(last.is_some());
+            }
+        }
+    }
+}
+
+/// The target beside the student's own picture. What it remembers outlives the step.
+pub struct MatchWidget;
+
+impl Widget for MatchWidget {
+    /// Shows the target, the distance, and a meter that says whether the last change was for the better.
+    fn ui(&mut self, ui: &mut Ui, asked: &mut Asked<'_>) -> bool {
+        if let Kind::Match(kind) = &asked.question.kind {
+            match_ui(ui, asked, kind);
+        }
+        false
+    }
+
+    fn answer(&self, question: &Question, scene: &Scene) -> Option<Answer> {
+        let controls = question.kind.asks().controls().iter();
+        let values = controls.map(|key| value_of(scene, key).ok());
+        values.collect::<Option<_>>().map(Answer::Match)
+    }
+
+    fn right_ui(
+        &self,
+        ui: &mut Ui,
+        question: &Question,
+        right: &Solution,
+        given: &Answer,
+        session: &mut Session,
+    ) {
+        let (Kind::Match(kind), Solution::Match(right)) = (&question.kind, right) else {
+            return;
+        };
+        let own = match given {
+            Answer::Match(own) => &**own,
+            _ => &[],
+        };
+        Grid::new("parameters")
+            .num_columns(3)
+            .spacing([16.0, 4.0])
+            .show(ui, |ui| {
+                ui.label("");
+                ui.label(RichText::new(text!("course-yours")).weak());
+                ui.label(RichText::new(text!("course-target")).weak());
+                ui.end_row();
+                for ((key, own), right) in kind.controls.iter().zip(own).zip(right) {
+                    ui.label(control_name(key));
+                    ui.monospace(short(*own));
+                    ui.monospace(short(*right));
+                    ui.end_row();
+                }
+            });
+        set_ui(ui, session, &kind.settings(right));
+    }
+}
+
+fn match_ui(ui: &mut Ui, asked: &mut Asked<'_>, kind: &Match) {
+    let (Some(staged), Some(Solution::Match(values))) = (asked.staged, asked.solution) else {
         return waiting_ui(ui, text!("course-preparing"));
     };
-    let mut own: Matching = window.own.take();
+    let mut own: Matching = asked.window.own.take();
     let now = ui.input(|input| input.time);
-    if own.of != Some((open.opening, open.step)) {
+    if own.of != Some(asked.step) {
         own = Matching {
-            of: Some((open.opening, open.step)),
+            of: Some(asked.step),
             began: now,
             ..Matching::default()
         };
     }
-    let mut settings = question.set.clone();
-    settings.extend(matched_settings(controls, values));
+    let mut settings = asked.question.set.clone();
+    settings.extend(kind.settings(values));
     let Ok(mut target) = staged.scene.with_overrides(&settings) else {
         return;
     };
-    let mut present = session.document().scene.clone();
+    let mut present = asked.scene.clone();
     // The students may look from elsewhere, but then nothing can be compared.
     present.camera = target.camera.clone();
     let [width, height] = target.image.size;
     let scale = f64::from(SIDE) / f64::from(width.max(height).max(1));
     let size = [width, height].map(|side| ((f64::from(side) * scale) as u32).max(1));
     (target.image.size, present.image.size) = (size, size);
-    let model = staged.model.clone();
-    let asked = || Target {
-        scene: target.clone(),
-        model: model.clone(),
-    };
-    own.target
-        .ask(wake(ui.ctx()), |known| known.scene == target, asked);
-    if let (None, Some([image, ..])) = (&own.picture, own.target.answer().map(Vec::as_slice)) {
-        let texture = ui
-            .ctx()
-            .load_texture("target", image.clone(), TextureOptions::LINEAR);
-        own.picture = Some(texture);
-    }
-    let scenes = [present, target];
-    let asked = || Likeness {
-        scenes: scenes.clone(),
-        model,
-    };
-    let new = own
-        .likeness
-        .ask(wake(ui.ctx()), |known| known.scenes == scenes, asked);
-    if new && let Some(distance) = own.likeness.answer() {
-        let [first, _, last] = own.distances;
-        if last != Some(*distance) {
-            own.distances = [first.or(Some(*distance)), last, Some(*distance)];
-            own.changes += u32::from(last.is_some());
-        }
-    }
+    own.draw_target(ui.ctx(), &target, staged.model.as_ref());
+    own.measure(ui.ctx(), [present, target], staged.model.as_ref());
     ui.label(RichText::new(text!("course-target")).weak());
     picture_ui(ui, &own, size);
     ui.add_space(4.0);
-    if let (Some(distance), Kind::Match { tolerance, .. }) = (own.distances[2], &question.kind) {
-        meter_ui(ui, &own, distance, *tolerance);
+    if let Some(distance) = own.distances[2] {
+        meter_ui(ui, &own, distance, kind.tolerance);
     }
-    if !revealed {
+    if !asked.revealed {
         let seconds = (now - own.began).max(0.0) as u64;
         let time = format!("{}:{:02}", seconds / 60, seconds % 60);
         let words = text!("course-match-tries", count = own.changes, time = time);
         ui.label(RichText::new(words).weak());
     }
-    window.own.put(own);
+    asked.window.own.put(own);
 }
 
 fn picture_ui(ui: &mut Ui, own: &Matching, [width, height]: [u32; 2]) {
@@ -198,7 +247,7 @@ fn picture_ui(ui: &mut Ui, own: &Matching, [width, height]: [u32; 2]) {
     }
 }
 
-/// The distance on a scale of decades from what it was at first to what counts as the same.
+/// Shows the distance on a scale of decades from what it was at first to what counts as the same.
 fn meter_ui(ui: &mut Ui, own: &Matching, distance: f64, tolerance: f64) {
     let [first, before, _] = own.distances;
     let start = first.unwrap_or(distance).max(4.0 * tolerance);

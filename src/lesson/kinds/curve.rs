@@ -1,0 +1,223 @@
+//! A curve that is drawn.
+
+use super::kind::{Asks, Predictions, Printed, QuestionKind};
+use crate::expression::Expression;
+use crate::lesson::page::{Axes, axis_name, escaped};
+use crate::lesson::read::keys::{KeyReader, Keys};
+use crate::lesson::{Grade, LabPlace, Prose};
+use crate::render::Frame;
+use crate::scene::ShadingMode;
+use crate::text::{fixed, text};
+
+/// The number of points of a curve that are compared.
+pub const CURVE_POINTS: usize = 65;
+
+/// A curve drawn over `x`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    /// The ends of the horizontal axis.
+    pub x: [f64; 2],
+    /// The ends of the vertical axis.
+    pub y: [f64; 2],
+    /// The quantity on the horizontal axis.
+    pub x_name: Prose,
+    /// The quantity on the vertical axis.
+    pub y_name: Prose,
+    /// The right curve.
+    pub of: CurveOf,
+    /// The largest mean distance from it that counts as right, as a fraction of `y`.
+    pub tolerance: f64,
+}
+
+/// The curve that is to be drawn.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum CurveOf {
+    /// An expression in `x`.
+    Expression(Expression),
+    /// The intensity along the step's line in this mode.
+    Profile(ShadingMode),
+}
+
+impl Curve {
+    /// Returns whether enough of a curve is drawn: nine tenths of its points.
+    pub fn is_whole(drawn: &[Option<f64>]) -> bool {
+        10 * drawn.iter().flatten().count() >= 9 * CURVE_POINTS
+    }
+
+    /// Returns the abscissa of one of its points.
+    fn abscissa(&self, index: usize) -> f64 {
+        let [from, to] = self.x;
+        from + (to - from) * index as f64 / (CURVE_POINTS - 1) as f64
+    }
+
+    /// Returns its axes as HTML with curves over them.
+    fn plot(&self, curves: &[(Vec<[f64; 2]>, &str)]) -> String {
+        let axes = Axes {
+            x: self.x,
+            y: self.y,
+            x_name: axis_name(&self.x_name.plain()),
+            y_name: axis_name(&self.y_name.plain()),
+        };
+        axes.svg(curves)
+    }
+
+    /// Evaluates the right curve at its points.
+    fn points(&self, place: LabPlace<'_>) -> Result<Vec<[f64; 2]>, String> {
+        let abscissae = (0..CURVE_POINTS).map(|index| self.abscissa(index));
+        match &self.of {
+            CurveOf::Expression(of) => abscissae
+                .map(|x| Ok([x, place.over(x).number(of)?]))
+                .collect(),
+            CurveOf::Profile(mode) => {
+                let profile = place.profile(&[*mode])?;
+                let (samples, trace) = (&profile.samples, &profile.traces[0].intensity);
+                if samples.len() < 2 {
+                    return Err(text!("line-error-no-length").to_owned());
+                }
+                let at = |t: f64| {
+                    let after = samples.partition_point(|sample| sample.t < t);
+                    let after = after.clamp(1, samples.len() - 1);
+                    let (a, b) = (samples[after - 1].t, samples[after].t);
+                    let share = ((t - a) / (b - a)).clamp(0.0, 1.0);
+                    trace[after - 1] * (1.0 - share) + trace[after] * share
+                };
+                let [from, to] = self.x;
+                let along = |x: f64| (x - from) / (to - from);
+                Ok(abscissae.map(|x| [x, at(along(x))]).collect())
+            }
+        }
+    }
+}
+
+impl Asks for Curve {
+    fn axes(&self) -> Vec<&Prose> {
+        vec![&self.x_name, &self.y_name]
+    }
+
+    fn is_drawn(&self) -> bool {
+        true
+    }
+
+    fn follows_line(&self) -> bool {
+        matches!(self.of, CurveOf::Profile(_))
+    }
+}
+
+impl QuestionKind for Curve {
+    /// The ordinates at [`CURVE_POINTS`] abscissae, evenly; nothing where none was drawn.
+    type Answer = Vec<Option<f64>>;
+    /// `[x, y]` at [`CURVE_POINTS`] abscissae, evenly.
+    type Solution = Vec<[f64; 2]>;
+
+    fn read(keys: &Keys, reader: &mut KeyReader<'_, '_>) -> Option<Self> {
+        let of = match (&keys.profile, &keys.answer) {
+            (Some(mode), None) => CurveOf::Profile(reader.mode("profile", mode)?),
+            (None, Some(_)) => CurveOf::Expression(reader.expression("answer", &keys.answer)?),
+            _ => {
+                reader.wrong(text!("lesson-curve-of"));
+                return None;
+            }
+        };
+        let own = matches!(of, CurveOf::Profile(_)).then_some([0.0, 1.0]);
+        let x = reader.range("x", keys.x.or(own));
+        let y = reader.range("y", keys.y.or(own));
+        let tolerance = reader.positive("tolerance", keys.tolerance.or(Some(0.1)));
+        let (x, y) = (x?, y?);
+        Some(Self {
+            x,
+            y,
+            x_name: reader.prose(keys.x_name.as_ref()),
+            y_name: reader.prose(keys.y_name.as_ref()),
+            of,
+            tolerance: tolerance?,
+        })
+    }
+
+    fn solve(&self, place: LabPlace<'_>, _: u64) -> Result<Vec<[f64; 2]>, String> {
+        let curve = self.points(place)?;
+        let [low, high] = self.y;
+        let inside = |value: f64| value >= low - 1e-9 && value <= high + 1e-9;
+        if let Some([_, value]) = curve.iter().find(|[_, value]| !inside(*value)) {
+            let value = fixed(*value, 4);
+            return Err(text!("lesson-curve-outside", value = value));
+        }
+        let mean = curve.iter().map(|[_, y]| y).sum::<f64>() / curve.len() as f64;
+        let spread = curve.iter().map(|[_, y]| (y - mean).abs()).sum::<f64>();
+        if spread / curve.len() as f64 <= self.tolerance * (high - low) {
+            return Err(text!("lesson-curve-flat").to_owned());
+        }
+        Ok(curve)
+    }
+
+    fn right(right: &Vec<[f64; 2]>) -> Vec<Option<f64>> {
+        right.iter().map(|[_, y]| Some(*y)).collect()
+    }
+
+    fn fits(&self, given: &Vec<Option<f64>>) -> bool {
+        given.len() == CURVE_POINTS && given.iter().flatten().all(|value| value.is_finite())
+    }
+
+    /// Grades a curve by its mean distance; none where too little was drawn.
+    fn grade(
+        &self,
+        given: &Vec<Option<f64>>,
+        right: &Vec<[f64; 2]>,
+        _: LabPlace<'_>,
+    ) -> Option<Grade> {
+        if given.len() != right.len() || !Self::is_whole(given) {
+            return None;
+        }
+        let pairs = given.iter().zip(right);
+        let distances: Vec<f64> = pairs
+            .filter_map(|(given, [_, right])| Some((given.as_ref()? - right).abs()))
+            .collect();
+        let mean = distances.iter().sum::<f64>() / distances.len() as f64;
+        Some(Grade::within(
+            mean / (self.y[1] - self.y[0]),
+            self.tolerance,
+        ))
+    }
+
+    fn short(_: &Vec<Option<f64>>) -> String {
+        "∿".to_owned()
+    }
+
+    fn words(&self, _: &Vec<Option<f64>>, _: &[String]) -> String {
+        text!("course-answers-curve").to_owned()
+    }
+
+    fn solution_words(&self, _: &Vec<[f64; 2]>, _: &[String]) -> String {
+        String::new()
+    }
+
+    fn blank(&self, _: &Printed<'_>, _: Option<&Vec<[f64; 2]>>) -> Result<String, String> {
+        Ok(format!("<figure>{}</figure>\n", self.plot(&[])))
+    }
+
+    fn drawing(&self, right: &Vec<[f64; 2]>, _: &Frame) -> Option<String> {
+        let right = (right.clone(), "stroke=\"#000\" stroke-width=\"2.5\"");
+        Some(format!("<figure>{}</figure>", self.plot(&[right])))
+    }
+
+    /// Returns every predicted curve, and over them the right one.
+    fn chart(&self, class: &Predictions<'_, Vec<Option<f64>>, Vec<[f64; 2]>>) -> String {
+        let mut lines = Vec::new();
+        for (given, is_right) in &class.given {
+            let points = given.iter().enumerate();
+            let points = points.map(|(index, y)| [self.abscissa(index), y.unwrap_or(f64::NAN)]);
+            let paint = if *is_right {
+                "stroke=\"#2e7d43\" stroke-width=\"1.4\" stroke-opacity=\"0.55\""
+            } else {
+                "stroke=\"#c23a22\" stroke-width=\"1.4\" stroke-opacity=\"0.55\""
+            };
+            lines.push((points.collect(), paint));
+        }
+        if let Some(right) = class.right {
+            lines.push((right.clone(), "stroke=\"#000\" stroke-width=\"3\""));
+        }
+        let words = escaped(text!("class-curves"));
+        let plot = self.plot(&lines);
+        format!("<figure>{plot}<figcaption>{words}</figcaption></figure>\n")
+    }
+}
