@@ -40,13 +40,13 @@ pub enum OverlayLayer {
     /// The vectors once more in a corner, seen from the side: V points at the eye, so that in the picture itself it
     /// is a point.
     SideView,
-    /// The intensity along a line. It belongs to no point; [`draw_profile`](crate::analysis::draw_profile) draws it.
+    /// The intensity along a line. It belongs to no point; [`draw_profile`](crate::analysis::profile::draw_profile) draws it.
     Profile,
     /// Positions of the defects of interpolated shading. They belong to no point;
-    /// [`draw_defects`](crate::analysis::draw_defects) draws them.
+    /// [`draw_defects`](crate::analysis::defects::draw_defects) draws them.
     Defects,
     /// A needle at the centre of each visible polygon. Like the vertex normals it belongs to no point and is drawn by
-    /// [`Needles`](crate::analysis::Needles).
+    /// [`Needles`](crate::analysis::normals::Needles).
     FaceNormals,
     /// A needle at each visible vertex.
     VertexNormals,
@@ -75,12 +75,12 @@ impl OverlayLayer {
         )
     }
 
-    /// Returns whether an [`Overlay`](crate::analysis::Overlay) draws the layer.
+    /// Returns whether an [`Overlay`](crate::analysis::probe::Overlay) draws the layer.
     pub fn of_overlay(self) -> bool {
         self.of_point() || self == Self::Lights
     }
 
-    /// Returns whether [`Needles`](crate::analysis::Needles) draw the layer.
+    /// Returns whether [`Needles`](crate::analysis::normals::Needles) draw the layer.
     pub fn of_needles(self) -> bool {
         matches!(self, Self::FaceNormals | Self::VertexNormals)
     }

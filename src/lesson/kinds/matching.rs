@@ -2,7 +2,7 @@
 
 use super::kind::{Asks, Predictions, Printed, QuestionKind};
 use super::number::{BLANK, short_number};
-use crate::analysis::{LinearPicture, error_figures};
+use crate::analysis::comparison::{LinearPicture, error_figures};
 use crate::figure::short;
 use crate::lesson::control::{along, control_name, long_control_name, slider, value_of};
 use crate::lesson::page::{escaped, picture};

@@ -3,7 +3,7 @@
 use super::extreme::Extreme;
 use super::kind::{Asks, Predictions, Printed, QuestionKind};
 use super::number::short_number;
-use crate::analysis::luminance;
+use crate::analysis::perception::luminance;
 use crate::expression::Expression;
 use crate::lesson::page::{data, escaped, picture};
 use crate::lesson::read::keys::{KeyReader, Keys};

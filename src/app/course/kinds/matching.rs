@@ -3,7 +3,6 @@
 use super::widget::{Asked, Widget, set_ui};
 use crate::analysis::Watch;
 use crate::analysis::codec::Codec;
-use crate::analysis::comparison::{LinearPicture, error_figures};
 use crate::app::course::parts::waiting_ui;
 use crate::app::session::Session;
 use crate::app::widgets::background::{PICTURES, wake};
