@@ -3,7 +3,7 @@
 
 use super::links::may_open;
 use crate::document::picture_bytes;
-use crate::figure::{Axis, ticks};
+use crate::figure::{Axis, Base, Formula, Item, is_italic, ticks};
 use crate::link::base64;
 use crate::render::Frame;
 use crate::text::language;
@@ -143,64 +143,29 @@ fn with_formulas(text: &str) -> String {
     out
 }
 
-/// A formula: `K_d` with its letter below the line, `(R·V)^n` with its exponent above it; single letters lean.
-pub fn formula(text: &str) -> String {
+/// Returns a formula as HTML: `K_d` with its letter below the line, `(R·V)^n` with its exponent above it; single letters lean.
+fn formula(text: &str) -> String {
     let mut out = "<span class=\"formula\">".to_owned();
-    let characters: Vec<char> = text.chars().collect();
-    set(&characters, &mut out, 0);
+    set(&Formula::read_or_verbatim(text), &mut out);
     out.push_str("</span>");
     out
 }
 
-/// Deepest subscript of a subscript.
-const DEPTH: usize = 4;
-
-fn set(characters: &[char], out: &mut String, depth: usize) {
-    let mut at = 0;
-    while let Some(&c) = characters.get(at) {
-        let rest = &characters[at..];
-        match c {
-            '_' | '^' if rest.len() > 1 && depth < DEPTH => {
-                let (inside, length) = argument(&rest[1..]);
-                let tag = if c == '_' { "sub" } else { "sup" };
+fn set(formula: &Formula, out: &mut String) {
+    for Item { base, low, high } in &formula.items {
+        match base {
+            Base::Name(name) if is_italic(name) => _ = write!(out, "<i>{name}</i>"),
+            Base::Name(text) | Base::Signs(text) => out.push_str(&escaped(text)),
+            Base::Group(inside) => set(inside, out),
+        }
+        for (tag, script) in [("sub", low), ("sup", high)] {
+            if !script.is_empty() {
                 let _ = write!(out, "<{tag}>");
-                set(inside, out, depth + 1);
+                set(script, out);
                 let _ = write!(out, "</{tag}>");
-                at += 1 + length;
-            }
-            c if c.is_alphabetic() => {
-                let length = rest.iter().take_while(|c| c.is_alphabetic()).count();
-                let word: String = rest[..length].iter().collect();
-                // Of several letters: a function, or words.
-                if length == 1 && (c.is_ascii() || ('α'..='ω').contains(&c)) {
-                    let _ = write!(out, "<i>{word}</i>");
-                } else {
-                    out.push_str(&escaped(&word));
-                }
-                at += length;
-            }
-            c => {
-                out.push_str(&escaped(&c.to_string()));
-                at += 1;
             }
         }
     }
-}
-
-/// What stands behind `_` or `^`: in braces, or a sign and a number, or one character. And how long it is.
-fn argument(rest: &[char]) -> (&[char], usize) {
-    if rest.first() == Some(&'{')
-        && let Some(end) = rest.iter().position(|c| *c == '}')
-    {
-        return (&rest[1..end], end + 1);
-    }
-    let sign = usize::from(matches!(rest.first(), Some('-' | '−')));
-    let digits = rest[sign..]
-        .iter()
-        .take_while(|c| c.is_ascii_digit())
-        .count();
-    let length = if digits > 0 { sign + digits } else { 1 };
-    (&rest[..length], length)
 }
 
 /// A picture inside the page; `words` says what it shows.
@@ -316,20 +281,50 @@ pub fn axis_name(text: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lesson::LESSONS;
+    use crate::text::Language;
 
     #[test]
     fn formulas_have_letters_above_and_below_the_line() {
-        let inside = |text| {
-            formula(text)
-                .replace("<span class=\"formula\">", "")
-                .replace("</span>", "")
-        };
-        assert_eq!(
-            inside("K_d·cos^2 θ"),
-            "<i>K</i><sub><i>d</i></sub>·cos<sup>2</sup> <i>θ</i>"
-        );
-        assert_eq!(inside("e^{-1/2}<"), "<i>e</i><sup>-1/2</sup>&lt;");
-        assert_eq!(inside("x^-12_"), "<i>x</i><sup>-12</sup>_");
+        for (text, expected) in [
+            (
+                "K_d·cos^2 θ",
+                "<i>K</i><sub><i>d</i></sub>·cos<sup>2</sup> <i>θ</i>",
+            ),
+            ("e^{-1/2}<", "<i>e</i><sup>−1/2</sup>&lt;"),
+            ("x^12", "<i>x</i><sup>1</sup>2"),
+            ("ΔI_P", "Δ<i>I</i><sub><i>P</i></sub>"),
+            ("<x_", "&lt;x_"),
+        ] {
+            assert_eq!(
+                formula(text),
+                format!("<span class=\"formula\">{expected}</span>")
+            );
+        }
+    }
+
+    #[test]
+    fn every_formula_of_the_lessons_is_read_and_painted_whole() {
+        let mut count = 0;
+        for lesson in &LESSONS {
+            for source in Language::ALL.map(|language| lesson.source(language)) {
+                for text in source.split('$').skip(1).step_by(2) {
+                    let read =
+                        Formula::read(text).unwrap_or_else(|| panic!("{}: {text}", lesson.name));
+                    let painted = formula(text)
+                        .replace("<sup>", "^")
+                        .replace("&lt;", "<")
+                        .replace("&#39;", "'");
+                    let mut plain = String::new();
+                    for piece in painted.split('<') {
+                        plain.push_str(piece.split_once('>').map_or(piece, |(_, words)| words));
+                    }
+                    assert_eq!(plain, read.to_string(), "{text}");
+                    count += 1;
+                }
+            }
+        }
+        assert!(count > 300, "{count} formulas");
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! The equation filled in at one pixel: every term with this pixel's numbers, adding up to the stored pixel.
 //!
-//! The report and the window lay out what is said here. A formula is a string with its letters in braces: `{Kd}` is a
-//! letter, `{n}` a raised one, `{^40}` raises a number and `{=0.61}` is a result.
+//! The report and the window lay out what is said here. A [`Formula`](crate::figure::Formula) has
+//! its symbols in braces: `{Kd}` is one, the n of `^n` another, and `{=0.61}` is a result.
 
 mod light;
 

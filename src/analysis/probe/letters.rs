@@ -1,7 +1,7 @@
 //! The equation in letters.
 //!
-//! A formula is a string with its letters in braces: `{Kd}` is a letter, `{n}` a raised one, `{^40}` raises a number and
-//! `{=0.61}` is a result.
+//! A [`Formula`](crate::figure::Formula) has its symbols in braces: `{Kd}` is one, the n of `^n` another, and `{=0.61}` is a
+//! result.
 
 use crate::figure::palette::Vector;
 use crate::figure::short;
@@ -50,8 +50,8 @@ pub fn equation_letters(scene: &Scene) -> Vec<Vec<Letters>> {
         " {W}(θ) "
     };
     let lobe = match reflection.model {
-        ReflectionModel::Phong => "({R}·{V}){n}]",
-        ReflectionModel::Blinn => "({N}·{H}){n}]",
+        ReflectionModel::Phong => "({R}·{V})^n]",
+        ReflectionModel::Blinn => "({N}·{H})^n]",
         ReflectionModel::CookTorrance => " π {D}{G}",
     };
     let specular = |formula: &str| {
@@ -102,9 +102,6 @@ pub fn plain_formula(formula: &str) -> String {
         .replace("}(θ) ", "(θ)}")
         .replace("} {", "}{")
         .replace("{Σ}", "Σ ")
-        .replace("}{n}", "}^n")
-        .replace("){n}", ")^n")
-        .replace("{^", "^")
         .replace("{=", "");
     text.replace("}{", "}·{")
         .replace("}(", "}·(")
