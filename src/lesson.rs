@@ -4,12 +4,14 @@
 //! scene of the step, so that they stay right when a number is changed.
 
 mod answer;
+mod axes;
 mod budget;
 mod builtin;
 mod check;
 mod class;
 mod class_sheet;
 mod hand_in;
+mod html;
 mod lab;
 mod links;
 mod page;
@@ -23,6 +25,7 @@ mod words;
 mod worksheet;
 
 pub use answer::{Answer, Grade};
+pub use axes::CurveAxes;
 pub use budget::{Budget, TooHeavy};
 #[cfg(target_arch = "wasm32")]
 pub use builtin::take_texts;

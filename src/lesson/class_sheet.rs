@@ -1,9 +1,11 @@
 //! A class on one page: who answered what, and how the answers to each question are spread.
 
+use super::axes::CurveAxes;
 use super::class::{
     Class, ClassQuestion, Given, Group, letter, short_answer, short_solution, spread,
 };
-use super::page::{Axes, axis_name, blocks, data, escaped, inline, page};
+use super::html::{Html, escaped};
+use super::page::{blocks, data, inline, page};
 use super::{Answer, CURVE_POINTS, Kind, Question, Solution};
 use crate::text::text;
 use std::fmt::Write as _;
@@ -50,7 +52,7 @@ pub fn class_sheet(class: &Class) -> String {
         [group] => group.lesson.title.clone(),
         _ => text!("class-sheet").to_owned(),
     };
-    page(&title, STYLE, &body)
+    page(&title, STYLE, Html::made(body))
 }
 
 fn group_part(group: &Group, body: &mut String) {
@@ -330,34 +332,27 @@ fn curves(
     let Kind::Curve { x_name, y_name, .. } = &question.kind else {
         return;
     };
-    let axes = Axes {
-        x,
-        y,
-        x_name: axis_name(&x_name.plain()),
-        y_name: axis_name(&y_name.plain()),
-    };
+    let axes = CurveAxes::new([x, y], [&x_name.plain(), &y_name.plain()]);
+    let mut drawing = axes.on_page();
     let at = |index: usize| x[0] + (x[1] - x[0]) * index as f64 / (CURVE_POINTS - 1) as f64;
-    let mut lines = Vec::new();
     for given in group.given(index) {
         if let Answer::Curve(values) = &given.answered.prediction {
             let points = values.iter().enumerate();
             let points = points.map(|(index, value)| [at(index), value.unwrap_or(f64::NAN)]);
-            let paint = match given.predicted {
-                Some(grade) if grade.right => {
-                    "stroke=\"#2e7d43\" stroke-width=\"1.4\" stroke-opacity=\"0.55\""
-                }
-                _ => "stroke=\"#c23a22\" stroke-width=\"1.4\" stroke-opacity=\"0.55\"",
+            let colour = match given.predicted {
+                Some(grade) if grade.right => [0x2e, 0x7d, 0x43],
+                _ => [0xc2, 0x3a, 0x22],
             };
-            lines.push((points.collect(), paint));
+            drawing.draw_curve(points, 1.4, colour, 0.55);
         }
     }
     if let Some(Solution::Curve(right)) = &asked.solution {
-        lines.push((right.clone(), "stroke=\"#000\" stroke-width=\"3\""));
+        drawing.draw_curve(right.iter().copied(), 3.0, [0; 3], 1.0);
     }
     let _ = writeln!(
         body,
         "<figure>{}<figcaption>{}</figcaption></figure>",
-        axes.svg(&lines),
+        drawing.to_svg(&axes.words()),
         escaped(text!("class-curves"))
     );
 }

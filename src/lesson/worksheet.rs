@@ -1,8 +1,10 @@
 //! A lesson on paper: its text and pictures, questions with room to write, and the answers on a page of their own.
 
+use super::axes::CurveAxes;
 use super::builtin::topic_name;
 use super::class::{ClassQuestion, letter};
-use super::page::{Axes, axis_name, blocks, data, escaped, inline, page, picture};
+use super::html::{Html, escaped};
+use super::page::{blocks, data, inline, page, picture};
 use super::{
     Budget, Kind, Lab, LabPlace, Lesson, LessonError, Question, Solution, Stage, Staged, Step,
 };
@@ -124,7 +126,7 @@ pub fn worksheet(
             "<section class=\"answers\">\n<h1>{heading}</h1>\n{answers}</section>\n"
         );
     }
-    Ok(page(&lesson.title, STYLE, &body))
+    Ok(page(&lesson.title, STYLE, Html::made(body)))
 }
 
 struct StepPart {
@@ -177,7 +179,7 @@ impl StepPart {
             let image = picture(&frame, &step.title);
             let _ = writeln!(body, "<figure class=\"{class}\">{image}</figure>");
         }
-        body.push_str(&blocks(&text));
+        body.push_str(&blocks(&text).to_string());
         let mut part = Self {
             body,
             question: None,
@@ -192,7 +194,7 @@ impl StepPart {
             part.question = Some(QuestionPart {
                 room: room(&asked, asks, place, &frame, sheet).map_err(question)?,
                 answer: answer(&asked, asks, &frame),
-                ask: inline(&asked.ask),
+                ask: inline(&asked.ask).to_string(),
             });
         }
         Ok(part)
@@ -245,8 +247,12 @@ fn room(
             y_name,
             ..
         } => {
-            let axes = axes(*x, *y, &x_name.plain(), &y_name.plain());
-            let _ = writeln!(out, "<figure>{}</figure>", axes.svg(&[]));
+            let axes = CurveAxes::new([*x, *y], [&x_name.plain(), &y_name.plain()]);
+            let _ = writeln!(
+                out,
+                "<figure>{}</figure>",
+                axes.on_page().to_svg(&axes.words())
+            );
         }
         Kind::Settings { control, .. } => {
             let _ = writeln!(out, "<p>{} = {line}</p>", control_name(control));
@@ -261,7 +267,7 @@ fn room(
                 let image = if item.set.is_empty() {
                     String::new()
                 } else {
-                    picture(&thumbnail(&small(&item.set)?), words)
+                    picture(&thumbnail(&small(&item.set)?), words).to_string()
                 };
                 let _ = writeln!(
                     out,
@@ -327,9 +333,10 @@ fn answer(asked: &ClassQuestion, question: &Question, frame: &Frame) -> String {
                 ..
             },
         ) => {
-            let axes = axes(*x, *y, &x_name.plain(), &y_name.plain());
-            let right = (curve.clone(), "stroke=\"#000\" stroke-width=\"2.5\"");
-            format!("<figure>{}</figure>", axes.svg(&[right]))
+            let axes = CurveAxes::new([*x, *y], [&x_name.plain(), &y_name.plain()]);
+            let mut drawing = axes.on_page();
+            drawing.draw_curve(curve.iter().copied(), 2.5, [0; 3], 1.0);
+            format!("<figure>{}</figure>", drawing.to_svg(&axes.words()))
         }
         _ => format!(
             "<p>{}</p>",
@@ -408,15 +415,6 @@ fn plain_control_name(key: &str) -> String {
 
 fn control_name(key: &str) -> String {
     escaped(&plain_control_name(key))
-}
-
-fn axes(x: [f64; 2], y: [f64; 2], x_name: &str, y_name: &str) -> Axes {
-    Axes {
-        x,
-        y,
-        x_name: axis_name(x_name),
-        y_name: axis_name(y_name),
-    }
 }
 
 fn marked_places(frame: &Frame, places: &[DVec2]) -> String {

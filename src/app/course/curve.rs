@@ -2,45 +2,68 @@
 
 use super::data::Open;
 use super::parts::right_colour;
+use crate::app::drawing::{paint, plot_style, rgb};
 use crate::app::focus::named;
+use crate::app::lines::exact;
 use crate::app::palette::vector_text;
-use crate::figure::palette::Vector;
-use crate::figure::short;
-use crate::lesson::{CURVE_POINTS, Solution};
+use crate::figure::palette::{Rgb8, Vector};
+use crate::figure::{Drawing, Shape};
+use crate::lesson::{CURVE_POINTS, CurveAxes, Solution};
 use crate::text::text;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{
-    Align2, Color32, CursorIcon, EventFilter, FontId, Key, Mesh, Painter, Pos2, Rect, RichText,
-    Sense, Shape, Stroke, TextStyle, Ui, pos2, vec2,
-};
+use eframe::egui::{CursorIcon, EventFilter, Key, Pos2, Rect, RichText, Sense, Stroke, Ui, vec2};
+use glam::DVec2;
 
 /// Height of the drawing in its width.
 const ASPECT: f32 = 0.5;
+/// Height of what does not grow with it, in letters.
+const LETTERS: f32 = 4.0;
+/// Width of curves, points.
+const LINE: f64 = 2.2;
 /// Points that a key moves along the curve at once, and how far up or down, in its height.
 const STRIDE: usize = 4;
 const RISE: f64 = 0.05;
 
-/// The room of a curve on the screen.
-struct Room {
-    rect: Rect,
+/// The axes of a curve on the screen.
+struct Field {
+    drawing: Drawing,
+    /// The top left corner of the drawing.
+    origin: Pos2,
     x: [f64; 2],
     y: [f64; 2],
 }
 
-impl Room {
+impl Field {
+    fn x_of(&self, index: usize) -> f64 {
+        self.x[0] + (self.x[1] - self.x[0]) * index as f64 / (CURVE_POINTS - 1) as f64
+    }
+
     fn at(&self, index: usize, value: f64) -> Pos2 {
-        let share = (value - self.y[0]) / (self.y[1] - self.y[0]);
-        let along = index as f32 / (CURVE_POINTS - 1) as f32;
-        let up = share.clamp(-0.05, 1.05) as f32;
-        self.rect.lerp_inside(vec2(along, 1.0 - up))
+        let place = self.drawing.place([self.x_of(index), value]);
+        let (place, _) = place.unwrap_or_default();
+        self.origin + vec2(place.x as f32, place.y as f32)
+    }
+
+    fn rect(&self) -> Rect {
+        let [_, top] = self.axis(CURVE_POINTS - 1);
+        Rect::from_two_pos(self.at(0, self.y[0]), top)
+    }
+
+    /// The line through a point from the axis of x to the far side.
+    fn axis(&self, index: usize) -> [Pos2; 2] {
+        let place = self.drawing.place([self.x_of(index), self.y[0]]);
+        let (_, ends) = place.unwrap_or_default();
+        ends.map(|end| self.origin + vec2(end.x as f32, end.y as f32))
     }
 
     /// The nearest point of the curve, and the value at that height.
     fn read(&self, at: Pos2) -> (usize, f64) {
-        let along = ((at.x - self.rect.min.x) / self.rect.width()).clamp(0.0, 1.0);
-        let up = 1.0 - ((at.y - self.rect.min.y) / self.rect.height()).clamp(0.0, 1.0);
-        let index = (along * (CURVE_POINTS - 1) as f32).round() as usize;
-        (index, self.y[0] + f64::from(up) * (self.y[1] - self.y[0]))
+        let place = exact(at) - exact(self.origin);
+        let [x, y] = self.drawing.value_near(place).unwrap_or_default();
+        let along = (x - self.x[0]) / (self.x[1] - self.x[0]);
+        let index = (along * (CURVE_POINTS - 1) as f64).round() as usize;
+        // The axis of y reaches a little beyond its greatest value.
+        (index, y.min(self.y[1]))
     }
 }
 
@@ -53,46 +76,32 @@ pub fn curve_ui(
     profile: bool,
     revealed: bool,
 ) -> bool {
-    let font = FontId::proportional(TextStyle::Body.resolve(ui.style()).size * 0.9);
-    let names = [0, 1].map(|axis| {
-        names
-            .get(axis)
-            .map_or("", |name| plain(name))
-            .replace('$', "")
-    });
-    let left = y
-        .map(end)
-        .into_iter()
-        .map(|text| {
-            ui.painter()
-                .layout_no_wrap(text, font.clone(), Color32::WHITE)
-                .size()
-                .x
-        })
-        .fold(0.0, f32::max)
-        + 8.0;
+    let style = plot_style(ui);
     let width = ui.available_width();
-    let size = vec2(width, (width * ASPECT).min(300.0) + 2.6 * font.size);
+    let size = vec2(
+        width,
+        (width * ASPECT).min(300.0) + LETTERS * style.text as f32,
+    );
     let (outer, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
-    let words = text!(
-        "course-curve-area",
-        x = names[0].as_str(),
-        y = names[1].as_str()
-    );
-    let response = named(response, Role::Canvas, &words);
-    let rect = Rect::from_min_max(
-        pos2(outer.min.x + left, outer.min.y + 1.6 * font.size),
-        pos2(outer.max.x - 8.0, outer.max.y - 1.6 * font.size),
-    );
-    let room = Room { rect, x, y };
+    let name = |axis: usize| names.get(axis).map_or("", |name| &**name);
+    let axes = CurveAxes::new([x, y], [name(0), name(1)]);
+    let response = named(response, Role::Canvas, &axes.words());
+    let drawing = axes.lay_out(DVec2::new(size.x.into(), size.y.into()), &style);
+    let mut field = Field {
+        drawing,
+        origin: outer.min,
+        x,
+        y,
+    };
+    let rect = field.rect();
     if !revealed {
-        draw(ui, open, &room, &response);
+        draw(ui, open, &field, &response);
     }
     let pointed = response
         .hover_pos()
         .filter(|at| rect.expand(8.0).contains(*at));
     let along = pointed
-        .map(|at| room.read(at).0)
+        .map(|at| field.read(at).0)
         .or((response.has_focus() && !revealed).then_some(open.draft.cursor));
     let share = along
         .map(|index| index as f64 / (CURVE_POINTS - 1) as f64)
@@ -101,36 +110,32 @@ pub fn curve_ui(
         open.draft.along = share;
         ui.ctx().request_repaint();
     }
-    let painter = ui.painter_at(outer);
-    axes(ui, &painter, &room, &names, &font, outer);
     let own: Vec<(usize, f64)> = points(&open.draft.curve);
     let own_colour = vector_text(ui.visuals(), Vector::L);
-    let right: Option<Vec<f64>> = match open.solution() {
-        Some(Solution::Curve(curve)) if revealed => Some(curve.iter().map(|[_, y]| *y).collect()),
-        _ => None,
+    let right: &[[f64; 2]] = match open.solution() {
+        Some(Solution::Curve(curve)) if revealed => curve,
+        _ => &[],
     };
-    if let Some(right) = &right {
-        between(
-            &painter,
-            &room,
-            &own,
-            right,
-            own_colour.gamma_multiply(0.25),
-        );
-    }
-    line(&painter, &room, &own, Stroke::new(2.2, own_colour));
-    if let Some(right) = &right {
-        let right: Vec<(usize, f64)> = right.iter().copied().enumerate().collect();
-        line(&painter, &room, &right, Stroke::new(2.2, right_colour(ui)));
-    }
+    between(&mut field, &own, right, rgb(own_colour));
+    let drawn = open.draft.curve.iter().enumerate();
+    let drawn: Vec<[f64; 2]> = drawn
+        .map(|(index, value)| [field.x_of(index), value.unwrap_or(f64::NAN)])
+        .collect();
+    field.drawing.draw_curve(drawn, LINE, rgb(own_colour), 1.0);
+    let right_line = rgb(right_colour(ui));
+    field
+        .drawing
+        .draw_curve(right.iter().copied(), LINE, right_line, 1.0);
+    let painter = ui.painter_at(outer);
+    painter.rect_filled(rect, 2.0, ui.visuals().extreme_bg_color);
+    paint(&painter, &field.drawing, outer.min);
     if let Some(index) = along {
-        let x = room.at(index, y[0]).x;
         let stroke = Stroke::new(1.0, ui.visuals().weak_text_color());
-        painter.vline(x, rect.y_range(), stroke);
+        painter.line_segment(field.axis(index), stroke);
     }
     if response.has_focus() && !revealed {
         let value = height(&open.draft.curve, open.draft.cursor, y);
-        let at = room.at(open.draft.cursor, value);
+        let at = field.at(open.draft.cursor, value);
         painter.circle_filled(at, 4.5, ui.visuals().strong_text_color());
     }
     if !revealed && own.is_empty() {
@@ -154,21 +159,6 @@ pub fn curve_ui(
     response.has_focus() && ui.input(|input| input.key_pressed(Key::Enter))
 }
 
-/// The value at an end of an axis, without the zeros behind its point.
-fn end(value: f64) -> String {
-    let digits = short(value);
-    if !digits.contains('.') || digits.contains('×') {
-        return digits;
-    }
-    let digits = digits.trim_end_matches('0').trim_end_matches('.');
-    digits.to_owned()
-}
-
-/// A name without its formula's signs.
-fn plain(name: &str) -> &str {
-    name.trim()
-}
-
 fn points(curve: &[Option<f64>]) -> Vec<(usize, f64)> {
     let points = curve.iter().enumerate();
     points
@@ -177,7 +167,7 @@ fn points(curve: &[Option<f64>]) -> Vec<(usize, f64)> {
 }
 
 /// Takes what the pointer draws, and the keys.
-fn draw(ui: &Ui, open: &mut Open, room: &Room, response: &eframe::egui::Response) {
+fn draw(ui: &Ui, open: &mut Open, field: &Field, response: &eframe::egui::Response) {
     let draft = &mut open.draft;
     if response.hovered() {
         ui.ctx().set_cursor_icon(CursorIcon::Crosshair);
@@ -185,8 +175,8 @@ fn draw(ui: &Ui, open: &mut Open, room: &Room, response: &eframe::egui::Response
     let held = response.is_pointer_button_down_on();
     if let Some(at) = response.interact_pointer_pos().filter(|_| held) {
         let moved = ui.input(|input| input.pointer.delta());
-        let (index, value) = room.read(at);
-        let (from, before) = room.read(at - moved);
+        let (index, value) = field.read(at);
+        let (from, before) = field.read(at - moved);
         let just = ui.input(|input| input.pointer.any_pressed());
         let (from, before) = if just { (index, value) } else { (from, before) };
         let steps = index.abs_diff(from).max(1);
@@ -219,9 +209,9 @@ fn draw(ui: &Ui, open: &mut Open, room: &Room, response: &eframe::egui::Response
     }
     let rise = f64::from(i8::from(pressed(Key::ArrowUp)) - i8::from(pressed(Key::ArrowDown)));
     if rise != 0.0 {
-        let [low, high] = room.y;
+        let [low, high] = field.y;
         let at = draft.cursor;
-        let value = height(&draft.curve, at, room.y);
+        let value = height(&draft.curve, at, field.y);
         lift(
             &mut draft.curve,
             at,
@@ -268,86 +258,29 @@ fn lift(curve: &mut [Option<f64>], at: usize, value: f64) {
     curve[at] = Some(value);
 }
 
-fn axes(ui: &Ui, painter: &Painter, room: &Room, names: &[String; 2], font: &FontId, outer: Rect) {
-    let visuals = ui.visuals();
-    let rect = room.rect;
-    painter.rect_filled(rect, 2.0, visuals.extreme_bg_color);
-    let grid = Stroke::new(1.0, visuals.widgets.noninteractive.bg_stroke.color);
-    for share in [0.25, 0.5, 0.75, 1.0] {
-        painter.hline(rect.x_range(), rect.max.y - share * rect.height(), grid);
-        painter.vline(rect.min.x + share * rect.width(), rect.y_range(), grid);
-    }
-    let line = Stroke::new(1.2, visuals.weak_text_color());
-    painter.hline(rect.x_range(), rect.max.y, line);
-    painter.vline(rect.min.x, rect.y_range(), line);
-    let colour = visuals.text_color();
-    let text = |at: Pos2, align: Align2, text: &str| {
-        painter.text(at, align, text, font.clone(), colour);
-    };
-    let [left, right] = room.x.map(end);
-    let [low, high] = room.y.map(end);
-    let below = rect.max.y + 3.0;
-    text(pos2(rect.min.x, below), Align2::LEFT_TOP, &left);
-    text(pos2(rect.max.x, below), Align2::RIGHT_TOP, &right);
-    text(pos2(rect.center().x, below), Align2::CENTER_TOP, &names[0]);
-    let beside = rect.min.x - 4.0;
-    text(pos2(beside, rect.max.y), Align2::RIGHT_BOTTOM, &low);
-    text(pos2(beside, rect.min.y), Align2::RIGHT_TOP, &high);
-    text(pos2(rect.min.x, outer.min.y), Align2::LEFT_TOP, &names[1]);
-}
-
-fn line(painter: &Painter, room: &Room, points: &[(usize, f64)], stroke: Stroke) {
-    let mut run: Vec<Pos2> = Vec::new();
-    let mut last: Option<usize> = None;
-    for (index, value) in points {
-        if last.is_some_and(|last| last + 1 != *index) {
-            painter.add(Shape::line(std::mem::take(&mut run), stroke));
-        }
-        run.push(room.at(*index, *value));
-        last = Some(*index);
-    }
-    if let [only] = run[..] {
-        painter.circle_filled(only, stroke.width, stroke.color);
-    } else {
-        painter.add(Shape::line(run, stroke));
-    }
-}
-
-/// The area between the drawn curve and the right one.
-fn between(painter: &Painter, room: &Room, own: &[(usize, f64)], right: &[f64], colour: Color32) {
-    let mut mesh = Mesh::default();
+/// Fills the area between the drawn curve and the right one.
+fn between(field: &mut Field, own: &[(usize, f64)], right: &[[f64; 2]], colour: Rgb8) {
     for pair in own.windows(2) {
         let [(a, own_a), (b, own_b)] = [pair[0], pair[1]];
         let (Some(right_a), Some(right_b)) = (right.get(a), right.get(b)) else {
             continue;
         };
-        let base = mesh.vertices.len() as u32;
-        for at in [
-            room.at(a, own_a),
-            room.at(a, *right_a),
-            room.at(b, *right_b),
-            room.at(b, own_b),
-        ] {
-            mesh.colored_vertex(at, colour);
-        }
-        mesh.add_triangle(base, base + 1, base + 2);
-        mesh.add_triangle(base, base + 2, base + 3);
+        let corners = [
+            [field.x_of(a), own_a],
+            *right_a,
+            *right_b,
+            [field.x_of(b), own_b],
+        ];
+        let places = corners.map(|corner| field.drawing.place(corner));
+        let places = places.into_iter().flatten().map(|(place, _)| place);
+        let area = Shape::area(places.collect(), colour).faded(0.25);
+        field.drawing.shapes.push(area);
     }
-    painter.add(Shape::mesh(mesh));
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{end, height, lift};
-
-    #[test]
-    fn ends_of_axes_have_no_idle_zeros() {
-        let ends = [0.0, 1.0, 0.25, 0.5, 90.0, 120.0, -1.5, 1e-7];
-        assert_eq!(
-            ends.map(end),
-            ["0", "1", "0.25", "0.5", "90", "120", "−1.5", "1.0×10⁻⁷"]
-        );
-    }
+    use super::{height, lift};
 
     #[test]
     fn a_key_goes_on_from_the_nearest_point_that_is_drawn() {
