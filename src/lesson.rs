@@ -3,15 +3,17 @@
 //! A lesson is a text file in CommonMark with TOML inside. The right answers are not in it: the engine computes them from the
 //! scene of the step, so that they stay right when a number is changed.
 
-mod answer;
 mod axes;
 mod budget;
 mod builtin;
 mod check;
 mod class;
 mod class_sheet;
+mod control;
+mod grade;
 mod hand_in;
 mod html;
+mod kinds;
 mod lab;
 mod links;
 mod page;
@@ -19,12 +21,10 @@ mod prose;
 mod question;
 mod read;
 mod record;
-mod solve;
 mod stage;
 mod words;
 mod worksheet;
 
-pub use answer::{Answer, Grade};
 pub use axes::CurveAxes;
 pub use budget::{Budget, TooHeavy};
 #[cfg(target_arch = "wasm32")]
@@ -32,22 +32,27 @@ pub use builtin::take_texts;
 pub use builtin::{BuiltIn, LESSONS, TOPICS, are_there, find, topic_name};
 pub use check::check;
 pub use class::{
-    Class, ClassQuestion, Given, Group, Handed, Student, Unreadable, collect, lesson_of, letter,
-    mark, short_answer, short_solution, spread,
+    Class, ClassQuestion, Given, Group, Handed, Student, Unreadable, collect, lesson_of, mark,
+    spread,
 };
 pub use class_sheet::class_sheet;
+pub use control::{control_name, slider, value_of};
+pub use grade::Grade;
 pub use hand_in::{
     ANSWERS_KEYWORD, HandIn, HandInError, MAX_NAME, answer_parts, hand_in, hand_in_bytes,
     read_hand_in,
 };
+pub use kinds::kind::Asks;
+pub use kinds::{
+    Answer, CURVE_POINTS, Choice, ChoiceOption, Curve, CurveOf, Extreme, Find, Goal, Item, Kind,
+    Match, MatchValues, Order, Point, RightIf, Settings, Solution, Value, letter, short_answer,
+};
 pub use lab::{Lab, LabPlace};
 pub use links::{may_open, without_closed_links};
 pub use prose::Prose;
-pub use question::{
-    ChoiceOption, CurveOf, Extreme, Find, Goal, Item, Kind, MatchValues, Question, RightIf, Term,
-};
+pub use question::Question;
+pub use read::keys::Term;
 pub use record::{Answered, Record};
-pub use solve::{CURVE_POINTS, Solution, matched_settings, slider, value_of};
 pub use stage::{OVERLAYS, Stage, Staged};
 pub use words::{in_words, without_marks};
 pub use worksheet::{Worksheet, worksheet};
@@ -73,7 +78,7 @@ use std::path::{Path, PathBuf};
 /// let staged = step.stage.load(None)?;
 /// let lab = Lab::new(&staged);
 /// let solution = question.solve(lab.place(&staged), 1)?;
-/// let grade = Answer::right(&solution).grade(question, &solution, lab.place(&staged));
+/// let grade = question.grade(&Answer::right(&solution), &solution, lab.place(&staged));
 /// assert!(grade.expect("an answer of the right kind").right);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```

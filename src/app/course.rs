@@ -39,7 +39,7 @@ use super::engine::Engine;
 use super::place::{ProbePoint, ProfileLine};
 use super::state::AppState;
 use crate::jobs::Background;
-use crate::lesson::{Kind, LESSONS, Lesson, OVERLAYS, Staged, are_there, find};
+use crate::lesson::{LESSONS, Lesson, OVERLAYS, Staged, are_there, find};
 use crate::text::text;
 use eframe::egui::{Context, Ui, vec2};
 use std::sync::Arc;
@@ -260,7 +260,7 @@ impl AppState {
             return;
         };
         self.appearance.overlay.angles = open.overlay.angles;
-        if let Kind::Settings { .. } | Kind::Match { .. } = question.kind {
+        if !question.kind.asks().controls().is_empty() {
             return;
         }
         if let Ok(scene) = staged.scene.with_overrides(&question.set) {

@@ -8,7 +8,7 @@ use shading_lab::analysis::{Cell, Column, Table};
 use shading_lab::document::{check_target, write_whole};
 use shading_lab::lesson::{
     Class, ClassQuestion, Given, Group, Handed, Student, Unreadable, answer_parts, class_sheet,
-    collect, short_answer, short_solution, spread, without_marks,
+    collect, short_answer, spread, without_marks,
 };
 use shading_lab::text::{escaped, excerpt, text};
 use std::path::{Path, PathBuf};
@@ -300,7 +300,7 @@ fn question_line(group: &Group, index: usize) -> String {
     let counted = group.counted(index);
     if let Some([least, lower, median, upper, greatest]) = spread(&group.predicted(index)) {
         let shown = |value: f64| short_answer(&shading_lab::lesson::Answer::Value(value));
-        let own = question.kind.predicts_number();
+        let own = question.kind.asks().predicts_number();
         let key = if own { "class-predicted" } else { "class-off" };
         let words = text!(
             key,
@@ -320,9 +320,9 @@ fn question_line(group: &Group, index: usize) -> String {
         line += &format!("\n   {}", counts.join(", "));
     }
     if let Some(solution) = &asked.solution
-        && !question.kind.is_drawn()
+        && !question.kind.asks().is_drawn()
     {
-        let right = short_solution(question, solution);
+        let right = question.kind.short_solution(solution);
         line += &format!("\n   {}", text!("class-solution", right = right));
     }
     line + "\n"

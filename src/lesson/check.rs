@@ -1,7 +1,6 @@
 //! What the engine finds wrong with a lesson.
 
-use super::solve::{matched_settings, picture_difference};
-use super::{Answer, Budget, Kind, Lab, Lesson, LessonError, LessonProblem, Solution, Step};
+use super::{Answer, Budget, Lab, Lesson, LessonError, LessonProblem, Step};
 use crate::scene::parameter::Parameter;
 use crate::text::{excerpt, text};
 
@@ -45,39 +44,19 @@ fn check_step(lesson: &Lesson, step: &Step, budget: &Budget) -> Result<(), Lesso
         take(line, words);
     }
     if let Some(question) = &step.question {
-        let mut texts = vec![&question.ask, &question.why];
-        match &question.kind {
-            Kind::Choice { options, .. } => texts.extend(options.iter().map(|option| &option.text)),
-            Kind::Order { items, .. } => texts.extend(items.iter().map(|item| &item.text)),
-            Kind::Curve { x_name, y_name, .. } => texts.extend([x_name, y_name]),
-            _ => {}
-        }
-        for prose in texts {
+        let texts = [&question.ask, &question.why];
+        for prose in texts.into_iter().chain(question.names()) {
             if let Err((line, words)) = prose.filled(&place) {
                 take(line, words);
             }
         }
-        let solved = question.solve(place, 1).and_then(|solution| {
-            let grade = Answer::right(&solution).grade(question, &solution, place);
-            match grade {
-                Some(grade) if grade.right => {}
-                _ => return Err(text!("lesson-not-right").to_owned()),
+        let solved = question.solve(place, 1).and_then(|right| {
+            let grade = question.grade(&Answer::right(&right), &right, place);
+            if grade.is_some_and(|grade| grade.right) {
+                question.kind.check(&right, place)
+            } else {
+                Err(text!("lesson-not-right").to_owned())
             }
-            if let (
-                Kind::Match {
-                    controls,
-                    tolerance,
-                    ..
-                },
-                Solution::Match(values),
-            ) = (&question.kind, &solution)
-            {
-                let target = place.under(&matched_settings(controls, values))?;
-                if picture_difference(&place, &target)? < 2.0 * tolerance {
-                    return Err(text!("lesson-match-same").to_owned());
-                }
-            }
-            Ok(())
         });
         if let Err(words) = solved {
             take(question.line, text!("lesson-question", words = words));

@@ -1,13 +1,14 @@
 //! The answers of a class: hand-ins sorted by lesson, and graded by the engine. What a hand-in says of its own grades is not read.
 
 use super::hand_in::{HandIn, digest, read_hand_in};
+use super::kinds::kind::counted;
 use super::{
-    Answer, Answered, Budget, Grade, Kind, Lab, LabPlace, Lesson, Prose, Question, Solution, Step,
-    TooHeavy, find,
+    Answer, Answered, Budget, Grade, Lab, LabPlace, Lesson, Question, Solution, Step, TooHeavy,
+    find,
 };
 use crate::document::open_picture;
 use crate::render::Frame;
-use crate::text::{Language, fixed, in_language, text};
+use crate::text::{Language, in_language, text};
 use std::io::Cursor;
 use std::path::PathBuf;
 
@@ -147,28 +148,18 @@ impl Group {
     pub fn predicted(&self, question: usize) -> Vec<f64> {
         let mut numbers: Vec<f64> = self
             .given(question)
-            .filter_map(|given| match given.answered.prediction {
-                Answer::Value(value) | Answer::Settings(value) => Some(value),
-                Answer::Choice(_) | Answer::Order(_) => None,
-                _ => given.predicted?.off,
+            .filter_map(|given| {
+                let number = given.answered.prediction.number();
+                number.or(given.predicted?.off)
             })
             .collect();
         numbers.sort_by(f64::total_cmp);
         numbers
     }
 
-    /// Which options or orders were predicted, each with how often; the most frequent first.
-    pub fn counted(&self, question: usize) -> Vec<(Answer, usize)> {
-        let mut counted: Vec<(Answer, usize)> = Vec::new();
-        for given in self.given(question) {
-            let prediction = &given.answered.prediction;
-            match counted.iter_mut().find(|(answer, _)| answer == prediction) {
-                Some((_, count)) => *count += 1,
-                None => counted.push((prediction.clone(), 1)),
-            }
-        }
-        counted.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
-        counted
+    /// Returns the answers that were predicted, each with how often; the most frequent first.
+    pub fn counted(&self, question: usize) -> Vec<(&Answer, usize)> {
+        counted(self.given(question).map(|given| &given.answered.prediction))
     }
 }
 
@@ -507,10 +498,10 @@ impl ClassQuestion {
         if let Ok(filled) = Self::filled(self.step, question, place) {
             *self = filled;
         }
-        if pictures && matches!(question.kind, Kind::Point { .. }) {
+        if pictures && question.kind.asks().asks_place() {
             self.picture = Some(place.counted_picture()?);
         }
-        if !question.kind.is_drawn_at_random() {
+        if !question.kind.asks().is_drawn_at_random() {
             self.solution = Some(question.solve(place, 0)?);
         }
         Ok(())
@@ -532,7 +523,7 @@ impl ClassQuestion {
             }
         };
         // What cannot be graded, such as half a curve, is not right.
-        let grade = |answer: &Answer| answer.grade(question, solution, place).unwrap_or_default();
+        let grade = |answer: &Answer| question.grade(answer, solution, place).unwrap_or_default();
         let Answered {
             answer, prediction, ..
         } = &given.answered;
@@ -554,15 +545,8 @@ impl ClassQuestion {
         let right = place
             .under(&question.set)
             .map_err(|words| (question.line, words))?;
-        let options: Vec<&Prose> = match &question.kind {
-            Kind::Choice { options, .. } => options.iter().map(|option| &option.text).collect(),
-            Kind::Order { items, .. } => items.iter().map(|item| &item.text).collect(),
-            _ => Vec::new(),
-        };
-        let options: Result<_, _> = options
-            .into_iter()
-            .map(|prose| prose.filled(&place))
-            .collect();
+        let options = question.kind.asks().options().into_iter();
+        let options: Result<_, _> = options.map(|prose| prose.filled(&place)).collect();
         Ok(Self {
             ask: question.ask.filled(&place)?,
             why: question.why.filled(&right)?,
@@ -582,38 +566,4 @@ impl ClassQuestion {
             picture: None,
         }
     }
-}
-
-/// The letter of an option or an item.
-pub fn letter(index: usize) -> char {
-    char::from(b'A' + u8::try_from(index % 26).unwrap_or(0))
-}
-
-/// An answer in a few characters.
-pub fn short_answer(answer: &Answer) -> String {
-    let number = |value: f64| {
-        let digits = if value.abs() >= 100.0 { 1 } else { 3 };
-        let text = fixed(value, digits);
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
-    };
-    match answer {
-        Answer::Choice(option) => letter(*option).to_string(),
-        Answer::Value(value) | Answer::Settings(value) => number(*value),
-        Answer::Point([x, y]) => format!("({}, {})", number(*x), number(*y)),
-        Answer::Curve(_) => "∿".to_owned(),
-        Answer::Order(order) => order.iter().map(|item| letter(*item)).collect(),
-        Answer::Match(values) => {
-            let values: Vec<String> = values.iter().map(|value| number(*value)).collect();
-            values.join(" ")
-        }
-    }
-}
-
-/// Everything about a question's right answer in a few characters.
-pub fn short_solution(question: &Question, solution: &Solution) -> String {
-    let unit = match &question.kind {
-        Kind::Value { unit, .. } => &**unit,
-        _ => "",
-    };
-    short_answer(&Answer::right(solution)) + unit
 }

@@ -176,6 +176,15 @@ pub fn picture(frame: &Frame, words: &str) -> Html {
         .into()
 }
 
+/// Returns a white pixel, in place of a picture.
+pub fn blank_picture() -> Frame {
+    Frame {
+        width: 1,
+        height: 1,
+        pixels: vec![[0xff; 4]],
+    }
+}
+
 /// The address of a picture that contains it.
 pub fn data(frame: &Frame) -> String {
     let bytes = picture_bytes(frame, None).unwrap_or_default();

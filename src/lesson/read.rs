@@ -1,21 +1,22 @@
 //! A lesson's file, read with the line of everything that is wrong.
 
+pub(super) mod keys;
 mod question;
+mod reader;
 mod stage;
 
 use super::stage::Stage;
-use super::{Lesson, LessonError, LessonProblem, Prose, Step};
-use crate::expression::Expression;
-use crate::figure::Axis;
-use crate::text::{text, with_short_names};
+use super::{Lesson, LessonError, Prose, Step};
+use crate::text::text;
 use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Options, Parser, Tag, TagEnd};
+use reader::{Block, Reader};
 use serde::Deserialize;
-use serde::de::DeserializeOwned;
 use std::path::Path;
 use toml::Spanned;
 
 /// The version of the format.
 const VERSION: u32 = 1;
+
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Head {
@@ -54,17 +55,6 @@ impl Lesson {
     }
 }
 
-/// A block of TOML and the offset where it begins.
-struct Block<'s> {
-    text: &'s str,
-    at: usize,
-}
-
-struct Reader<'s> {
-    source: &'s str,
-    problems: Vec<LessonProblem>,
-}
-
 /// What stands between a heading and the next one.
 struct RawStep<'s> {
     title: String,
@@ -76,36 +66,6 @@ struct RawStep<'s> {
 }
 
 impl<'s> Reader<'s> {
-    fn line(&self, offset: usize) -> u64 {
-        let before = self.source.as_bytes().get(..offset).unwrap_or_default();
-        1 + before.iter().filter(|byte| **byte == b'\n').count() as u64
-    }
-
-    fn wrong(&mut self, offset: usize, words: impl Into<String>) {
-        let line = self.line(offset);
-        self.wrong_at(line, words);
-    }
-
-    fn wrong_at(&mut self, line: u64, words: impl Into<String>) {
-        let words = words.into();
-        self.problems.push(LessonProblem { line, words });
-    }
-
-    fn toml<T: DeserializeOwned>(&mut self, block: &Block<'_>) -> Option<T> {
-        // Of the end of a line with a carriage return, TOML takes both or none.
-        match toml::from_str(block.text.trim_end_matches('\r')) {
-            Ok(read) => Some(read),
-            Err(error) => {
-                let at = error.span().map_or(0, |span| span.start);
-                self.wrong(
-                    block.at + at,
-                    text!("problem-toml", message = with_short_names(error.message())),
-                );
-                None
-            }
-        }
-    }
-
     fn lesson(&mut self, folder: Option<&Path>) -> Option<Lesson> {
         let (block, body) = self.head()?;
         let head: Head = self.toml(&block)?;
@@ -307,79 +267,6 @@ impl<'s> Reader<'s> {
             stage,
             question,
             line,
-        }
-    }
-
-    fn missing(&mut self, at: usize, key: &str) {
-        self.wrong(at, text!("lesson-missing", key = key));
-    }
-
-    fn prose(&mut self, block: &Block<'_>, text: Option<&Spanned<String>>) -> Prose {
-        let Some(text) = text else {
-            return Prose::default();
-        };
-        let line = self.line(block.at + text.span().start);
-        match Prose::read(text.get_ref(), line) {
-            Ok(prose) => prose,
-            Err((line, words)) => {
-                self.wrong_at(line, words);
-                Prose::default()
-            }
-        }
-    }
-
-    fn expression(
-        &mut self,
-        block: &Block<'_>,
-        key: &str,
-        text: Option<&Spanned<String>>,
-    ) -> Option<Expression> {
-        let Some(text) = text else {
-            self.missing(block.at, key);
-            return None;
-        };
-        self.expression_at(block.at + text.span().start, key, text.get_ref())
-    }
-
-    fn expression_at(&mut self, at: usize, key: &str, text: &str) -> Option<Expression> {
-        match Expression::read(text) {
-            Ok(expression) => Some(expression),
-            Err(words) => {
-                self.wrong(at, text!("lesson-key", key = key, words = words));
-                None
-            }
-        }
-    }
-
-    /// A number that is finite and above 0.
-    fn positive(&mut self, block: &Block<'_>, key: &str, value: Option<f64>) -> Option<f64> {
-        match value {
-            Some(value) if value > 0.0 && value.is_finite() => Some(value),
-            Some(_) => {
-                let words = text!("lesson-positive");
-                self.wrong(block.at, text!("lesson-key", key = key, words = words));
-                None
-            }
-            None => {
-                self.missing(block.at, key);
-                None
-            }
-        }
-    }
-
-    /// The ends of a range that an axis can have.
-    fn range(&mut self, block: &Block<'_>, key: &str, value: Option<[f64; 2]>) -> Option<[f64; 2]> {
-        match value {
-            Some([from, to]) if Axis::can_span(from, to) => Some([from, to]),
-            Some(_) => {
-                let words = text!("lesson-range");
-                self.wrong(block.at, text!("lesson-key", key = key, words = words));
-                None
-            }
-            None => {
-                self.missing(block.at, key);
-                None
-            }
         }
     }
 }

@@ -1,9 +1,8 @@
 //! A lesson in words, for a terminal.
 
-use super::class::{ClassQuestion, letter};
+use super::class::ClassQuestion;
 use super::links::without_closed_links;
-use super::worksheet::answer_words;
-use super::{Budget, Kind, Lab, Lesson, LessonError, Question, Staged};
+use super::{Budget, Lab, Lesson, LessonError, Question, Staged, letter};
 use crate::text::text;
 use std::fmt::Write as _;
 
@@ -40,12 +39,13 @@ pub fn in_words(lesson: &Lesson, seed: u64, answers: bool) -> Result<String, Les
         let asked = ClassQuestion::filled(index, question, place).map_err(wrong)?;
         let heading = text!("class-question", number = number);
         let _ = writeln!(out, "\n{heading} {}", without_marks(&asked.ask));
-        out.push_str(&room(&asked, question));
+        out.push_str(&expected(&asked, question));
         if answers {
             let solution = question.solve(place, seed);
             let solution = solution
                 .map_err(|words| wrong((question.line, text!("lesson-question", words = words))))?;
-            let words = without_marks(&answer_words(&asked, question, &solution));
+            let words = question.kind.solution_words(&solution, &asked.options);
+            let words = without_marks(&words);
             let _ = writeln!(
                 right,
                 "{heading} {words}\n{}\n",
@@ -79,23 +79,14 @@ fn shell_word(word: &str) -> String {
     format!("'{}'", word.replace('\'', r"'\''"))
 }
 
-/// What there is to choose from, or what is expected.
-fn room(asked: &ClassQuestion, question: &Question) -> String {
+/// Returns the options, or a line that says what is expected.
+fn expected(asked: &ClassQuestion, question: &Question) -> String {
     let options = asked.options.iter().enumerate();
     let mut out: String = options
         .map(|(index, words)| format!("   {} {}\n", letter(index), without_marks(words)))
         .collect();
-    if let Kind::Value { from, to, unit, .. } = &question.kind {
-        let _ = writeln!(
-            out,
-            "   {}",
-            text!(
-                "class-range",
-                from = from.to_string(),
-                to = to.to_string(),
-                unit = &**unit
-            )
-        );
+    if let Some(hint) = question.kind.asks().hint() {
+        let _ = writeln!(out, "   {hint}");
     }
     out
 }

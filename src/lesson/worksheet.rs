@@ -1,22 +1,19 @@
 //! A lesson on paper: its text and pictures, questions with room to write, and the answers on a page of their own.
 
-use super::axes::CurveAxes;
 use super::builtin::topic_name;
-use super::class::{ClassQuestion, letter};
+use super::class::ClassQuestion;
 use super::html::{Html, escaped};
-use super::page::{blocks, data, inline, page, picture};
-use super::{
-    Budget, Kind, Lab, LabPlace, Lesson, LessonError, Question, Solution, Stage, Staged, Step,
-};
+use super::kinds::kind::Printed;
+use super::page::{blank_picture, blocks, inline, page, picture};
+use super::{Budget, Lab, Lesson, LessonError, Question, Stage, Staged, Step};
 use crate::analysis::{
     NormalField, OverlayLayer, OverlayOptions, ProfileQuestion, VertexNormal, comparison_sheet,
     draw_normals, draw_overlay, draw_panes, draw_profile, panes_on_sheet, probe, profile,
 };
 use crate::figure::{Drawing, Shape};
 use crate::render::{Frame, Renderer};
-use crate::scene::parameter::Parameter;
 use crate::scene::{CompareView, Scene};
-use crate::text::{fixed, text};
+use crate::text::text;
 use glam::DVec2;
 use std::convert::Infallible;
 use std::fmt::Write as _;
@@ -66,6 +63,10 @@ figure img { width: 100%; height: auto; display: block; }
 .answer svg { max-width: 120mm; }
 ";
 
+/// Lines to write on.
+const RULES: &str =
+    "<div class=\"rules\"><div class=\"rule\"></div><div class=\"rule\"></div></div>\n";
+
 /// The page; `progress` is told of each step that is done.
 ///
 /// # Errors
@@ -106,7 +107,7 @@ pub fn worksheet(
                 "<div class=\"question\">\n<p><strong>{}</strong> {}</p>\n{}</div>\n",
                 escaped(&text!("class-question", number = number)),
                 question.ask,
-                question.room
+                question.blank
             );
             let _ = write!(
                 answers,
@@ -137,7 +138,7 @@ struct StepPart {
 /// As HTML.
 struct QuestionPart {
     ask: String,
-    room: String,
+    blank: String,
     answer: String,
 }
 
@@ -154,8 +155,7 @@ impl StepPart {
         let wrong = |(line, words): (u64, String)| LessonError::one(line, words);
         let text = step.text.filled(&place).map_err(wrong)?;
         let title = inline(&step.title);
-        let own_picture =
-            |question: &Question| matches!(question.kind, Kind::Point { .. } | Kind::Match { .. });
+        let own_picture = |question: &Question| question.kind.asks().uses_picture();
         let mut body = format!(
             "<section class=\"step\">\n<h2>{}. {title}</h2>\n",
             index + 1
@@ -186,13 +186,23 @@ impl StepPart {
         };
         if let Some(asks) = &step.question {
             let mut asked = ClassQuestion::filled(index, asks, place).map_err(wrong)?;
-            let target = matches!(asks.kind, Kind::Match { .. });
+            let target = asks.kind.asks().shows_target();
             if sheet.answers || target && sheet.samples > 0 {
                 let solution = asks.solve(place, sheet.seed);
                 asked.solution = Some(solution.map_err(question)?);
             }
+            let printed = Printed {
+                ask: &asked.ask,
+                options: &asked.options,
+                set: &asks.set,
+                place,
+                picture: &frame,
+                seed: sheet.seed,
+                without_pictures: sheet.samples == 0,
+            };
+            let blank = asks.kind.blank(&printed, asked.solution.as_ref());
             part.question = Some(QuestionPart {
-                room: room(&asked, asks, place, &frame, sheet).map_err(question)?,
+                blank: blank.map_err(question)? + RULES,
                 answer: answer(&asked, asks, &frame),
                 ask: inline(&asked.ask).to_string(),
             });
@@ -201,278 +211,31 @@ impl StepPart {
     }
 }
 
-/// Where the student answers.
-fn room(
-    asked: &ClassQuestion,
-    question: &Question,
-    place: LabPlace<'_>,
-    frame: &Frame,
-    sheet: Worksheet,
-) -> Result<String, String> {
-    let line = "<span class=\"blank\"></span>";
-    let mut out = String::new();
-    match &question.kind {
-        Kind::Choice { .. } => {
-            out.push_str("<ul class=\"options\">\n");
-            for (index, words) in asked.options.iter().enumerate() {
-                let _ = writeln!(
-                    out,
-                    "<li><span class=\"box\"></span>{} {}</li>",
-                    letter(index),
-                    inline(words)
-                );
-            }
-            out.push_str("</ul>\n");
-        }
-        Kind::Value { unit, .. } => {
-            let _ = writeln!(
-                out,
-                "<p>{} {line} {}</p>",
-                escaped(text!("class-answer")),
-                escaped(unit)
-            );
-        }
-        Kind::Point { .. } => {
-            let _ = writeln!(
-                out,
-                "<p class=\"quiet\">{}</p>\n{}",
-                escaped(text!("class-mark")),
-                picture(frame, &asked.ask)
-            );
-        }
-        Kind::Curve {
-            x,
-            y,
-            x_name,
-            y_name,
-            ..
-        } => {
-            let axes = CurveAxes::new([*x, *y], [&x_name.plain(), &y_name.plain()]);
-            let _ = writeln!(
-                out,
-                "<figure>{}</figure>",
-                axes.on_page().to_svg(&axes.words())
-            );
-        }
-        Kind::Settings { control, .. } => {
-            let _ = writeln!(out, "<p>{} = {line}</p>", control_name(control));
-        }
-        Kind::Order { items, .. } => {
-            let small = |set: &[String]| match sheet.samples {
-                0 => Ok(blank()),
-                _ => place.under(set)?.counted_picture(),
-            };
-            out.push_str("<div class=\"items\">\n");
-            for (index, (item, words)) in items.iter().zip(&asked.options).enumerate() {
-                let image = if item.set.is_empty() {
-                    String::new()
-                } else {
-                    picture(&thumbnail(&small(&item.set)?), words).to_string()
-                };
-                let _ = writeln!(
-                    out,
-                    "<figure>{image}<p>{} {}</p></figure>",
-                    letter(index),
-                    inline(words)
-                );
-            }
-            let blanks = vec!["<span class=\"blank short\"></span>"; items.len()].join(" &lt; ");
-            let _ = writeln!(out, "</div>\n<p>{blanks}</p>");
-        }
-        Kind::Match { controls, .. } => {
-            let target = match &asked.solution {
-                Some(Solution::Match(values)) => {
-                    let settings = super::solve::matched_settings(controls, values);
-                    let target = place.under(&question.set)?.under(&settings)?;
-                    Some(target.counted_picture()?)
-                }
-                _ => None,
-            };
-            let caption = |words: &str| format!("<figcaption>{}</figcaption>", escaped(words));
-            let _ = write!(
-                out,
-                "<div class=\"pair\"><figure>{}{}</figure>",
-                picture(frame, ""),
-                caption(text!("class-start"))
-            );
-            if let Some(target) = target {
-                let words = text!("class-target", seed = sheet.seed.to_string());
-                let _ = write!(
-                    out,
-                    "<figure>{}{}</figure>",
-                    picture(&target, ""),
-                    caption(&words)
-                );
-            }
-            out.push_str("</div>\n");
-            for control in controls {
-                let _ = writeln!(out, "<p>{} = {line}</p>", control_name(control));
-            }
-        }
-    }
-    out.push_str(
-        "<div class=\"rules\"><div class=\"rule\"></div><div class=\"rule\"></div></div>\n",
-    );
-    Ok(out)
-}
-
-/// The right answer, and why.
-fn answer(asked: &ClassQuestion, question: &Question, frame: &Frame) -> String {
-    let Some(solution) = &asked.solution else {
+/// Returns the right answer, and why, as HTML.
+fn answer(asked: &ClassQuestion, question: &Question, picture: &Frame) -> String {
+    let Some(right) = &asked.solution else {
         return String::new();
     };
-    let mut out = match (solution, &question.kind) {
-        (Solution::Places(places), _) => marked_places(frame, places),
-        (
-            Solution::Curve(curve),
-            Kind::Curve {
-                x,
-                y,
-                x_name,
-                y_name,
-                ..
-            },
-        ) => {
-            let axes = CurveAxes::new([*x, *y], [&x_name.plain(), &y_name.plain()]);
-            let mut drawing = axes.on_page();
-            drawing.draw_curve(curve.iter().copied(), 2.5, [0; 3], 1.0);
-            format!("<figure>{}</figure>", drawing.to_svg(&axes.words()))
-        }
-        _ => format!(
-            "<p>{}</p>",
-            inline(&answer_words(asked, question, solution))
-        ),
-    };
+    let drawing = question.kind.drawing(right, picture);
+    let mut out = drawing.unwrap_or_else(|| {
+        let words = question.kind.solution_words(right, &asked.options);
+        format!("<p>{}</p>", inline(&words))
+    });
     if !asked.why.is_empty() {
         let _ = write!(out, "<div>{}</div>", blocks(&asked.why));
     }
     out
 }
 
-/// The right answer in words; none of a drawing.
-pub(super) fn answer_words(
-    asked: &ClassQuestion,
-    question: &Question,
-    solution: &Solution,
-) -> String {
-    let named = |index: &usize| {
-        let words = asked.options.get(*index).map_or("", |words| &**words);
-        format!("{} {words}", letter(*index))
-    };
-    match (solution, &question.kind) {
-        (Solution::Choice(right), _) => named(right),
-        (
-            Solution::Value(right),
-            Kind::Value {
-                tolerance, unit, ..
-            },
-        ) => {
-            let digits = digits(*tolerance);
-            let unit = if unit.is_empty() || unit == "°" {
-                unit.clone()
-            } else {
-                format!(" {unit}")
-            };
-            format!("{}{unit}", fixed(*right, digits))
-        }
-        (Solution::Setting(right), Kind::Settings { control, .. }) => {
-            format!("{} = {}", plain_control_name(control), fixed(*right, 2))
-        }
-        (Solution::Order(right), _) => right.iter().map(named).collect::<Vec<_>>().join(" < "),
-        (Solution::Match(values), Kind::Match { controls, .. }) => {
-            let pairs = controls.iter().zip(values);
-            let pairs: Vec<String> = pairs
-                .map(|(control, value)| {
-                    format!("{} = {}", plain_control_name(control), fixed(*value, 2))
-                })
-                .collect();
-            pairs.join(text!("comma"))
-        }
-        (Solution::Places(places), _) => {
-            let place = places.first().copied().unwrap_or_default();
-            format!("({}, {})", fixed(place.x, 2), fixed(place.y, 2))
-        }
-        _ => String::new(),
-    }
-}
-
-/// Digits after the point that show a difference of the tolerance.
-fn digits(tolerance: f64) -> usize {
-    (0..6)
-        .find(|digits| 0.1f64.powi(*digits) <= tolerance * 1.01)
-        .unwrap_or(6) as usize
-}
-
-fn plain_control_name(key: &str) -> String {
-    match Parameter::of_key(key).map(|(parameter, _)| parameter) {
-        Some(parameter) if !parameter.letter.is_empty() => {
-            format!("{} ({})", parameter.name(), parameter.letter)
-        }
-        Some(parameter) => parameter.name().to_owned(),
-        None => key.to_owned(),
-    }
-}
-
-fn control_name(key: &str) -> String {
-    escaped(&plain_control_name(key))
-}
-
-fn marked_places(frame: &Frame, places: &[DVec2]) -> String {
-    let size = DVec2::new(frame.width.into(), frame.height.into());
-    let side = size.min_element();
-    let mut svg = format!(
-        "<figure class=\"points\"><svg viewBox=\"0 0 {} {}\" role=\"img\" fill=\"none\">\n<image href=\"{}\" width=\"{0}\" height=\"{1}\"/>\n",
-        size.x,
-        size.y,
-        data(frame)
-    );
-    let radius = if places.len() == 1 { 0.03 } else { 0.006 } * side;
-    for place in places {
-        let at = size / 2.0 + *place * side;
-        for (colour, width) in [("#000", 0.012), ("#fff", 0.006)] {
-            let _ = writeln!(
-                svg,
-                "<circle cx=\"{:.1}\" cy=\"{:.1}\" r=\"{radius:.1}\" stroke=\"{colour}\" stroke-width=\"{:.1}\"/>",
-                at.x,
-                at.y,
-                width * side
-            );
-        }
-    }
-    svg + "</svg></figure>\n"
-}
-
-/// In place of a picture.
-fn blank() -> Frame {
-    Frame {
-        width: 1,
-        height: 1,
-        pixels: vec![[0xff; 4]],
-    }
-}
-
-/// Every other pixel of every other row.
-fn thumbnail(frame: &Frame) -> Frame {
-    let (width, height) = (frame.width.div_ceil(2), frame.height.div_ceil(2));
-    let row = |y: u32| {
-        (0..width).filter_map(move |x| frame.pixels.get((2 * y * frame.width + 2 * x) as usize))
-    };
-    Frame {
-        width,
-        height,
-        pixels: (0..height).flat_map(row).copied().collect(),
-    }
-}
-
 /// What the window shows of a step: the picture or its panes, with what is drawn over it. The profile's curve is left out
 /// where it would be the answer.
 fn stage_picture(lab: &Lab, step: &Step, staged: &Staged, samples: u32) -> Result<Frame, String> {
     if samples == 0 {
-        return Ok(blank());
+        return Ok(blank_picture());
     }
     lab.with_renderer(samples, |renderer, scene| {
-        let told =
-            step.stage.hide || matches!(&step.question, Some(question) if question.kind.is_drawn());
+        let told = step.stage.hide
+            || matches!(&step.question, Some(question) if question.kind.asks().is_drawn());
         let mut scene = scene.clone();
         if scene.compare.panes.is_empty() {
             let mut frame = renderer.render_supersampled(&scene, samples, &mut |_| true);

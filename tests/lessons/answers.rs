@@ -49,7 +49,7 @@ impl Room {
 
     fn grade(&self, answer: &Answer) -> Grade {
         let place = self.lab.place(&self.staged);
-        let grade = answer.grade(&self.question, &self.solve(), place);
+        let grade = self.question.grade(answer, &self.solve(), place);
         grade.unwrap_or_else(|| panic!("{answer:?} cannot be graded"))
     }
 
@@ -92,7 +92,7 @@ fn an_answer_of_another_kind_is_not_graded() {
             if !same {
                 assert!(!answer.fits(&room.question.kind), "{answer:?}");
                 assert_eq!(
-                    answer.grade(&room.question, &solution, place),
+                    room.question.grade(answer, &solution, place),
                     None,
                     "{answer:?}"
                 );
@@ -200,7 +200,7 @@ fn a_place_is_where_the_closed_form_has_it() {
         "kind = \"point\"\nfind = \"greatest\"\nof = \"probe.lights[0].n_dot_l\"\ntolerance = 0.06";
     let step = "\"light.0.direction=[-0.6,0,-0.8]\"]";
     let room = Room::new(step, question);
-    let Solution::Places(places) = room.solve() else {
+    let Solution::Point(places) = room.solve() else {
         panic!("places");
     };
     let scene: &Scene = &room.staged.scene;
@@ -218,7 +218,7 @@ fn a_place_is_where_the_closed_form_has_it() {
     let question =
         "kind = \"point\"\nfind = \"zero\"\nof = \"probe.lights[0].n_dot_l\"\ntolerance = 0.03";
     let room = Room::new("\"light.0.direction=[-1,0,0]\"]", question);
-    let Solution::Places(places) = room.solve() else {
+    let Solution::Point(places) = room.solve() else {
         panic!("places");
     };
     assert!(
@@ -268,7 +268,7 @@ fn a_curve_is_compared_point_by_point() {
     };
     assert!(room.grade(&drawn(60)).right);
     let place = room.lab.place(&room.staged);
-    assert_eq!(drawn(40).grade(&room.question, &room.solve(), place), None);
+    assert_eq!(room.question.grade(&drawn(40), &room.solve(), place), None);
 
     let flat = Room::new(
         "\"material.n=4\"]",
@@ -319,7 +319,7 @@ fn a_setting_is_found_where_the_closed_form_has_it() {
     // cosⁿφ = 1/2 at φ = 10°.
     let question = "kind = \"settings\"\ncontrol = \"material.n\"\nreach = \"half_width\"\nequals = \"10\"\ntolerance = 0.5";
     let room = Room::new("\"material.n=5\"]", question);
-    let Solution::Setting(n) = room.solve() else {
+    let Solution::Settings(n) = room.solve() else {
         panic!("a setting");
     };
     let expected = 0.5f64.ln() / 10f64.to_radians().cos().ln();
@@ -330,7 +330,7 @@ fn a_setting_is_found_where_the_closed_form_has_it() {
     // x − x² is greatest at one half.
     let question = "kind = \"settings\"\ncontrol = \"material.kd\"\nreach = \"scene.material.kd - scene.material.kd^2\"\nmost = true\ntolerance = 0.05";
     let room = Room::new("\"material.kd=0.1\"]", question);
-    let Solution::Setting(kd) = room.solve() else {
+    let Solution::Settings(kd) = room.solve() else {
         panic!("a setting");
     };
     assert!((kd - 0.5).abs() < 1e-3, "{kd}");

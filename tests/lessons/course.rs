@@ -4,7 +4,8 @@
 use rayon::prelude::*;
 use shading_lab::expression::Expression;
 use shading_lab::lesson::{
-    Answer, Budget, BuiltIn, Kind, LESSONS, Lab, Lesson, Question, Solution, Staged, Step, check,
+    Answer, Budget, BuiltIn, Curve, Kind, LESSONS, Lab, Lesson, Match, Question, Solution, Staged,
+    Step, check,
 };
 use shading_lab::text::Language;
 use std::collections::BTreeSet;
@@ -84,24 +85,24 @@ fn no_lesson_takes_a_tenth_of_the_work_that_it_may() {
 /// Answers that are wrong.
 fn wrong_answers(question: &Question, solution: &Solution, staged: &Staged) -> Vec<Answer> {
     match (&question.kind, solution) {
-        (Kind::Choice { options, .. }, Solution::Choice(right)) => (0..options.len())
+        (Kind::Choice(kind), Solution::Choice(right)) => (0..kind.options.len())
             .filter(|option| option != right)
             .map(Answer::Choice)
             .collect(),
-        (Kind::Value { tolerance, .. }, Solution::Value(right)) => [-2.1, 2.1]
-            .map(|times| Answer::Value(right + times * tolerance))
+        (Kind::Value(kind), Solution::Value(right)) => [-2.1, 2.1]
+            .map(|times| Answer::Value(right + times * kind.tolerance))
             .to_vec(),
-        (Kind::Point { tolerance, .. }, Solution::Places(places)) => (0..400)
+        (Kind::Point(kind), Solution::Point(places)) => (0..400)
             .map(|index| [f64::from(index % 20), f64::from(index / 20)].map(|x| x / 20.0 - 0.475))
             .filter(|point| {
                 let far = |place: &glam::DVec2| {
-                    place.distance(glam::DVec2::from_array(*point)) > 2.1 * tolerance
+                    place.distance(glam::DVec2::from_array(*point)) > 2.1 * kind.tolerance
                 };
                 places.iter().all(far)
             })
             .map(Answer::Point)
             .collect(),
-        (Kind::Curve { y, .. }, Solution::Curve(points)) => {
+        (Kind::Curve(Curve { y, .. }), Solution::Curve(points)) => {
             let mean = points.iter().map(|[_, y]| y).sum::<f64>() / points.len() as f64;
             let upside_down = points.iter().map(|[_, value]| Some(y[0] + y[1] - value));
             vec![
@@ -110,16 +111,16 @@ fn wrong_answers(question: &Question, solution: &Solution, staged: &Staged) -> V
                 Answer::Curve(vec![None; points.len()]),
             ]
         }
-        (Kind::Settings { .. }, Solution::Setting(right)) => [0.25, 4.0]
+        (Kind::Settings(_), Solution::Settings(right)) => [0.25, 4.0]
             .map(|times| Answer::Settings(right * times))
             .to_vec(),
-        (Kind::Order { .. }, Solution::Order(right)) => {
+        (Kind::Order(_), Solution::Order(right)) => {
             let mut swapped = right.clone();
             swapped.swap(0, 1);
             let reversed = right.iter().rev().copied().collect();
             vec![Answer::Order(swapped), Answer::Order(reversed)]
         }
-        (Kind::Match { controls, .. }, Solution::Match(_)) => {
+        (Kind::Match(Match { controls, .. }), Solution::Match(_)) => {
             let parameter = |key: &String| shading_lab::scene::parameter::Parameter::by_word(key);
             let own = |key: &String| {
                 let value = parameter(key)?.value(&staged.scene, 0)?;
@@ -159,11 +160,11 @@ fn the_right_answer_scores_full_marks_and_a_wrong_one_does_not() {
             let what = format!("{}, {}", lesson.name, step.title);
             let right = Answer::right(&solution);
             assert!(right.fits(&question.kind), "{what}");
-            let grade = right.grade(question, &solution, place).expect("a grade");
+            let grade = question.grade(&right, &solution, place).expect("a grade");
             assert!(grade.right && grade.score >= 0.999, "{what}: {grade:?}");
             let wrong = wrong_answers(question, &solution, &staged);
             for answer in &wrong {
-                let grade = answer.grade(question, &solution, place).unwrap_or_default();
+                let grade = question.grade(answer, &solution, place).unwrap_or_default();
                 assert!(
                     !grade.right && grade.score < 1.0,
                     "{what}: {answer:?} counts as right: {solution:?}"
@@ -198,7 +199,7 @@ fn half_of_the_change_along_the_scan_line_is_in_its_middle() {
     let lab = Lab::new(&staged);
     let place = lab.place(&staged);
     let solution = question.solve(place, 1).expect("a solution");
-    let Solution::Places(places) = &solution else {
+    let Solution::Point(places) = &solution else {
         panic!("places");
     };
     assert!(places[0].length() < 0.01, "{places:?}");
@@ -209,7 +210,7 @@ fn half_of_the_change_along_the_scan_line_is_in_its_middle() {
         (0.0, 0.1, false),
         (0.1, 0.0, false),
     ] {
-        let grade = Answer::Point([x, y]).grade(question, &solution, place);
+        let grade = question.grade(&Answer::Point([x, y]), &solution, place);
         assert_eq!(grade.map(|grade| grade.right), Some(right), "({x}, {y})");
     }
 }

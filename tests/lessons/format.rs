@@ -3,9 +3,10 @@
 
 use crate::common::dice::Dice;
 use crate::common::lessons::EVERY_KIND;
-use shading_lab::expression::{Expression, Part, Quantities, Todo, Value, arithmetic};
+use shading_lab::expression::{self, Expression, Part, Quantities, Todo, arithmetic};
 use shading_lab::lesson::{
-    CurveOf, Extreme, Find, Goal, Kind, Lesson, LessonError, MatchValues, Term,
+    Choice, Curve, CurveOf, Extreme, Find, Goal, Kind, Lesson, LessonError, Match, MatchValues,
+    Order, Point, Settings, Term, Value,
 };
 use shading_lab::scene::ShadingMode;
 use std::env;
@@ -54,53 +55,53 @@ fn every_kind_of_question_is_read() {
             "settings", "order", "match", "match"
         ]
     );
-    assert!(matches!(&kinds[0], Kind::Choice { options, by: None } if options.len() == 2));
+    assert!(matches!(&kinds[0], Kind::Choice(Choice { options, by: None }) if options.len() == 2));
     assert!(
-        matches!(&kinds[1], Kind::Choice { by: Some((Extreme::Greatest, _)), options } if options[1].set == ["material.kd=0.9"])
+        matches!(&kinds[1], Kind::Choice(Choice { by: Some((Extreme::Greatest, _)), options }) if options[1].set == ["material.kd=0.9"])
     );
     assert!(
-        matches!(&kinds[2], Kind::Value { tolerance, from, to, unit, .. } if (*tolerance, *from, *to, &**unit) == (0.02, -1.0, 1.0, "m"))
+        matches!(&kinds[2], Kind::Value(Value { tolerance, from, to, unit, .. }) if (*tolerance, *from, *to, &**unit) == (0.02, -1.0, 1.0, "m"))
     );
     assert!(
-        matches!(&kinds[3], Kind::Point { find: Find::Extreme(Extreme::Least, _), tolerance } if *tolerance == 0.06)
+        matches!(&kinds[3], Kind::Point(Point { find: Find::Extreme(Extreme::Least, _), tolerance }) if *tolerance == 0.06)
     );
     assert!(matches!(
         &kinds[4],
-        Kind::Point {
+        Kind::Point(Point {
             find: Find::Zero(_),
             ..
-        }
+        })
     ));
     assert!(
-        matches!(&kinds[5], Kind::Curve { x, y, of: CurveOf::Expression(_), .. } if (*x, *y) == ([0.0, 90.0], [0.0, 1.0]))
+        matches!(&kinds[5], Kind::Curve(Curve { x, y, of: CurveOf::Expression(_), .. }) if (*x, *y) == ([0.0, 90.0], [0.0, 1.0]))
     );
     assert!(matches!(
         &kinds[6],
-        Kind::Curve {
+        Kind::Curve(Curve {
             of: CurveOf::Profile(ShadingMode::Phong),
             ..
-        }
+        })
     ));
     assert!(
-        matches!(&kinds[7], Kind::Settings { control, goal: Goal::Equals(_), .. } if control == "material.n")
+        matches!(&kinds[7], Kind::Settings(Settings { control, goal: Goal::Equals(_), .. }) if control == "material.n")
     );
     assert!(matches!(
         &kinds[8],
-        Kind::Settings {
+        Kind::Settings(Settings {
             goal: Goal::Extreme(Extreme::Greatest),
             ..
-        }
+        })
     ));
-    assert!(matches!(&kinds[9], Kind::Order { items, .. } if items.len() == 3));
+    assert!(matches!(&kinds[9], Kind::Order(Order { items, .. }) if items.len() == 3));
     assert!(
-        matches!(&kinds[10], Kind::Match { values: MatchValues::Given, controls, .. } if controls == &["material.kd"])
+        matches!(&kinds[10], Kind::Match(Match { values: MatchValues::Given, controls, .. }) if controls == &["material.kd"])
     );
     assert!(matches!(
         &kinds[11],
-        Kind::Match {
+        Kind::Match(Match {
             values: MatchValues::Random,
             ..
-        }
+        })
     ));
 }
 
@@ -408,21 +409,26 @@ fn mutated_lessons_are_read_or_refused_with_a_line() {
 struct Stub;
 
 impl Quantities for Stub {
-    fn quantity(&self, name: &str, parts: &[Part]) -> Result<Value, String> {
+    fn quantity(&self, name: &str, parts: &[Part]) -> Result<expression::Value, String> {
         match (name, parts.len()) {
-            ("probe", 0) => Ok(Value::List(vec![Value::Number(1.0), Value::Truth(true)])),
-            ("scene", _) => Ok(Value::Number(f64::NAN)),
-            ("x", _) => Ok(Value::Number(2.0)),
+            ("probe", 0) => Ok(expression::Value::List(vec![
+                expression::Value::Number(1.0),
+                expression::Value::Truth(true),
+            ])),
+            ("scene", _) => Ok(expression::Value::Number(f64::NAN)),
+            ("x", _) => Ok(expression::Value::Number(2.0)),
             ("nothing", _) => Err("nothing".to_owned()),
-            _ => Ok(Value::List(vec![Value::Number(parts.len() as f64)])),
+            _ => Ok(expression::Value::List(vec![expression::Value::Number(
+                parts.len() as f64,
+            )])),
         }
     }
 
-    fn with(&self, _: &str, todo: Todo<'_>) -> Result<Value, String> {
+    fn with(&self, _: &str, todo: Todo<'_>) -> Result<expression::Value, String> {
         todo(self)
     }
 
-    fn at(&self, _: f64, _: f64, todo: Todo<'_>) -> Result<Value, String> {
+    fn at(&self, _: f64, _: f64, todo: Todo<'_>) -> Result<expression::Value, String> {
         todo(self)
     }
 }

@@ -373,13 +373,13 @@ fn looked_up(lesson: &Lesson) -> SavedProgress {
     for (step, question) in lesson.steps.iter().enumerate() {
         let answer = match question.question.as_ref().map(|question| &question.kind) {
             None => continue,
-            Some(Kind::Choice { .. }) => Answer::Choice(0),
-            Some(Kind::Value { .. }) => Answer::Value(0.25),
-            Some(Kind::Point { .. }) => Answer::Point([-0.3, 0.1]),
-            Some(Kind::Curve { .. }) => Answer::Curve(vec![Some(0.4); CURVE_POINTS]),
-            Some(Kind::Settings { .. }) => Answer::Settings(3.0),
-            Some(Kind::Order { .. }) => Answer::Order(vec![0, 1, 2]),
-            Some(Kind::Match { .. }) => Answer::Match(vec![0.9, 5.0]),
+            Some(Kind::Choice(_)) => Answer::Choice(0),
+            Some(Kind::Value(_)) => Answer::Value(0.25),
+            Some(Kind::Point(_)) => Answer::Point([-0.3, 0.1]),
+            Some(Kind::Curve(_)) => Answer::Curve(vec![Some(0.4); CURVE_POINTS]),
+            Some(Kind::Settings(_)) => Answer::Settings(3.0),
+            Some(Kind::Order(_)) => Answer::Order(vec![0, 1, 2]),
+            Some(Kind::Match(_)) => Answer::Match(vec![0.9, 5.0]),
         };
         record.put(Answered {
             step,

@@ -148,9 +148,9 @@ impl Draft {
             fresh: true,
             ..Self::default()
         };
-        if let Some(Kind::Order { items, .. }) = question.map(|question| &question.kind) {
+        if let Some(Kind::Order(order)) = question.map(|question| &question.kind) {
             // In another order than the lesson has them.
-            let count = items.len();
+            let count = order.items.len();
             let turn = seed as usize % count.max(1);
             draft.order = (0..count).rev().map(|item| (item + turn) % count).collect();
         }
@@ -173,17 +173,17 @@ impl Draft {
         number: impl Fn(&str) -> Option<f64>,
     ) -> Option<Answer> {
         let answer = match kind {
-            Kind::Choice { .. } => Answer::Choice(self.choice?),
-            Kind::Value { .. } => Answer::Value(number(&self.value)?),
-            Kind::Point { .. } => Answer::Point(self.point?.to_array()),
-            Kind::Curve { .. } => {
+            Kind::Choice(_) => Answer::Choice(self.choice?),
+            Kind::Value(_) => Answer::Value(number(&self.value)?),
+            Kind::Point(_) => Answer::Point(self.point?.to_array()),
+            Kind::Curve(_) => {
                 let drawn = self.curve.iter().flatten().count();
                 (10 * drawn >= 9 * CURVE_POINTS).then(|| Answer::Curve(self.curve.clone()))?
             }
-            Kind::Settings { control, .. } => Answer::Settings(value_of(scene, control).ok()?),
-            Kind::Order { .. } => Answer::Order(self.order.clone()),
-            Kind::Match { controls, .. } => {
-                let values = controls.iter().map(|key| value_of(scene, key).ok());
+            Kind::Settings(kind) => Answer::Settings(value_of(scene, &kind.control).ok()?),
+            Kind::Order(_) => Answer::Order(self.order.clone()),
+            Kind::Match(kind) => {
+                let values = kind.controls.iter().map(|key| value_of(scene, key).ok());
                 Answer::Match(values.collect::<Option<_>>()?)
             }
         };
@@ -198,6 +198,12 @@ impl Open {
 
     pub fn question(&self) -> Option<&Question> {
         self.current().question.as_ref()
+    }
+
+    /// Returns whether the answer to its question is a place in the picture.
+    fn asks_place(&self) -> bool {
+        self.question()
+            .is_some_and(|question| question.kind.asks().asks_place())
     }
 
     /// Whether another scene was opened in place of the step's.
@@ -224,7 +230,8 @@ impl Open {
     pub fn grade(&self, answer: &Answer) -> Option<Grade> {
         let staged = self.staged.as_ref()?;
         let lab = Lab::new(staged);
-        answer.grade(self.question()?, self.solution()?, lab.place(staged))
+        self.question()?
+            .grade(answer, self.solution()?, lab.place(staged))
     }
 }
 
@@ -389,24 +396,14 @@ impl Course {
 
     /// Whether a click in the picture is the answer to a question.
     pub fn asks_point(&self) -> bool {
-        let asks = |open: &Open| {
-            open.staged.is_some()
-                && matches!(
-                    open.question(),
-                    Some(Question {
-                        kind: Kind::Point { .. },
-                        ..
-                    })
-                )
-        };
+        let asks = |open: &Open| open.staged.is_some() && open.asks_place();
         self.in_view().is_some_and(asks) && !self.revealed()
     }
 
     /// The place that the student has marked in the picture.
     pub fn mark(&self) -> Option<DVec2> {
         let open = self.in_view()?;
-        let asks = matches!(open.question()?.kind, Kind::Point { .. });
-        open.draft.point.filter(|_| asks)
+        open.draft.point.filter(|_| open.asks_place())
     }
 
     /// Marks a place in the picture.
@@ -420,7 +417,7 @@ impl Course {
     pub fn right_places(&self) -> &[DVec2] {
         let solution = self.in_view().and_then(Open::solution);
         match solution {
-            Some(Solution::Places(places)) if self.revealed() => places,
+            Some(Solution::Point(places)) if self.revealed() => places,
             _ => &[],
         }
     }
@@ -430,7 +427,7 @@ impl Course {
         let open = self.in_view()?;
         let line = open.staged.as_ref()?.shown.line?;
         let drawn = match open.question().map(|question| &question.kind) {
-            Some(Kind::Curve { of, .. }) => of.is_profile(),
+            Some(Kind::Curve(curve)) => curve.of.is_profile(),
             _ => false,
         };
         let named = open.current().stage.overlays.contains(&"profile");
@@ -449,9 +446,6 @@ impl Course {
         let Some(open) = self.in_view() else {
             return false;
         };
-        let asks = open
-            .question()
-            .is_some_and(|question| matches!(question.kind, Kind::Point { .. }));
         let Some(Ok(known)) = open.known() else {
             return false;
         };
@@ -461,7 +455,9 @@ impl Course {
                 .iter()
                 .any(|words| words.to_lowercase().contains(word))
         };
-        open.current().stage.probe.is_some() && !asks && Language::ALL.into_iter().any(speaks)
+        open.current().stage.probe.is_some()
+            && !open.asks_place()
+            && Language::ALL.into_iter().any(speaks)
     }
 
     /// The lesson that is open, or that was answered last, with its answers, where there are any.

@@ -1,14 +1,13 @@
 //! What is said of an answer, and why the right one is right.
 
 use super::data::{Course, Open};
-use super::marking::control_name;
 use super::parts::right_colour;
 use super::prose::prose_ui;
 use crate::app::engine::Engine;
 use crate::app::focus::named;
 use crate::app::state::AppState;
 use crate::figure::short;
-use crate::lesson::{Answered, Grade, Kind, Solution};
+use crate::lesson::{Answered, Grade, Kind, Solution, control_name};
 use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Grid, Label, Rect, RichText, Ui, vec2};
@@ -93,7 +92,8 @@ fn right_ui(ui: &mut Ui, open: &Open, answered: &Answered, state: &mut AppState)
         return;
     };
     match (&question.kind, solution) {
-        (Kind::Value { unit, .. }, Solution::Value(right)) => {
+        (Kind::Value(value), Solution::Value(right)) => {
+            let unit = &value.unit;
             let own = match &answered.answer {
                 crate::lesson::Answer::Value(own) => short(*own),
                 _ => String::new(),
@@ -104,7 +104,7 @@ fn right_ui(ui: &mut Ui, open: &Open, answered: &Answered, state: &mut AppState)
                 own = own
             ));
         }
-        (Kind::Point { .. }, Solution::Places(places)) => {
+        (Kind::Point(_), Solution::Point(places)) => {
             let words = if places.len() > 1 {
                 text!("course-places")
             } else {
@@ -112,7 +112,8 @@ fn right_ui(ui: &mut Ui, open: &Open, answered: &Answered, state: &mut AppState)
             };
             ui.add(Label::new(words).wrap());
         }
-        (Kind::Settings { control, .. }, Solution::Setting(right)) => {
+        (Kind::Settings(kind), Solution::Settings(right)) => {
+            let control = &kind.control;
             let values = text!(
                 "course-values",
                 right = format!("{} = {}", control_name(control), short(*right)).as_str(),
@@ -126,7 +127,8 @@ fn right_ui(ui: &mut Ui, open: &Open, answered: &Answered, state: &mut AppState)
                 set(state, &[format!("{control}={right}")]);
             }
         }
-        (Kind::Match { controls, .. }, Solution::Match(right)) => {
+        (Kind::Match(kind), Solution::Match(right)) => {
+            let controls = &kind.controls;
             let own = match &answered.answer {
                 crate::lesson::Answer::Match(own) => own.clone(),
                 _ => Vec::new(),
@@ -147,7 +149,7 @@ fn right_ui(ui: &mut Ui, open: &Open, answered: &Answered, state: &mut AppState)
                     }
                 });
             if ui.link(text!("course-set-it")).clicked() {
-                set(state, &crate::lesson::matched_settings(controls, right));
+                set(state, &kind.settings(right));
             }
         }
         _ => {}

@@ -2,13 +2,11 @@
 
 use crate::analysis::{Codec, Watch};
 use crate::app::document::CoursePart;
-use crate::figure::short;
 use crate::jobs::{Background, Work};
 use crate::lesson::{
-    Answer, ClassQuestion, Given, Grade, HandIn, HandInError, Kind, Lesson, Question, are_there,
-    lesson_of, mark, short_answer, slider,
+    Answer, ClassQuestion, Given, Grade, HandIn, HandInError, Lesson, Question, are_there,
+    lesson_of, mark, short_answer,
 };
-use crate::scene::parameter::Parameter;
 use crate::text::text;
 use egui_commonmark::CommonMarkCache;
 use serde::{Deserialize, Serialize};
@@ -149,7 +147,7 @@ fn marked(
     given: Option<&Given>,
 ) -> MarkedQuestion {
     let words = |answer: &Answer| match question {
-        Some(question) => in_words(asked, &question.kind, answer),
+        Some(question) => question.kind.words(answer, &asked.options),
         None => short_answer(answer),
     };
     let given = given.map(
@@ -170,49 +168,8 @@ fn marked(
         right: asked
             .solution
             .as_ref()
-            .filter(|_| {
-                !question.is_some_and(|question| matches!(question.kind, Kind::Curve { .. }))
-            })
+            .filter(|_| !question.is_some_and(|question| question.kind.asks().is_drawn()))
             .map(|solution| words(&Answer::right(solution))),
         failure: asked.failure.clone(),
     }
-}
-
-/// An answer in the words of its question.
-fn in_words(asked: &ClassQuestion, kind: &Kind, answer: &Answer) -> String {
-    let option = |index: &usize| asked.options.get(*index).map(String::as_str);
-    match (answer, kind) {
-        (Answer::Choice(chosen), _) => option(chosen).unwrap_or_default().to_owned(),
-        (Answer::Order(order), _) => {
-            let items: Vec<&str> = order.iter().filter_map(option).collect();
-            items.join(text!("comma"))
-        }
-        (Answer::Curve(_), _) => text!("course-answers-curve").to_owned(),
-        (Answer::Value(value), Kind::Value { unit, .. }) => {
-            format!("{} {unit}", short(*value)).trim().to_owned()
-        }
-        (Answer::Settings(value), Kind::Settings { control, .. }) => setting(control, *value),
-        (Answer::Match(values), Kind::Match { controls, .. }) => {
-            let settings = controls.iter().zip(values);
-            let settings = settings.map(|(key, value)| setting(key, *value));
-            settings.collect::<Vec<_>>().join(text!("comma"))
-        }
-        (answer, _) => short_answer(answer),
-    }
-}
-
-fn setting(key: &str, value: f64) -> String {
-    format!("{} = {}", control_name(key), short(value))
-}
-
-/// A control as its row calls it.
-pub fn control_name(key: &str) -> String {
-    let named = |(parameter, index, _): (&'static Parameter, usize, _)| {
-        if parameter.letter.is_empty() {
-            parameter.full_name(index)
-        } else {
-            parameter.letter.to_owned()
-        }
-    };
-    slider(key).map_or_else(|| key.to_owned(), named)
 }

@@ -10,7 +10,7 @@ use crate::app::state::AppState;
 use crate::figure::palette::Vector;
 use crate::geometry::Mesh;
 use crate::jobs::{Background, Work, model_from_bytes, model_to_bytes};
-use crate::lesson::{Kind, Question, Solution, matched_settings};
+use crate::lesson::{Match, Question, Solution};
 use crate::render::Renderer;
 use crate::scene::Scene;
 use crate::text::text;
@@ -105,7 +105,7 @@ pub fn match_ui(
     open: &Open,
     state: &mut AppState,
     question: &Question,
-    controls: &[String],
+    kind: &Match,
     revealed: bool,
 ) {
     let (Some(staged), Some(Solution::Match(values))) = (&open.staged, open.solution()) else {
@@ -121,7 +121,7 @@ pub fn match_ui(
         };
     }
     let mut settings = question.set.clone();
-    settings.extend(matched_settings(controls, values));
+    settings.extend(kind.settings(values));
     let Ok(mut target) = staged.scene.with_overrides(&settings) else {
         return;
     };
@@ -163,8 +163,8 @@ pub fn match_ui(
     ui.label(RichText::new(text!("course-target")).weak());
     picture_ui(ui, &own, size);
     ui.add_space(4.0);
-    if let (Some(distance), Kind::Match { tolerance, .. }) = (own.distances[2], &question.kind) {
-        meter_ui(ui, &own, distance, *tolerance);
+    if let Some(distance) = own.distances[2] {
+        meter_ui(ui, &own, distance, kind.tolerance);
     }
     if !revealed {
         let seconds = (now - own.began).max(0.0) as u64;

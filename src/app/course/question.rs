@@ -85,18 +85,19 @@ fn contents_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, engine: &
     };
     let mut entered = false;
     match &question.kind {
-        Kind::Choice { .. } => choice_ui(ui, open, state, &names, revealed),
-        Kind::Value { unit, .. } => entered = value_ui(ui, open, unit, revealed),
-        Kind::Point { .. } => entered = point_ui(ui, open, revealed),
-        Kind::Curve { x, y, of, .. } => {
-            entered = curve_ui(ui, open, (*x, *y), &names, of.is_profile(), revealed);
+        Kind::Choice(_) => choice_ui(ui, open, state, &names, revealed),
+        Kind::Value(value) => entered = value_ui(ui, open, &value.unit, revealed),
+        Kind::Point(_) => entered = point_ui(ui, open, revealed),
+        Kind::Curve(curve) => {
+            let range = (curve.x, curve.y);
+            entered = curve_ui(ui, open, range, &names, curve.of.is_profile(), revealed);
         }
-        Kind::Settings { .. } => {
+        Kind::Settings(_) => {
             ui.label(RichText::new(text!("course-settings")).weak());
         }
-        Kind::Order { .. } => order_ui(ui, open, state, &names, revealed),
-        Kind::Match { controls, .. } => {
-            match_ui(ui, open, state, &question, controls, revealed);
+        Kind::Order(_) => order_ui(ui, open, state, &names, revealed),
+        Kind::Match(kind) => {
+            match_ui(ui, open, state, &question, kind, revealed);
         }
     }
     ui.add_space(6.0);

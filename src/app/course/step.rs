@@ -12,7 +12,6 @@ use crate::app::engine::Engine;
 use crate::app::focus::{aside, keep_in_sight, named, switch_named};
 use crate::app::named::{Named, rows_ui};
 use crate::app::state::AppState;
-use crate::lesson::Kind;
 use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
@@ -258,12 +257,10 @@ fn controls_ui(ui: &mut Ui, open: &Open, state: &mut AppState) {
         .iter()
         .map(|word| &**word)
         .collect();
-    let own: Vec<&str> = match open.question().map(|question| &question.kind) {
-        Some(Kind::Settings { control, .. }) => vec![control],
-        Some(Kind::Match { controls, .. }) => controls.iter().map(|key| &**key).collect(),
-        _ => Vec::new(),
-    };
-    for key in own {
+    let own = open
+        .question()
+        .map(|question| question.kind.asks().controls());
+    for key in own.unwrap_or_default() {
         let named = Named::find(key);
         if !words.iter().any(|word| Named::find(word) == named) {
             words.push(key);

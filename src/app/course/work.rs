@@ -2,7 +2,7 @@
 
 use crate::analysis::{Codec, Watch};
 use crate::jobs::Work;
-use crate::lesson::{Kind, Lab, Lesson, Prose, Solution};
+use crate::lesson::{Lab, Lesson, Prose, Solution};
 use crate::text::text;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
@@ -59,13 +59,8 @@ impl Work for Prepare {
         };
         prepared.ask = fill(&question.ask)?;
         prepared.why = fill(&question.why)?;
-        let names: Vec<&Prose> = match &question.kind {
-            Kind::Choice { options, .. } => options.iter().map(|option| &option.text).collect(),
-            Kind::Order { items, .. } => items.iter().map(|item| &item.text).collect(),
-            Kind::Curve { x_name, y_name, .. } => vec![x_name, y_name],
-            _ => Vec::new(),
-        };
-        prepared.names = names.into_iter().map(fill).collect::<Result<_, _>>()?;
+        let names = question.names().into_iter();
+        prepared.names = names.map(fill).collect::<Result<_, _>>()?;
         // The text can be read while the answer is sought.
         watch.found(&prepared);
         prepared.solution = Some(question.solve(place, self.seed));

@@ -1,6 +1,6 @@
 //! What a step shows.
 
-use super::{Block, Reader};
+use super::reader::{Block, Reader};
 use crate::lesson::stage::{OVERLAYS, Stage, view};
 use crate::link::VIEWS;
 use crate::text::text;

@@ -1,0 +1,183 @@
+//! A choice: one of several options.
+
+use super::extreme::{Extreme, too_near};
+use super::kind::{Asks, Predictions, Printed, QuestionKind};
+use super::lettered::{Bars, letter, lettered, lettered_html};
+use crate::expression::Expression;
+use crate::lesson::read::keys::{KeyReader, Keys, Most};
+use crate::lesson::{Grade, LabPlace, Prose};
+use crate::text::text;
+use std::fmt::Write as _;
+
+/// A choice among several options.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Choice {
+    /// The options, two to eight.
+    pub options: Vec<ChoiceOption>,
+    /// The right option is that whose scene has the largest or the smallest value of this.
+    pub by: Option<(Extreme, Expression)>,
+}
+
+/// An option of a choice.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChoiceOption {
+    /// Its text.
+    pub text: Prose,
+    /// The reason why it is right, where the lesson says so or an expression decides.
+    pub right: Option<RightIf>,
+    /// Settings of its scene.
+    pub set: Vec<String>,
+}
+
+/// The reason why an option is right.
+#[derive(Clone, Debug, PartialEq)]
+pub enum RightIf {
+    /// The lesson says whether it is.
+    Said(bool),
+    /// This is true.
+    Holds(Expression),
+}
+
+impl Asks for Choice {
+    fn options(&self) -> Vec<&Prose> {
+        self.options.iter().map(|option| &option.text).collect()
+    }
+
+    fn chart_tells(&self) -> bool {
+        true
+    }
+}
+
+impl QuestionKind for Choice {
+    /// The number of an option, from 0.
+    type Answer = usize;
+    type Solution = usize;
+
+    fn read(keys: &Keys, reader: &mut KeyReader<'_, '_>) -> Option<Self> {
+        if !(2..=8).contains(&keys.option.len()) {
+            reader.wrong(text!("lesson-options", least = 2, most = 8));
+            return None;
+        }
+        let by = read_extreme(keys, reader);
+        let mut options = Vec::new();
+        for option in &keys.option {
+            let right = match (&option.holds, option.right) {
+                (Some(_), Some(_)) => {
+                    let at = reader.at + option.text.span().start;
+                    reader.lesson.wrong(at, text!("lesson-option-both"));
+                    None
+                }
+                (Some(_), None) => reader
+                    .expression("holds", &option.holds)
+                    .map(RightIf::Holds),
+                (None, said) => said.map(RightIf::Said),
+            };
+            options.push(ChoiceOption {
+                text: reader.prose(Some(&option.text)),
+                right,
+                set: option.set.clone(),
+            });
+        }
+        let decided = options.iter().any(|option| option.right.is_some());
+        if decided == by.is_some() {
+            reader.wrong(text!("lesson-option-neither"));
+            return None;
+        }
+        Some(Self { options, by })
+    }
+
+    fn solve(&self, place: LabPlace<'_>, _: u64) -> Result<usize, String> {
+        if let Some((extreme, by)) = &self.by {
+            let value = |option: &ChoiceOption| place.under(&option.set)?.number(by);
+            let values: Result<Vec<f64>, String> = self.options.iter().map(value).collect();
+            return best(&values?, *extreme);
+        }
+        let mut right = Vec::new();
+        for (index, option) in self.options.iter().enumerate() {
+            let there = place.under(&option.set)?;
+            let holds = match &option.right {
+                Some(RightIf::Said(said)) => *said,
+                Some(RightIf::Holds(holds)) => holds.holds(&there)?,
+                None => false,
+            };
+            right.extend(holds.then_some(index));
+        }
+        match right[..] {
+            [right] => Ok(right),
+            _ => Err(text!("lesson-right-options", count = right.len())),
+        }
+    }
+
+    fn right(right: &usize) -> usize {
+        *right
+    }
+
+    fn fits(&self, given: &usize) -> bool {
+        *given < self.options.len()
+    }
+
+    fn grade(&self, given: &usize, right: &usize, _: LabPlace<'_>) -> Option<Grade> {
+        Some(Grade::of(given == right))
+    }
+
+    fn short(given: &usize) -> String {
+        letter(*given).to_string()
+    }
+
+    fn words(&self, given: &usize, options: &[String]) -> String {
+        options.get(*given).cloned().unwrap_or_default()
+    }
+
+    fn solution_words(&self, right: &usize, options: &[String]) -> String {
+        lettered(*right, options)
+    }
+
+    fn blank(&self, printed: &Printed<'_>, _: Option<&usize>) -> Result<String, String> {
+        let mut out = "<ul class=\"options\">\n".to_owned();
+        for (index, words) in printed.options.iter().enumerate() {
+            let option = lettered_html(index, words);
+            let _ = writeln!(out, "<li><span class=\"box\"></span>{option}</li>");
+        }
+        Ok(out + "</ul>\n")
+    }
+
+    fn chart(&self, class: &Predictions<'_, usize, usize>) -> String {
+        let mut bars = Bars::new(class.given.len());
+        let options = class.options.iter().enumerate();
+        for (option, words) in options.filter(|_| !class.given.is_empty()) {
+            let chosen = class.given.iter().filter(|(given, _)| **given == option);
+            let label = lettered_html(option, words);
+            bars.add(&label, chosen.count(), class.right == Some(&option));
+        }
+        bars.table()
+    }
+}
+
+/// Reads `greatest` or `least`.
+fn read_extreme(keys: &Keys, reader: &mut KeyReader<'_, '_>) -> Option<(Extreme, Expression)> {
+    let pairs = [
+        (Extreme::Greatest, "greatest", &keys.greatest),
+        (Extreme::Least, "least", &keys.least),
+    ];
+    for (extreme, key, value) in pairs {
+        if let Some(value) = value
+            && let Most::Of(text) = value.get_ref()
+        {
+            let expression = reader.expression_of(key, value, text);
+            return expression.map(|expression| (extreme, expression));
+        }
+    }
+    None
+}
+
+/// Finds the largest or smallest value, which no other comes near.
+fn best(values: &[f64], extreme: Extreme) -> Result<usize, String> {
+    let key = |index: &usize| -extreme.sign() * values[*index];
+    let mut order: Vec<usize> = (0..values.len()).collect();
+    order.sort_by(|a, b| key(a).total_cmp(&key(b)));
+    match order[..] {
+        [first, second, ..] if !too_near(values[first], values[second]) => Ok(first),
+        [only] => Ok(only),
+        _ => Err(text!("lesson-too-near").to_owned()),
+    }
+}

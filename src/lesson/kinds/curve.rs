@@ -1,0 +1,223 @@
+//! A curve that is drawn.
+
+use super::kind::{Asks, Predictions, Printed, QuestionKind};
+use crate::expression::Expression;
+use crate::figure::Drawing;
+use crate::figure::palette::Rgb8;
+use crate::lesson::html::escaped;
+use crate::lesson::read::keys::{KeyReader, Keys};
+use crate::lesson::{CurveAxes, Grade, LabPlace, Prose};
+use crate::render::Frame;
+use crate::scene::ShadingMode;
+use crate::text::{fixed, text};
+
+/// How many points of a curve are compared.
+pub const CURVE_POINTS: usize = 65;
+
+/// The colours of curves on pages: of the right one, and of those of a class.
+const BLACK: Rgb8 = [0; 3];
+const RIGHT: Rgb8 = [0x2e, 0x7d, 0x43];
+const WRONG: Rgb8 = [0xc2, 0x3a, 0x22];
+
+/// A curve drawn over `x`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
+    /// The ends of the horizontal axis.
+    pub x: [f64; 2],
+    /// The ends of the vertical axis.
+    pub y: [f64; 2],
+    /// The quantity on the horizontal axis.
+    pub x_name: Prose,
+    /// The quantity on the vertical axis.
+    pub y_name: Prose,
+    /// The right curve.
+    pub of: CurveOf,
+    /// The largest mean distance from it that counts as right, as a fraction of `y`.
+    pub tolerance: f64,
+}
+
+/// The curve that is to be drawn.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum CurveOf {
+    /// An expression in `x`.
+    Expression(Expression),
+    /// The intensity along the step's line in this mode.
+    Profile(ShadingMode),
+}
+
+impl Curve {
+    /// Returns the abscissa of one of its points.
+    fn abscissa(&self, index: usize) -> f64 {
+        let [from, to] = self.x;
+        from + (to - from) * index as f64 / (CURVE_POINTS - 1) as f64
+    }
+
+    /// Returns its axes as HTML with what `draw` draws over them.
+    fn plot(&self, draw: impl FnOnce(&mut Drawing)) -> String {
+        let names = [&self.x_name, &self.y_name].map(Prose::plain);
+        let axes = CurveAxes::new([self.x, self.y], [&names[0], &names[1]]);
+        let mut drawing = axes.on_page();
+        draw(&mut drawing);
+        drawing.to_svg(&axes.words())
+    }
+
+    /// Evaluates the right curve at its points.
+    fn points(&self, place: LabPlace<'_>) -> Result<Vec<[f64; 2]>, String> {
+        let abscissae = (0..CURVE_POINTS).map(|index| self.abscissa(index));
+        match &self.of {
+            CurveOf::Expression(of) => abscissae
+                .map(|x| Ok([x, place.over(x).number(of)?]))
+                .collect(),
+            CurveOf::Profile(mode) => {
+                let profile = place.profile(&[*mode])?;
+                let (samples, trace) = (&profile.samples, &profile.traces[0].intensity);
+                if samples.len() < 2 {
+                    return Err(text!("line-error-no-length").to_owned());
+                }
+                let at = |t: f64| {
+                    let after = samples.partition_point(|sample| sample.t < t);
+                    let after = after.clamp(1, samples.len() - 1);
+                    let (a, b) = (samples[after - 1].t, samples[after].t);
+                    let share = ((t - a) / (b - a)).clamp(0.0, 1.0);
+                    trace[after - 1] * (1.0 - share) + trace[after] * share
+                };
+                let [from, to] = self.x;
+                let along = |x: f64| (x - from) / (to - from);
+                Ok(abscissae.map(|x| [x, at(along(x))]).collect())
+            }
+        }
+    }
+}
+
+impl Asks for Curve {
+    fn axes(&self) -> Vec<&Prose> {
+        vec![&self.x_name, &self.y_name]
+    }
+
+    fn is_drawn(&self) -> bool {
+        true
+    }
+}
+
+impl QuestionKind for Curve {
+    /// The ordinates at [`CURVE_POINTS`] abscissae, evenly; nothing where none was drawn.
+    type Answer = Vec<Option<f64>>;
+    /// `[x, y]` at [`CURVE_POINTS`] abscissae, evenly.
+    type Solution = Vec<[f64; 2]>;
+
+    fn read(keys: &Keys, reader: &mut KeyReader<'_, '_>) -> Option<Self> {
+        let of = match (&keys.profile, &keys.answer) {
+            (Some(mode), None) => CurveOf::Profile(reader.mode("profile", mode)?),
+            (None, Some(_)) => CurveOf::Expression(reader.expression("answer", &keys.answer)?),
+            _ => {
+                reader.wrong(text!("lesson-curve-of"));
+                return None;
+            }
+        };
+        let own = of.is_profile().then_some([0.0, 1.0]);
+        let x = reader.range("x", keys.x.or(own));
+        let y = reader.range("y", keys.y.or(own));
+        let tolerance = reader.positive("tolerance", keys.tolerance.or(Some(0.1)));
+        let (x, y) = (x?, y?);
+        Some(Self {
+            x,
+            y,
+            x_name: reader.prose(keys.x_name.as_ref()),
+            y_name: reader.prose(keys.y_name.as_ref()),
+            of,
+            tolerance: tolerance?,
+        })
+    }
+
+    fn solve(&self, place: LabPlace<'_>, _: u64) -> Result<Vec<[f64; 2]>, String> {
+        let curve = self.points(place)?;
+        let [low, high] = self.y;
+        let inside = |value: f64| value >= low - 1e-9 && value <= high + 1e-9;
+        if let Some([_, value]) = curve.iter().find(|[_, value]| !inside(*value)) {
+            let value = fixed(*value, 4);
+            return Err(text!("lesson-curve-outside", value = value));
+        }
+        let mean = curve.iter().map(|[_, y]| y).sum::<f64>() / curve.len() as f64;
+        let spread = curve.iter().map(|[_, y]| (y - mean).abs()).sum::<f64>();
+        if spread / curve.len() as f64 <= self.tolerance * (high - low) {
+            return Err(text!("lesson-curve-flat").to_owned());
+        }
+        Ok(curve)
+    }
+
+    fn right(right: &Vec<[f64; 2]>) -> Vec<Option<f64>> {
+        right.iter().map(|[_, y]| Some(*y)).collect()
+    }
+
+    fn fits(&self, given: &Vec<Option<f64>>) -> bool {
+        given.len() == CURVE_POINTS && given.iter().flatten().all(|value| value.is_finite())
+    }
+
+    /// Grades a curve by its mean distance; none where less than nine tenths were drawn.
+    fn grade(
+        &self,
+        given: &Vec<Option<f64>>,
+        right: &Vec<[f64; 2]>,
+        _: LabPlace<'_>,
+    ) -> Option<Grade> {
+        let distances: Vec<f64> = given
+            .iter()
+            .zip(right)
+            .filter_map(|(given, [_, right])| given.map(|given| (given - right).abs()))
+            .collect();
+        let enough = given.len() == right.len() && 10 * distances.len() >= 9 * right.len();
+        let mean = enough.then(|| distances.iter().sum::<f64>() / distances.len() as f64)?;
+        Some(Grade::within(
+            mean / (self.y[1] - self.y[0]),
+            self.tolerance,
+        ))
+    }
+
+    fn short(_: &Vec<Option<f64>>) -> String {
+        "∿".to_owned()
+    }
+
+    fn words(&self, _: &Vec<Option<f64>>, _: &[String]) -> String {
+        text!("course-answers-curve").to_owned()
+    }
+
+    fn solution_words(&self, _: &Vec<[f64; 2]>, _: &[String]) -> String {
+        String::new()
+    }
+
+    fn blank(&self, _: &Printed<'_>, _: Option<&Vec<[f64; 2]>>) -> Result<String, String> {
+        Ok(format!("<figure>{}</figure>\n", self.plot(|_| {})))
+    }
+
+    fn drawing(&self, right: &Vec<[f64; 2]>, _: &Frame) -> Option<String> {
+        let plot = self.plot(|drawing| {
+            drawing.draw_curve(right.iter().copied(), 2.5, BLACK, 1.0);
+        });
+        Some(format!("<figure>{plot}</figure>"))
+    }
+
+    /// Returns every predicted curve, and over them the right one.
+    fn chart(&self, class: &Predictions<'_, Vec<Option<f64>>, Vec<[f64; 2]>>) -> String {
+        let plot = self.plot(|drawing| {
+            for (given, is_right) in &class.given {
+                let points = given.iter().enumerate();
+                let points = points.map(|(index, y)| [self.abscissa(index), y.unwrap_or(f64::NAN)]);
+                let colour = if *is_right { RIGHT } else { WRONG };
+                drawing.draw_curve(points, 1.4, colour, 0.55);
+            }
+            if let Some(right) = class.right {
+                drawing.draw_curve(right.iter().copied(), 3.0, BLACK, 1.0);
+            }
+        });
+        let words = escaped(text!("class-curves"));
+        format!("<figure>{plot}<figcaption>{words}</figcaption></figure>\n")
+    }
+}
+
+impl CurveOf {
+    /// Returns whether it is an intensity along the step's line.
+    pub fn is_profile(&self) -> bool {
+        matches!(self, Self::Profile(_))
+    }
+}

@@ -1,0 +1,210 @@
+//! A kind of question: all that a lesson, its worksheet and a class ask of one.
+
+use crate::lesson::page::blank_picture;
+use crate::lesson::read::keys::{KeyReader, Keys};
+use crate::lesson::{Grade, LabPlace, Prose};
+use crate::render::Frame;
+
+/// The properties of a question that do not depend on the type of its answer.
+pub trait Asks {
+    /// The texts of the options or the items, which have letters.
+    fn options(&self) -> Vec<&Prose> {
+        Vec::new()
+    }
+
+    /// The names of the axes.
+    fn axes(&self) -> Vec<&Prose> {
+        Vec::new()
+    }
+
+    /// The controls that answer it.
+    fn controls(&self) -> &[String] {
+        &[]
+    }
+
+    /// A line that says what is expected, for a terminal.
+    fn hint(&self) -> Option<String> {
+        None
+    }
+
+    /// Its answer is one number.
+    fn predicts_number(&self) -> bool {
+        false
+    }
+
+    /// Its answer is a drawing.
+    fn is_drawn(&self) -> bool {
+        false
+    }
+
+    /// Its answer is a place in the picture.
+    fn asks_place(&self) -> bool {
+        false
+    }
+
+    /// The picture has a part in the question, and is printed with it.
+    fn uses_picture(&self) -> bool {
+        false
+    }
+
+    /// The right answer is part of what is asked.
+    fn shows_target(&self) -> bool {
+        false
+    }
+
+    /// Each student has another right answer, by the seed.
+    fn is_drawn_at_random(&self) -> bool {
+        false
+    }
+
+    /// A class's chart tells the right answer.
+    fn chart_tells(&self) -> bool {
+        self.is_drawn()
+    }
+}
+
+/// A kind of question: how it is read, solved, graded and printed.
+pub trait QuestionKind: Asks + Sized {
+    /// What a student answers.
+    type Answer;
+    /// The right answer.
+    type Solution;
+
+    /// Reads the keys of the kind.
+    fn read(keys: &Keys, reader: &mut KeyReader<'_, '_>) -> Option<Self>;
+
+    /// Finds the right answer in a scene; `seed` decides what is drawn at random.
+    fn solve(&self, place: LabPlace<'_>, seed: u64) -> Result<Self::Solution, String>;
+
+    /// Checks what is the matter with a question whose right answer is graded as right.
+    fn check(&self, _right: &Self::Solution, _place: LabPlace<'_>) -> Result<(), String> {
+        Ok(())
+    }
+
+    /// Returns the right answer as a student would give it.
+    fn right(right: &Self::Solution) -> Self::Answer;
+
+    /// Returns whether an answer can be graded: its numbers are finite, its indices exist.
+    fn fits(&self, given: &Self::Answer) -> bool;
+
+    /// Grades an answer.
+    fn grade(
+        &self,
+        given: &Self::Answer,
+        right: &Self::Solution,
+        place: LabPlace<'_>,
+    ) -> Option<Grade>;
+
+    /// Returns the number that an answer is.
+    fn number(_given: &Self::Answer) -> Option<f64> {
+        None
+    }
+
+    /// Returns an answer in a few characters.
+    fn short(given: &Self::Answer) -> String;
+
+    /// Returns the right answer in a few characters.
+    fn short_solution(&self, right: &Self::Solution) -> String {
+        Self::short(&Self::right(right))
+    }
+
+    /// Returns an answer in the words of its question.
+    fn words(&self, given: &Self::Answer, options: &[String]) -> String;
+
+    /// Returns the right answer in words for print; none of a drawing.
+    fn solution_words(&self, right: &Self::Solution, options: &[String]) -> String;
+
+    /// Returns the HTML in which the student answers on a worksheet; with the right answer, where that is known.
+    fn blank(
+        &self,
+        printed: &Printed<'_>,
+        right: Option<&Self::Solution>,
+    ) -> Result<String, String>;
+
+    /// Returns the HTML of the right answer as a drawing, where that says more than words.
+    fn drawing(&self, _right: &Self::Solution, _picture: &Frame) -> Option<String> {
+        None
+    }
+
+    /// Returns the HTML of the first answers of a class.
+    fn chart(&self, class: &Predictions<'_, Self::Answer, Self::Solution>) -> String;
+}
+
+/// A question as it is printed on a worksheet.
+pub struct Printed<'p> {
+    /// The question with its numbers.
+    pub ask: &'p str,
+    /// The texts of options or items with their numbers.
+    pub options: &'p [String],
+    /// Settings for the right answer alone.
+    pub set: &'p [String],
+    /// The step's scene.
+    pub place: LabPlace<'p>,
+    /// The step's picture.
+    pub picture: &'p Frame,
+    /// Decides what is drawn at random.
+    pub seed: u64,
+    /// Pictures are left blank.
+    pub without_pictures: bool,
+}
+
+impl Printed<'_> {
+    /// Draws the scene with other settings.
+    pub fn picture_under(&self, settings: &[String]) -> Result<Frame, String> {
+        if self.without_pictures {
+            return Ok(blank_picture());
+        }
+        self.place.under(settings)?.counted_picture()
+    }
+}
+
+/// The first answers of a class to a question.
+pub struct Predictions<'c, Answer, Solution> {
+    /// The answers, each with whether it is right.
+    pub given: Vec<(&'c Answer, bool)>,
+    /// The right answer, where all have the same.
+    pub right: Option<&'c Solution>,
+    /// The texts of options or items.
+    pub options: &'c [String],
+    /// The picture, of a question about a place in it.
+    pub picture: Option<&'c Frame>,
+}
+
+impl<'c, Answer, Solution> Predictions<'c, Answer, Solution> {
+    /// Returns the predictions as those of one kind.
+    pub fn of_kind<A, S>(
+        &self,
+        answer: impl Fn(&'c Answer) -> Option<&'c A>,
+        solution: impl Fn(&'c Solution) -> Option<&'c S>,
+    ) -> Predictions<'c, A, S> {
+        let given = self.given.iter();
+        Predictions {
+            given: given
+                .filter_map(|(given, right)| Some((answer(given)?, *right)))
+                .collect(),
+            right: self.right.and_then(solution),
+            options: self.options,
+            picture: self.picture,
+        }
+    }
+}
+
+impl<Answer: PartialEq, Solution> Predictions<'_, Answer, Solution> {
+    /// Returns each answer with how often it was given, the most frequent first.
+    pub fn counted(&self) -> Vec<(&Answer, usize)> {
+        counted(self.given.iter().map(|(answer, _)| *answer))
+    }
+}
+
+/// Returns each value with how often it occurs, the most frequent first.
+pub fn counted<T: PartialEq>(values: impl Iterator<Item = T>) -> Vec<(T, usize)> {
+    let mut counted: Vec<(T, usize)> = Vec::new();
+    for value in values {
+        match counted.iter_mut().find(|(known, _)| *known == value) {
+            Some((_, count)) => *count += 1,
+            None => counted.push((value, 1)),
+        }
+    }
+    counted.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+    counted
+}

@@ -1,0 +1,210 @@
+//! A match: settings that make a picture like another one.
+
+use super::kind::{Asks, Predictions, Printed, QuestionKind};
+use super::number::{BLANK, short_number};
+use crate::analysis::{LinearPicture, error_figures};
+use crate::figure::short;
+use crate::lesson::control::{along, control_name, long_control_name, slider, value_of};
+use crate::lesson::html::escaped;
+use crate::lesson::page::picture;
+use crate::lesson::read::keys::{KeyReader, Keys};
+use crate::lesson::{Grade, LabPlace};
+use crate::render::Frame;
+use crate::text::{fixed, text};
+use std::fmt::Write as _;
+
+/// Settings that make a picture like another one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Match {
+    /// The keys of the controls, one to eight.
+    pub controls: Vec<String>,
+    /// The origin of the values that are right.
+    pub values: MatchValues,
+    /// The largest root mean square of the difference that counts as right.
+    pub tolerance: f64,
+}
+
+/// The origin of the values of a picture to be matched.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MatchValues {
+    /// The question's settings.
+    Given,
+    /// A seed.
+    Random,
+}
+
+impl Match {
+    /// Returns the settings that give its controls these values.
+    pub fn settings(&self, values: &[f64]) -> Vec<String> {
+        let pairs = self.controls.iter().zip(values);
+        pairs
+            .map(|(control, value)| format!("{control}={value}"))
+            .collect()
+    }
+
+    /// Returns the values as words, by the names of the controls.
+    fn listed(
+        &self,
+        values: &[f64],
+        name: fn(&str) -> String,
+        number: impl Fn(f64) -> String,
+    ) -> String {
+        let pairs = self.controls.iter().zip(values);
+        let pairs: Vec<String> = pairs
+            .map(|(control, value)| format!("{} = {}", name(control), number(*value)))
+            .collect();
+        pairs.join(text!("comma"))
+    }
+}
+
+impl Asks for Match {
+    fn controls(&self) -> &[String] {
+        &self.controls
+    }
+
+    fn uses_picture(&self) -> bool {
+        true
+    }
+
+    fn shows_target(&self) -> bool {
+        true
+    }
+
+    fn is_drawn_at_random(&self) -> bool {
+        self.values == MatchValues::Random
+    }
+}
+
+impl QuestionKind for Match {
+    /// The values of the controls.
+    type Answer = Vec<f64>;
+    type Solution = Vec<f64>;
+
+    fn read(keys: &Keys, reader: &mut KeyReader<'_, '_>) -> Option<Self> {
+        if !(1..=8).contains(&keys.controls.len()) {
+            reader.missing("controls");
+            return None;
+        }
+        let mut known = true;
+        for control in &keys.controls {
+            known &= reader.slides(reader.at, control);
+        }
+        let tolerance = reader.positive("tolerance", keys.tolerance.or(Some(0.01)));
+        known.then_some(())?;
+        Some(Self {
+            controls: keys.controls.clone(),
+            values: if keys.set.is_empty() {
+                MatchValues::Random
+            } else {
+                MatchValues::Given
+            },
+            tolerance: tolerance?,
+        })
+    }
+
+    fn solve(&self, place: LabPlace<'_>, seed: u64) -> Result<Vec<f64>, String> {
+        match self.values {
+            MatchValues::Given => {
+                let scene = place.scene();
+                let values = self.controls.iter().map(|key| value_of(&scene, key));
+                values.collect()
+            }
+            MatchValues::Random => Ok(random_values(&self.controls, seed)),
+        }
+    }
+
+    /// Checks that the picture is not like the target before anything is set.
+    fn check(&self, right: &Vec<f64>, place: LabPlace<'_>) -> Result<(), String> {
+        let target = place.under(&self.settings(right))?;
+        if picture_difference(&place, &target)? < 2.0 * self.tolerance {
+            return Err(text!("lesson-match-same").to_owned());
+        }
+        Ok(())
+    }
+
+    fn right(right: &Vec<f64>) -> Vec<f64> {
+        right.clone()
+    }
+
+    fn fits(&self, given: &Vec<f64>) -> bool {
+        given.len() == self.controls.len() && given.iter().all(|x| x.is_finite())
+    }
+
+    fn grade(&self, given: &Vec<f64>, right: &Vec<f64>, place: LabPlace<'_>) -> Option<Grade> {
+        if given.len() != self.controls.len() {
+            return None;
+        }
+        let under = |values: &[f64]| place.under(&self.settings(values)).ok();
+        let off = picture_difference(&under(given)?, &under(right)?).ok()?;
+        Some(Grade::within(off, self.tolerance))
+    }
+
+    fn short(given: &Vec<f64>) -> String {
+        let values: Vec<String> = given.iter().map(|value| short_number(*value)).collect();
+        values.join(" ")
+    }
+
+    fn words(&self, given: &Vec<f64>, _: &[String]) -> String {
+        self.listed(given, control_name, short)
+    }
+
+    fn solution_words(&self, right: &Vec<f64>, _: &[String]) -> String {
+        self.listed(right, long_control_name, |value| fixed(value, 2))
+    }
+
+    fn blank(&self, printed: &Printed<'_>, right: Option<&Vec<f64>>) -> Result<String, String> {
+        let figure = |frame: &Frame, words: &str| {
+            let (image, words) = (picture(frame, ""), escaped(words));
+            format!("<figure>{image}<figcaption>{words}</figcaption></figure>")
+        };
+        let mut out = "<div class=\"pair\">".to_owned();
+        out += &figure(printed.picture, text!("class-start"));
+        if let Some(right) = right {
+            let place = printed.place.under(printed.set)?;
+            let target = place.under(&self.settings(right))?.counted_picture()?;
+            let words = text!("class-target", seed = printed.seed.to_string());
+            out += &figure(&target, &words);
+        }
+        out.push_str("</div>\n");
+        for control in &self.controls {
+            let name = escaped(&long_control_name(control));
+            let _ = writeln!(out, "<p>{name} = {BLANK}</p>");
+        }
+        Ok(out)
+    }
+
+    fn chart(&self, _: &Predictions<'_, Vec<f64>, Vec<f64>>) -> String {
+        String::new()
+    }
+}
+
+/// Draws values in the middle four fifths of each control's slider.
+fn random_values(controls: &[String], seed: u64) -> Vec<f64> {
+    let mut state = seed;
+    controls
+        .iter()
+        .map(|control| {
+            // SplitMix64 (Steele, Lea and Flood 2014).
+            state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
+            let mut z = state;
+            z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+            z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+            z ^= z >> 31;
+            let share = 0.1 + 0.8 * (z >> 11) as f64 / (1u64 << 53) as f64;
+            let value = slider(control).map_or(share, |(_, _, slider)| along(&slider, share));
+            // As many digits as can be set.
+            (value * 1e3).round() / 1e3
+        })
+        .collect()
+}
+
+/// Returns the root mean square of the difference of two pictures, as shown.
+fn picture_difference(a: &LabPlace<'_>, b: &LabPlace<'_>) -> Result<f64, String> {
+    let (scene, pictures) = (a.scene(), [a.linear()?, b.linear()?]);
+    let picture = |index: usize| LinearPicture {
+        width: scene.image.size[0],
+        pixels: &pictures[index],
+        clamps: true,
+    };
+    Ok(error_figures(picture(0), picture(1)).rms)
+}

@@ -1,0 +1,103 @@
+//! Answers that are numbers: in a few characters, and those of a class over their axis.
+
+use super::kind::Predictions;
+use crate::lesson::html::escaped;
+use crate::text::{fixed, text};
+use std::fmt::Write as _;
+
+/// The line that a student writes a number on.
+pub const BLANK: &str = "<span class=\"blank\"></span>";
+
+/// Returns a number in a few characters.
+pub fn short_number(value: f64) -> String {
+    let digits = if value.abs() >= 100.0 { 1 } else { 3 };
+    let text = fixed(value, digits);
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// Returns how many digits after the point show a difference of the tolerance.
+pub fn digits(tolerance: f64) -> usize {
+    (0..6)
+        .find(|digits| 0.1f64.powi(*digits) <= tolerance * 1.01)
+        .unwrap_or(6) as usize
+}
+
+/// Returns the predicted numbers as dots over their axis, one above the other, with the band that counts as right; the axis
+/// is the `range`, or what they span, without a band.
+pub fn number_chart(
+    class: &Predictions<'_, f64, f64>,
+    range: Option<[f64; 2]>,
+    tolerance: f64,
+) -> String {
+    const COLUMNS: usize = 60;
+    const DOT: f64 = 4.0;
+    let mut predicted: Vec<f64> = class.given.iter().map(|(given, _)| **given).collect();
+    predicted.sort_by(f64::total_cmp);
+    let right = class.right.copied();
+    let all = || predicted.iter().copied().chain(right);
+    let least = all().fold(f64::INFINITY, f64::min);
+    let greatest = all().fold(f64::NEG_INFINITY, f64::max);
+    if !(least.is_finite() && greatest.is_finite()) {
+        return String::new();
+    }
+    let margin = 0.05 * (greatest - least).max(2.0 * tolerance);
+    let x = range.unwrap_or([least - margin, greatest + margin]);
+    let width = 520.0;
+    let along = |value: f64| ((value - x[0]) / (x[1] - x[0])).clamp(0.0, 1.0);
+    let mut columns = vec![0usize; COLUMNS];
+    let places: Vec<(usize, usize)> = predicted
+        .iter()
+        .map(|value| {
+            let column = ((along(*value) * COLUMNS as f64) as usize).min(COLUMNS - 1);
+            columns[column] += 1;
+            (column, columns[column])
+        })
+        .collect();
+    let highest = columns.iter().copied().max().unwrap_or(0);
+    // Large classes get smaller steps, not a higher drawing.
+    let step = (2.0 * DOT).min(200.0 / highest.max(1) as f64);
+    let height = (highest.max(4) as f64 * 2.0 * DOT + 6.0).min(210.0);
+    let mut svg = format!(
+        "<figure><svg viewBox=\"-30 -4 580 {:.0}\" width=\"580\" role=\"img\">\n",
+        height + 28.0
+    );
+    if let Some(right) = right {
+        let at = |value: f64| along(value) * width;
+        let band = if range.is_some() {
+            [at(right - tolerance), at(right + tolerance)]
+        } else {
+            [at(right); 2]
+        };
+        let _ = writeln!(
+            svg,
+            "<rect x=\"{:.1}\" width=\"{:.1}\" height=\"{height:.1}\" fill=\"#dcefdc\"/><path d=\"M{:.1} 0V{height:.1}\" stroke=\"#2e7d43\" stroke-width=\"2\"/>",
+            band[0],
+            band[1] - band[0],
+            at(right)
+        );
+    }
+    let _ = writeln!(svg, "<path d=\"M0 {height:.1}H{width}\" stroke=\"#555\"/>");
+    for index in 0..=4 {
+        let value = x[0] + (x[1] - x[0]) * f64::from(index) / 4.0;
+        let _ = writeln!(
+            svg,
+            "<text x=\"{:.1}\" y=\"{:.1}\" font-size=\"13\" text-anchor=\"middle\">{}</text>",
+            along(value) * width,
+            height + 18.0,
+            escaped(&short_number(value))
+        );
+    }
+    for (column, row) in places {
+        let cx = (column as f64 + 0.5) / COLUMNS as f64 * width;
+        let cy = height - (row as f64 - 0.5) * step;
+        let _ = writeln!(
+            svg,
+            "<circle cx=\"{cx:.1}\" cy=\"{cy:.1}\" r=\"{:.1}\" fill=\"#3d73a8\"/>",
+            DOT.min(step)
+        );
+    }
+    svg + &format!(
+        "</svg>\n<figcaption>{}</figcaption></figure>\n",
+        escaped(text!("class-numbers"))
+    )
+}

@@ -1,0 +1,164 @@
+//! An order: things sorted from the least to the greatest.
+
+use super::extreme::too_near;
+use super::kind::{Asks, Predictions, Printed, QuestionKind};
+use super::lettered::{Bars, letter, lettered, lettered_html};
+use crate::expression::Expression;
+use crate::lesson::html::escaped;
+use crate::lesson::page::picture;
+use crate::lesson::read::keys::{KeyReader, Keys};
+use crate::lesson::{Grade, LabPlace, Prose};
+use crate::render::Frame;
+use crate::text::text;
+use std::fmt::Write as _;
+
+/// Most orders in the chart of a class.
+const CHARTED: usize = 12;
+
+/// Things to be sorted from the least to the greatest.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Order {
+    /// The things, three to six.
+    pub items: Vec<Item>,
+    /// The quantity that they are sorted by, evaluated in the scene of each.
+    pub by: Expression,
+}
+
+/// One of the things to be sorted.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Item {
+    /// Its text.
+    pub text: Prose,
+    /// Settings of its scene.
+    pub set: Vec<String>,
+}
+
+impl Asks for Order {
+    fn options(&self) -> Vec<&Prose> {
+        self.items.iter().map(|item| &item.text).collect()
+    }
+}
+
+impl QuestionKind for Order {
+    /// The items by their numbers from 0, the least first.
+    type Answer = Vec<usize>;
+    type Solution = Vec<usize>;
+
+    fn read(keys: &Keys, reader: &mut KeyReader<'_, '_>) -> Option<Self> {
+        let by = reader.expression("by", &keys.by);
+        if !(3..=6).contains(&keys.item.len()) {
+            reader.wrong(text!("lesson-items", least = 3, most = 6));
+            return None;
+        }
+        let items = keys.item.iter();
+        let items = items.map(|item| Item {
+            text: reader.prose(Some(&item.text)),
+            set: item.set.clone(),
+        });
+        Some(Self {
+            items: items.collect(),
+            by: by?,
+        })
+    }
+
+    fn solve(&self, place: LabPlace<'_>, _: u64) -> Result<Vec<usize>, String> {
+        let value = |item: &Item| place.under(&item.set)?.number(&self.by);
+        let values: Result<Vec<f64>, String> = self.items.iter().map(value).collect();
+        let values = values?;
+        let mut order: Vec<usize> = (0..values.len()).collect();
+        order.sort_by(|a, b| values[*a].total_cmp(&values[*b]));
+        let near = |pair: &[usize]| too_near(values[pair[0]], values[pair[1]]);
+        if order.windows(2).any(near) {
+            return Err(text!("lesson-too-near").to_owned());
+        }
+        Ok(order)
+    }
+
+    fn right(right: &Vec<usize>) -> Vec<usize> {
+        right.clone()
+    }
+
+    fn fits(&self, given: &Vec<usize>) -> bool {
+        let mut sorted = given.clone();
+        sorted.sort_unstable();
+        sorted.into_iter().eq(0..self.items.len())
+    }
+
+    /// Grades an order; the score is the fraction of pairs that are in the right order.
+    fn grade(&self, given: &Vec<usize>, right: &Vec<usize>, _: LabPlace<'_>) -> Option<Grade> {
+        let rank = |item: &usize| right.iter().position(|right| right == item);
+        let ranks: Option<Vec<usize>> = given.iter().map(rank).collect();
+        let ranks = ranks.filter(|ranks| ranks.len() == right.len())?;
+        let pairs = (0..ranks.len()).flat_map(|b| (0..b).map(move |a| (a, b)));
+        let (mut count, mut good) = (0u32, 0u32);
+        for (a, b) in pairs {
+            count += 1;
+            good += u32::from(ranks[a] < ranks[b]);
+        }
+        Some(Grade {
+            right: good == count,
+            score: f64::from(good) / f64::from(count.max(1)),
+            off: None,
+        })
+    }
+
+    fn short(given: &Vec<usize>) -> String {
+        given.iter().map(|item| letter(*item)).collect()
+    }
+
+    fn words(&self, given: &Vec<usize>, options: &[String]) -> String {
+        let items: Vec<&str> = given
+            .iter()
+            .filter_map(|item| options.get(*item).map(String::as_str))
+            .collect();
+        items.join(text!("comma"))
+    }
+
+    fn solution_words(&self, right: &Vec<usize>, options: &[String]) -> String {
+        let items: Vec<String> = right.iter().map(|item| lettered(*item, options)).collect();
+        items.join(" < ")
+    }
+
+    fn blank(&self, printed: &Printed<'_>, _: Option<&Vec<usize>>) -> Result<String, String> {
+        let mut out = "<div class=\"items\">\n".to_owned();
+        for (index, (item, words)) in self.items.iter().zip(printed.options).enumerate() {
+            let image = if item.set.is_empty() {
+                String::new()
+            } else {
+                picture(&thumbnail(&printed.picture_under(&item.set)?), words).to_string()
+            };
+            let item = lettered_html(index, words);
+            let _ = writeln!(out, "<figure>{image}<p>{item}</p></figure>");
+        }
+        let blanks = vec!["<span class=\"blank short\"></span>"; self.items.len()].join(" &lt; ");
+        let _ = writeln!(out, "</div>\n<p>{blanks}</p>");
+        Ok(out)
+    }
+
+    fn chart(&self, class: &Predictions<'_, Vec<usize>, Vec<usize>>) -> String {
+        let mut bars = Bars::new(class.given.len());
+        for (order, count) in class.counted().into_iter().take(CHARTED) {
+            let label = escaped(&Self::short(order));
+            bars.add(&label, count, class.right == Some(order));
+        }
+        let items = class.options.iter().enumerate();
+        let items: Vec<String> = items
+            .map(|(item, words)| lettered_html(item, words))
+            .collect();
+        let items = items.join(" · ");
+        format!("{}<p class=\"quiet\">{items}</p>\n", bars.table())
+    }
+}
+
+/// Returns every other pixel of every other row.
+fn thumbnail(frame: &Frame) -> Frame {
+    let (width, height) = (frame.width.div_ceil(2), frame.height.div_ceil(2));
+    let row = |y: u32| {
+        (0..width).filter_map(move |x| frame.pixels.get((2 * y * frame.width + 2 * x) as usize))
+    };
+    Frame {
+        width,
+        height,
+        pixels: (0..height).flat_map(row).copied().collect(),
+    }
+}

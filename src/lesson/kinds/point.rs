@@ -1,0 +1,349 @@
+//! A point: a place in the picture.
+
+use super::extreme::Extreme;
+use super::kind::{Asks, Predictions, Printed, QuestionKind};
+use super::number::short_number;
+use crate::analysis::luminance;
+use crate::expression::Expression;
+use crate::lesson::html::escaped;
+use crate::lesson::page::{data, picture};
+use crate::lesson::read::keys::{KeyReader, Keys};
+use crate::lesson::{Grade, LabPlace};
+use crate::render::Frame;
+use crate::scene::{Rgb, ShadingMode};
+use crate::text::{fixed, text};
+use glam::DVec2;
+use std::fmt::Write as _;
+
+/// The distance within which a click counts, unless the lesson says so.
+const NEAR: f64 = 0.05;
+/// Places along the picture's shorter side that are tried.
+const TRIED: usize = 49;
+
+/// A place in the picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Point {
+    /// The place that is looked for.
+    pub find: Find,
+    /// The largest distance from it that counts as right, in units of the picture's shorter side.
+    pub tolerance: f64,
+}
+
+/// The right place of a point.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Find {
+    /// The pixel of the largest luminance.
+    Brightest,
+    /// The pixel of the object of the smallest luminance.
+    Darkest,
+    /// The place in the picture where this is largest or smallest.
+    Extreme(Extreme, Expression),
+    /// Anywhere that its sign changes.
+    Zero(Expression),
+    /// The place on the step's line where the slope jumps most in this mode.
+    Corner(ShadingMode),
+}
+
+impl Asks for Point {
+    fn asks_place(&self) -> bool {
+        true
+    }
+
+    fn uses_picture(&self) -> bool {
+        true
+    }
+}
+
+impl QuestionKind for Point {
+    /// From the middle of the picture to the right and down, in units of its shorter side.
+    type Answer = [f64; 2];
+    /// Any of these is right; the first stands for all of them where one is shown.
+    type Solution = Vec<DVec2>;
+
+    fn read(keys: &Keys, reader: &mut KeyReader<'_, '_>) -> Option<Self> {
+        let Some(find) = &keys.find else {
+            reader.missing("find");
+            return None;
+        };
+        let tolerance = reader.positive("tolerance", keys.tolerance.or(Some(NEAR)))?;
+        let mut of = || reader.expression("of", &keys.of);
+        let find = match &**find.get_ref() {
+            "brightest" => Find::Brightest,
+            "darkest" => Find::Darkest,
+            "greatest" => Find::Extreme(Extreme::Greatest, of()?),
+            "least" => Find::Extreme(Extreme::Least, of()?),
+            "zero" => Find::Zero(of()?),
+            "corner" => match &keys.mode {
+                Some(mode) => Find::Corner(reader.mode("mode", mode)?),
+                None => Find::Corner(ShadingMode::Gouraud),
+            },
+            _ => {
+                let words = [
+                    "brightest",
+                    "darkest",
+                    "greatest",
+                    "least",
+                    "zero",
+                    "corner",
+                ];
+                reader.wrong_word("find", find, &words);
+                return None;
+            }
+        };
+        Some(Self { find, tolerance })
+    }
+
+    fn solve(&self, place: LabPlace<'_>, _: u64) -> Result<Vec<DVec2>, String> {
+        self.find.places(place, self.tolerance)
+    }
+
+    fn right(right: &Vec<DVec2>) -> [f64; 2] {
+        shown(right).to_array()
+    }
+
+    fn fits(&self, given: &[f64; 2]) -> bool {
+        given.iter().all(|x| x.is_finite())
+    }
+
+    fn grade(&self, given: &[f64; 2], right: &Vec<DVec2>, _: LabPlace<'_>) -> Option<Grade> {
+        let given = DVec2::from_array(*given);
+        let off = right.iter().map(|place| place.distance(given));
+        let off = off.fold(f64::INFINITY, f64::min);
+        Some(Grade::within(off, self.tolerance))
+    }
+
+    fn short([x, y]: &[f64; 2]) -> String {
+        format!("({}, {})", short_number(*x), short_number(*y))
+    }
+
+    fn words(&self, given: &[f64; 2], _: &[String]) -> String {
+        Self::short(given)
+    }
+
+    fn solution_words(&self, right: &Vec<DVec2>, _: &[String]) -> String {
+        let place = shown(right);
+        format!("({}, {})", fixed(place.x, 2), fixed(place.y, 2))
+    }
+
+    fn blank(&self, printed: &Printed<'_>, _: Option<&Vec<DVec2>>) -> Result<String, String> {
+        let words = escaped(text!("class-mark"));
+        let image = picture(printed.picture, printed.ask);
+        Ok(format!("<p class=\"quiet\">{words}</p>\n{image}\n"))
+    }
+
+    fn drawing(&self, right: &Vec<DVec2>, picture: &Frame) -> Option<String> {
+        let size = DVec2::new(picture.width.into(), picture.height.into());
+        let side = size.min_element();
+        let mut svg = svg_over(picture);
+        let radius = if right.len() == 1 { 0.03 } else { 0.006 } * side;
+        for place in right {
+            let at = size / 2.0 + *place * side;
+            for (colour, width) in [("#000", 0.012), ("#fff", 0.006)] {
+                let _ = writeln!(
+                    svg,
+                    "<circle cx=\"{:.1}\" cy=\"{:.1}\" r=\"{radius:.1}\" stroke=\"{colour}\" stroke-width=\"{:.1}\"/>",
+                    at.x,
+                    at.y,
+                    width * side
+                );
+            }
+        }
+        Some(svg + "</svg></figure>\n")
+    }
+
+    /// Returns every predicted place over the picture, and the right ones.
+    fn chart(&self, class: &Predictions<'_, [f64; 2], Vec<DVec2>>) -> String {
+        let Some(picture) = class.picture else {
+            return String::new();
+        };
+        let size = DVec2::new(picture.width.into(), picture.height.into());
+        let side = size.min_element();
+        let mut svg = svg_over(picture);
+        if let Some(right) = class.right {
+            let (radius, paint) = if right.len() == 1 {
+                (self.tolerance * side, "stroke=\"#fff\" stroke-width=\"2\"")
+            } else {
+                (0.004 * side, "fill=\"#fff\"")
+            };
+            for place in right {
+                let at = size / 2.0 + *place * side;
+                let _ = writeln!(
+                    svg,
+                    "<circle cx=\"{:.1}\" cy=\"{:.1}\" r=\"{radius:.1}\" {paint}/>",
+                    at.x, at.y
+                );
+            }
+        }
+        for (given, is_right) in &class.given {
+            let at = size / 2.0 + DVec2::from_array(**given) * side;
+            let colour = if *is_right { "#2e9e4f" } else { "#e0482e" };
+            let _ = writeln!(
+                svg,
+                "<circle cx=\"{:.1}\" cy=\"{:.1}\" r=\"{:.1}\" fill=\"{colour}\" fill-opacity=\"0.75\" stroke=\"#000\" stroke-width=\"0.8\"/>",
+                at.x,
+                at.y,
+                0.012 * side
+            );
+        }
+        let words = escaped(text!("class-clicks"));
+        format!("{svg}</svg>\n<figcaption>{words}</figcaption></figure>\n")
+    }
+}
+
+/// Returns the place that stands for all that are right.
+fn shown(right: &[DVec2]) -> DVec2 {
+    right.first().copied().unwrap_or_default()
+}
+
+/// Returns the begin of a drawing in pixels over a picture.
+fn svg_over(picture: &Frame) -> String {
+    let (width, height) = (picture.width, picture.height);
+    let data = data(picture);
+    format!(
+        "<figure class=\"points\"><svg viewBox=\"0 0 {width} {height}\" role=\"img\" fill=\"none\">\n<image href=\"{data}\" width=\"{width}\" height=\"{height}\"/>\n"
+    )
+}
+
+impl Find {
+    /// Finds the right places; the first stands for all of them where one is shown.
+    fn places(&self, place: LabPlace<'_>, tolerance: f64) -> Result<Vec<DVec2>, String> {
+        match self {
+            Self::Brightest => brightest(place, 1.0, tolerance),
+            Self::Darkest => brightest(place, -1.0, tolerance),
+            Self::Corner(mode) => corner(place, *mode, tolerance),
+            Self::Extreme(extreme, of) => {
+                let sign = extreme.sign();
+                let mut values = grid(place, of)?;
+                // Between the places of the grid the greatest may lie anywhere: a finer look about the best.
+                let best = values
+                    .iter()
+                    .copied()
+                    .max_by(|a, b| (sign * a.1).total_cmp(&(sign * b.1)));
+                let best = best.ok_or_else(|| text!("lesson-no-object").to_owned())?;
+                let step = 1.0 / (TRIED as f64 * 4.0);
+                for (x, y) in (-3..=3).flat_map(|y| (-3..=3).map(move |x| (x, y))) {
+                    let there = best.0 + step * DVec2::new(f64::from(x), f64::from(y));
+                    let value = place.probing(there).number(of);
+                    values.extend(value.ok().map(|value| (there, value)));
+                }
+                single(values, sign, tolerance)
+            }
+            Self::Zero(of) => {
+                let values = grid(place, of)?;
+                let step = 1.5 / TRIED as f64;
+                let side = |holds: fn(f64) -> bool| values.iter().filter(move |(_, v)| holds(*v));
+                let mut places = Vec::new();
+                for (a, over) in side(|value| value > 0.0) {
+                    // Where a straight line between the two values is zero.
+                    for (b, under) in side(|value| value <= 0.0) {
+                        if a.distance(*b) < step {
+                            places.push(a.lerp(*b, over / (over - under)));
+                        }
+                    }
+                }
+                if places.is_empty() {
+                    return Err(text!("lesson-no-zero").to_owned());
+                }
+                let near = |p: DVec2| places.iter().any(|place| place.distance(p) <= tolerance);
+                let covered = values.iter().filter(|(p, _)| near(*p)).count();
+                if 2 * covered > values.len() {
+                    return Err(text!("lesson-point-anywhere").to_owned());
+                }
+                // The one that is shown as the right one is typical: not an end of the curve, at the object's outline.
+                let middle = places.iter().sum::<DVec2>() / places.len() as f64;
+                let off = |place: &DVec2| place.distance_squared(middle);
+                places.sort_by(|a, b| off(a).total_cmp(&off(b)));
+                Ok(places)
+            }
+        }
+    }
+}
+
+/// Evaluates an expression at places all over the object.
+fn grid(place: LabPlace<'_>, of: &Expression) -> Result<Vec<(DVec2, f64)>, String> {
+    let size = DVec2::from_array(place.scene().image.size.map(f64::from));
+    let half = size / size.min_element() / 2.0;
+    let step = 1.0 / TRIED as f64;
+    let count = (half / step).ceil();
+    let linear = place.linear()?;
+    let width = place.scene().image.size[0] as usize;
+    let (mut values, mut failure) = (Vec::new(), None);
+    for row in -(count.y as i32)..=count.y as i32 {
+        for column in -(count.x as i32)..=count.x as i32 {
+            let at = step * DVec2::new(f64::from(column), f64::from(row));
+            let pixel = (size / 2.0 + at * size.min_element()).floor();
+            if pixel.cmplt(DVec2::ZERO).any() || pixel.cmpge(size).any() {
+                continue;
+            }
+            let index = pixel.y as usize * width + pixel.x as usize;
+            if linear.get(index).is_none_or(|pixel| pixel[3] == 0.0) {
+                continue;
+            }
+            match place.probing(at).number(of) {
+                Ok(value) => values.push((at, value)),
+                Err(words) => failure = Some(words),
+            }
+        }
+    }
+    match failure {
+        Some(words) if values.is_empty() => Err(words),
+        _ if values.is_empty() => Err(text!("lesson-no-object").to_owned()),
+        _ => Ok(values),
+    }
+}
+
+/// Finds the place of the largest value, which no place far away comes near.
+fn single(values: Vec<(DVec2, f64)>, sign: f64, tolerance: f64) -> Result<Vec<DVec2>, String> {
+    let greatest = values.iter().map(|(_, value)| sign * value);
+    let greatest = greatest.fold(f64::NEG_INFINITY, f64::max);
+    let least = values.iter().map(|(_, value)| sign * value);
+    let least = least.fold(f64::INFINITY, f64::min);
+    let best = values.iter().find(|(_, value)| sign * value >= greatest);
+    let best = best.ok_or_else(|| text!("lesson-no-object").to_owned())?.0;
+    let nearly = greatest - 0.02 * (greatest - least);
+    let alike = values
+        .iter()
+        .any(|(p, value)| sign * value >= nearly && p.distance(best) > 2.0 * tolerance);
+    if alike {
+        return Err(text!("lesson-point-alike").to_owned());
+    }
+    Ok(vec![best])
+}
+
+/// Finds the pixel of the object with the largest or, with the sign −1, the smallest luminance.
+fn brightest(place: LabPlace<'_>, sign: f64, tolerance: f64) -> Result<Vec<DVec2>, String> {
+    let width = place.scene().image.size[0] as usize;
+    let values = place
+        .linear()?
+        .iter()
+        .enumerate()
+        .filter(|(_, pixel)| pixel[3] > 0.0)
+        .map(|(index, &[r, g, b, _])| {
+            let at = [(index % width) as u32, (index / width) as u32];
+            let value = luminance(Rgb::new(r.into(), g.into(), b.into()));
+            (place.place_of(at), value)
+        })
+        .collect();
+    single(values, sign, tolerance)
+}
+
+/// Finds the place on the line where the slope jumps most.
+fn corner(place: LabPlace<'_>, mode: ShadingMode, tolerance: f64) -> Result<Vec<DVec2>, String> {
+    let profile = place.profile(&[mode])?;
+    let size = DVec2::from_array(place.scene().image.size.map(f64::from));
+    let values: Vec<(DVec2, f64)> = profile
+        .borders
+        .iter()
+        .zip(&profile.traces[0].corners)
+        .filter(|(border, _)| border.faces.iter().all(Option::is_some))
+        .filter_map(|(border, corner)| {
+            let at = (DVec2::new(border.x, border.y) - size / 2.0) / size.min_element();
+            corner.as_ref().map(|corner| (at, corner.jump.abs()))
+        })
+        .collect();
+    if values.is_empty() {
+        return Err(text!("lesson-no-corner").to_owned());
+    }
+    single(values, 1.0, tolerance)
+}
