@@ -4,7 +4,7 @@
 use std::fmt::{self, Display, Formatter, Write as _};
 
 /// Elements that have no content.
-const VOID: [&str; 5] = ["img", "meta", "circle", "image", "path"];
+const VOID: [&str; 6] = ["img", "meta", "circle", "image", "path", "rect"];
 
 /// A piece of a page.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -91,6 +91,11 @@ impl Element {
         self.attribute("class", class)
     }
 
+    /// The element with a length more, to a tenth of a pixel.
+    pub fn length(self, name: &'static str, value: f64) -> Self {
+        self.attribute(name, format!("{value:.1}"))
+    }
+
     /// The element whose content begins in a line of its own.
     pub fn broken(self) -> Self {
         self.with("\n")
@@ -125,7 +130,7 @@ impl From<Element> for Html {
 }
 
 /// Text as HTML has it, without the control characters that XML lacks.
-pub(super) fn escaped(text: &str) -> String {
+fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         match c {

@@ -4,7 +4,7 @@ use super::kind::{Asks, Predictions, Printed, QuestionKind};
 use crate::expression::Expression;
 use crate::figure::Drawing;
 use crate::figure::palette::Rgb8;
-use crate::lesson::html::escaped;
+use crate::lesson::html::{Html, element};
 use crate::lesson::read::keys::{KeyReader, Keys};
 use crate::lesson::{CurveAxes, Grade, LabPlace, Prose};
 use crate::render::Frame;
@@ -54,12 +54,12 @@ impl Curve {
     }
 
     /// Returns its axes as HTML with what `draw` draws over them.
-    fn plot(&self, draw: impl FnOnce(&mut Drawing)) -> String {
+    fn plot(&self, draw: impl FnOnce(&mut Drawing)) -> Html {
         let names = [&self.x_name, &self.y_name].map(Prose::plain);
         let axes = CurveAxes::new([self.x, self.y], [&names[0], &names[1]]);
         let mut drawing = axes.on_page();
         draw(&mut drawing);
-        drawing.to_svg(&axes.words())
+        Html::made(drawing.to_svg(&axes.words()))
     }
 
     /// Evaluates the right curve at its points.
@@ -186,19 +186,20 @@ impl QuestionKind for Curve {
         String::new()
     }
 
-    fn blank(&self, _: &Printed<'_>, _: Option<&Vec<[f64; 2]>>) -> Result<String, String> {
-        Ok(format!("<figure>{}</figure>\n", self.plot(|_| {})))
+    fn blank(&self, _: &Printed<'_>, _: Option<&Vec<[f64; 2]>>) -> Result<Html, String> {
+        let axes = element("figure").with(self.plot(|_| {}));
+        Ok(Html::new().line(axes))
     }
 
-    fn drawing(&self, right: &Vec<[f64; 2]>, _: &Frame) -> Option<String> {
+    fn drawing(&self, right: &Vec<[f64; 2]>, _: &Frame) -> Option<Html> {
         let plot = self.plot(|drawing| {
             drawing.draw_curve(right.iter().copied(), 2.5, BLACK, 1.0);
         });
-        Some(format!("<figure>{plot}</figure>"))
+        Some(element("figure").with(plot).into())
     }
 
     /// Returns every predicted curve, and over them the right one.
-    fn chart(&self, class: &Predictions<'_, Vec<Option<f64>>, Vec<[f64; 2]>>) -> String {
+    fn chart(&self, class: &Predictions<'_, Vec<Option<f64>>, Vec<[f64; 2]>>) -> Html {
         let plot = self.plot(|drawing| {
             for (given, is_right) in &class.given {
                 let points = given.iter().enumerate();
@@ -210,8 +211,8 @@ impl QuestionKind for Curve {
                 drawing.draw_curve(right.iter().copied(), 3.0, BLACK, 1.0);
             }
         });
-        let words = escaped(text!("class-curves"));
-        format!("<figure>{plot}<figcaption>{words}</figcaption></figure>\n")
+        let caption = element("figcaption").with(text!("class-curves"));
+        Html::new().line(element("figure").with(plot).with(caption))
     }
 }
 
