@@ -1,4 +1,4 @@
-//! Parts of a page in HTML that stands alone: text, formulas, pictures and axes. Nothing of a lesson or a hand-in gets into it
+//! Parts of a page in HTML that stands alone: text, formulas and pictures. Nothing of a lesson or a hand-in gets into it
 //! unescaped, and the page loads nothing.
 
 use super::html::{Html, element};
