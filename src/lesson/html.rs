@@ -80,8 +80,7 @@ pub fn element(name: &'static str) -> Element {
 impl Element {
     /// The element with an attribute more.
     pub fn attribute(mut self, name: &'static str, value: impl Display) -> Self {
-        // Between double quotation marks a single one is nothing special.
-        let value = escaped(&value.to_string()).replace("&#39;", "'");
+        let value = escaped(&value.to_string());
         let _ = write!(self.attributes, " {name}=\"{value}\"");
         self
     }

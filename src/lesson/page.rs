@@ -11,25 +11,19 @@ use crate::text::language;
 use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd, html};
 
 /// What a page may do: show its own styles and pictures, and nothing else.
-const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'";
+const POLICY: &str = "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'\"/>";
 
 /// Returns a page; `style` is CSS.
 pub fn page(title: &str, style: &str, body: Html) -> String {
-    let meta = |name: &'static str, value: &str, content: &str| {
-        element("meta")
-            .attribute(name, value)
-            .attribute("content", content)
-    };
+    let viewport = element("meta")
+        .attribute("name", "viewport")
+        .attribute("content", "width=device-width, initial-scale=1");
     let style = format!("\n{COMMON}{style}");
     let head = element("head")
         .broken()
         .line(element("meta").attribute("charset", "utf-8"))
-        .line(meta(
-            "name",
-            "viewport",
-            "width=device-width, initial-scale=1",
-        ))
-        .line(meta("http-equiv", "Content-Security-Policy", POLICY))
+        .line(viewport)
+        .line(Html::made(POLICY.to_owned()))
         .line(element("title").with(title))
         .line(element("style").with(Html::made(style)));
     let page = element("html")
