@@ -3,80 +3,30 @@
 //! [`AppState`] is all that the window remembers; each panel is a function of it. Menus, keys and buttons ask for
 //! actions, which are done in one place at the end of the frame. Nothing is drawn again unless something has changed.
 
-mod action;
-mod appearance;
-mod background;
-mod bars;
-mod code;
-mod commands;
-mod compare;
 mod controls;
 mod course;
-mod curves;
-mod defects;
-mod dialog;
-mod dialogs;
-mod document;
-mod drawing;
-mod embed;
 mod engine;
-mod equation;
-mod files;
-mod filled;
-mod film;
-mod focus;
-mod handles;
-mod heading;
-mod layout;
-mod letter;
-mod lines;
-mod links;
-mod material;
-mod menu;
-mod named;
-mod notice;
-mod orbit;
-mod palette;
-mod panes;
 mod picture;
-mod place;
-mod plan;
-mod point;
-mod profile;
-mod recovery;
-mod report;
-mod row;
-mod sampling;
-mod scan;
-mod scenes;
-mod sign;
-mod stability;
-#[cfg_attr(target_arch = "wasm32", path = "app/page/start.rs")]
+mod session;
+mod shell;
+#[cfg_attr(target_arch = "wasm32", path = "app/start/page.rs")]
 mod start;
-mod state;
-mod study;
-mod symbol;
 #[cfg_attr(target_arch = "wasm32", path = "app/page.rs")]
 mod system;
-mod table;
-mod terms;
-mod theme;
-mod toast;
-mod typeset;
 mod views;
-mod welcome;
+mod widgets;
 
-pub use appearance::{Appearance, Overlays, ViewName};
 pub use course::{Course, SavedProgress};
-pub use document::{CoursePart, Document, Origin};
-pub use place::{ProbePoint, ProfileLine};
-pub use profile::Profiles;
-pub use profile::appearance::ProfileAppearance;
-pub use scan::ScanView;
+pub use session::appearance::profile::ProfileAppearance;
+pub use session::appearance::{Appearance, Overlays, ViewName};
+pub use session::document::{CoursePart, Document, Origin};
+pub use session::place::{ProbePoint, ProfileLine};
+pub use shell::state::AppState;
 #[cfg(not(target_arch = "wasm32"))]
 pub use start::Start;
 pub use start::run;
-pub use state::AppState;
+pub use views::profile::Profiles;
+pub use views::scan::ScanView;
 
 use crate::document::{Loaded, picture_bytes};
 use crate::lesson::Lesson;
@@ -84,20 +34,23 @@ use crate::link::is_link;
 use crate::render::{Frame, Renderer, Report};
 use crate::scene::{Choice as _, presets};
 use crate::text::{Language, language, set_language, text};
-use action::Action;
-use dialog::{CodeForm, Dialog, ExportForm, FileTask};
-use document::History;
+use controls::scenes::scene_after;
 use eframe::egui::{ColorImage, Context, ThemePreference, Ui, ViewportCommand};
 use engine::Engine;
-use files::Files;
-use layout::Layout;
 use picture::Room;
-use recovery::Recovery;
 use serde::{Deserialize, Serialize};
-use state::{Leaving, ViewStates};
+use session::action::Action;
+use session::recovery::Recovery;
+use session::window::ViewStates;
+use shell::dialog::{CodeForm, Dialog, ExportForm, FileTask};
+use shell::files::Files;
+use shell::layout::Layout;
+use shell::state::Leaving;
+use shell::{commands, dialogs, embed, files, links, toast, welcome};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use theme::ThemeChoice;
+use widgets::theme::ThemeChoice;
+use widgets::{focus, symbol, theme};
 
 /// Where the window's look is kept between two sessions.
 const STORAGE_KEY: &str = "look";
@@ -137,18 +90,16 @@ impl App {
             .and_then(|storage| eframe::get_value(storage, STORAGE_KEY));
         // Anybody may have written what was stored.
         let Stored { appearance, course } = stored.unwrap_or_default();
-        let mut state = AppState {
-            appearance: appearance.sound(),
-            course: Course::with(course),
-            ..AppState::default()
-        };
+        let mut state = AppState::default();
+        state.window.appearance = appearance.sound();
+        state.course = Course::with(course);
         // The toolkit stores a scale of its own, which nobody has checked. Set in this way it holds from the first frame on.
         cc.egui_ctx
-            .options_mut(|options| options.zoom_factor = state.appearance.scale);
+            .options_mut(|options| options.zoom_factor = state.window.appearance.scale);
         let shown = loaded.shown.clone();
         state.open(Document::from(loaded));
         state.show(&shown);
-        state.history = History::new(state.document.clone());
+        state.session.begin();
         Self {
             state,
             engine: Engine::new(),
@@ -200,10 +151,11 @@ impl App {
     #[must_use]
     pub fn with_welcome(mut self) -> Self {
         let default = Origin::BuiltIn(presets::DEFAULT.to_owned());
-        self.state.welcome =
-            !self.state.appearance.welcomed && self.state.document.origin == default;
+        self.state.window.welcome = !self.state.window.appearance.welcomed
+            && self.state.session.document().origin == default;
         // A link may have said where.
-        self.state.seek_highlight = self.state.welcome && self.state.probe == ProbePoint::default();
+        self.state.window.seek_highlight =
+            self.state.window.welcome && self.state.window.probe == ProbePoint::default();
         self
     }
 
@@ -221,14 +173,15 @@ impl App {
     /// The same window, whose links begin with `page` from now on, where one is named.
     #[must_use]
     pub fn with_page(mut self, page: Option<String>) -> Self {
-        self.state.appearance.page = page.unwrap_or(self.state.appearance.page);
+        self.state.window.appearance.page = page.unwrap_or(self.state.window.appearance.page);
         self
     }
 
     /// The same window in `language`, where there is one, until another is chosen in its menu; it is not remembered.
     #[must_use]
     pub fn in_language(mut self, language: Option<Language>) -> Self {
-        self.started_in = language.map(|language| (language, self.state.appearance.language));
+        self.started_in =
+            language.map(|language| (language, self.state.window.appearance.language));
         self
     }
 
@@ -239,54 +192,65 @@ impl App {
             layout,
             ..
         } = self;
-        if state.embedded.is_some() {
-            self.room = embed::embedded_ui(ui, state, engine);
-            state.room = self.room.whole;
-            state.commit();
+        if state.window.embedded.is_some() {
+            self.room = embed::embedded_ui(
+                ui,
+                &mut state.session,
+                &mut state.window,
+                &mut state.course,
+                &mut state.requests,
+                engine,
+            );
+            state.window.room = self.room.whole;
             return;
         }
         let known = layout.picture.is_some();
         if let Some(room) = layout.ui(ui, state, engine) {
-            (self.room, state.room) = (room, room.whole);
+            (self.room, state.window.room) = (room, room.whole);
             if !known {
                 // How high the strips above the picture are is known only now. To lay out again at once is faster than a
                 // frame that jumps.
                 ui.ctx().request_discard("layout");
             }
-            if let Some(picture) = layout.picture {
-                welcome::welcome_ui(ui.ctx(), state, picture);
+            if let Some(picture) = layout.picture.filter(|_| state.dialog.is_none()) {
+                welcome::welcome_ui(ui.ctx(), &mut state.window, &mut state.requests, picture);
             }
         }
-        self.state.commit();
     }
 
     fn settle(&mut self, ctx: &Context) {
-        let asked = std::mem::take(&mut self.state.asked);
+        let asked = self.state.requests.take();
         if !asked.is_empty() {
             ctx.request_repaint();
         }
         for action in asked {
             let rest = self.state.perform(action, self.room.pane);
-            self.state.commit();
+            self.state.session.commit();
             if let Some(rest) = rest {
                 self.perform(ctx, rest);
             }
         }
         let (held, time) = ctx.input(|input| (input.pointer.any_down(), input.time));
-        let held = held || self.state.gliding.is_some();
-        self.state.history.observe(&self.state.document, held, time);
-        if self.state.lit.turn() {
+        let held = held || self.state.course.gliding.is_some();
+        self.state.session.observe(held, time);
+        if symbol::turn(ctx) {
             ctx.request_repaint();
         }
         self.show_look(ctx);
         if let Some(recovery) = &mut self.recovery {
-            recovery.keep(ctx, &mut self.state);
+            let AppState {
+                session,
+                window,
+                leaving,
+                ..
+            } = &mut self.state;
+            recovery.keep(ctx, session, window, *leaving == Leaving::Now);
         }
     }
 
     /// Whether the window may close now; asks otherwise.
     fn may_close(&mut self) -> bool {
-        let may = self.state.leaving == Leaving::Now || !self.state.modified();
+        let may = self.state.leaving == Leaving::Now || !self.state.session.modified();
         if !may {
             self.state.dialog = Some(Dialog::Unsaved);
         } else if let Some(recovery) = &mut self.recovery {
@@ -302,18 +266,18 @@ impl App {
     }
 
     fn show_look(&mut self, ctx: &Context) {
-        ctx.set_theme(match self.state.appearance.theme {
+        ctx.set_theme(match self.state.window.appearance.theme {
             ThemeChoice::System => ThemePreference::System,
             ThemeChoice::Dark => ThemePreference::Dark,
             ThemeChoice::Light => ThemePreference::Light,
         });
         // In points of the screen, rounded: what is shown must not depend on the last digit.
         let size = (ctx.content_rect().size() * ctx.zoom_factor()).round();
-        ctx.set_zoom_factor(self.state.appearance.zoom(size.y));
+        ctx.set_zoom_factor(self.state.window.appearance.zoom(size.y));
         theme::forget_letters(ctx, &mut self.letters);
         let fingers = system::fingers(ctx);
         theme::touch(ctx, fingers || size.x < theme::NARROW);
-        let chosen = self.state.appearance.language;
+        let chosen = self.state.window.appearance.language;
         self.started_in = self.started_in.filter(|(_, before)| *before == chosen);
         let wanted = self
             .started_in
@@ -323,12 +287,19 @@ impl App {
         if wanted != language() {
             set_language(wanted);
             // What views have worked out holds text.
-            self.state.own = ViewStates::default();
+            self.state.window.own = ViewStates::default();
             self.state.translate_lesson();
             ctx.request_repaint();
         }
-        let mark = if self.state.modified() { "*" } else { "" };
-        let title = format!("{}{mark} — shading-lab", self.state.document.origin.name());
+        let mark = if self.state.session.modified() {
+            "*"
+        } else {
+            ""
+        };
+        let title = format!(
+            "{}{mark} — shading-lab",
+            self.state.session.document().origin.name()
+        );
         if title != self.title {
             system::set_title(ctx, &title);
             self.title = title;
@@ -351,15 +322,15 @@ impl App {
             Action::OpenBuiltIn(name) => {
                 if let Some(document) = Document::built_in(&name) {
                     self.state.open(document);
-                    self.state.seek_highlight = true;
+                    self.state.window.seek_highlight = true;
                 }
             }
-            Action::Save => match self.state.document.scene_file() {
+            Action::Save => match self.state.session.document().scene_file() {
                 Some(path) => self.save(ctx, path),
                 None => self.perform(ctx, Action::SaveAs),
             },
             Action::SaveAs => {
-                let path = self.state.document.suggested("toml");
+                let path = self.state.session.document().suggested("toml");
                 self.ask_file(ctx, FileTask::SaveScene, path);
             }
             Action::SaveTo(path) => self.save(ctx, path),
@@ -374,7 +345,7 @@ impl App {
                     film: None,
                     wrong: None,
                 };
-                let path = self.state.document.suggested("png");
+                let path = self.state.session.document().suggested("png");
                 self.ask_file(ctx, FileTask::Export(form), path);
             }
             Action::CopyPicture => self.copy_picture(ctx),
@@ -385,14 +356,14 @@ impl App {
             Action::Code => self.state.dialog = Some(Dialog::Code(CodeForm::default())),
             Action::Scenes => self.state.dialog = Some(Dialog::Scenes),
             Action::NextScene(step) => {
-                let name = self.state.scene_after(step).to_owned();
+                let name = scene_after(&self.state.session.document().origin, step).to_owned();
                 self.perform(ctx, Action::OpenBuiltIn(name));
             }
             Action::Keys => self.state.dialog = Some(Dialog::Keys),
             Action::About => self.state.dialog = Some(Dialog::About),
             Action::PictureAlone => {
-                self.state.picture_alone = !self.state.picture_alone;
-                system::set_fullscreen(ctx, self.state.picture_alone);
+                self.state.window.picture_alone = !self.state.window.picture_alone;
+                system::set_fullscreen(ctx, self.state.window.picture_alone);
             }
             Action::ResetRow => focus::ask_reset(ctx),
             Action::TakeProbe => focus::take(ctx, focus::picture_id()),
@@ -410,7 +381,7 @@ impl App {
                     self.state.dialog = Some(Dialog::message(text!("course-hand-in"), words));
                 }
             },
-            Action::LoadStage => self.files.load_stage(ctx, &self.state),
+            Action::LoadStage => self.files.load_stage(ctx, &self.state.course),
             Action::Quit if self.may_close() => self.close(ctx),
             Action::CloseUnsaved => self.close(ctx),
             Action::Restore => {
@@ -438,18 +409,14 @@ impl App {
 
     fn save(&mut self, ctx: &Context, path: PathBuf) {
         let leaving = std::mem::take(&mut self.state.leaving);
-        match crate::document::save_scene(&path, &self.state.document.scene) {
+        match crate::document::save_scene(&path, &self.state.session.document().scene) {
             Ok(()) => {
                 let origin = Origin::File(path.clone());
-                if self.state.document.origin != origin {
-                    self.state.opened = self.state.document.scene.clone();
-                    self.state.appearance.remember(&path);
-                    self.state.activate(self.state.panes.active);
+                if self.state.session.document().origin != origin {
+                    self.state.window.appearance.remember(&path);
                 }
-                self.state.document.origin = origin;
-                self.state.notice = Some(text!("saved", path = path.display().to_string()));
-                self.state.saved = self.state.document.clone();
-                self.state.begin();
+                self.state.session.save_as(origin);
+                self.state.session.notice = Some(text!("saved", path = path.display().to_string()));
                 if leaving == Leaving::OnceSaved {
                     self.close(ctx);
                 }
@@ -461,12 +428,12 @@ impl App {
     }
 
     fn copy_picture(&mut self, ctx: &Context) {
-        let Document { scene, model, .. } = &self.state.document;
+        let Document { scene, model, .. } = self.state.session.document();
         let mut scene = scene.clone();
         scene.image.size = self.room.whole;
         let mut renderer = Renderer::default();
         renderer.set_model(model.clone());
-        let over = files::Over::new(&self.state);
+        let over = files::Over::new(&self.state.session, &self.state.window);
         let Some(frame) = files::picture(&mut renderer, &scene, 1, Some(&over), &mut |_| true)
         else {
             return;
@@ -476,7 +443,7 @@ impl App {
             size,
             frame.pixels.as_flattened(),
         ));
-        self.state.notice = Some(text!("copied-picture").to_owned());
+        self.state.session.notice = Some(text!("copied-picture").to_owned());
     }
 }
 
@@ -498,16 +465,28 @@ impl eframe::App for App {
         let ctx = ui.ctx().clone();
         system::begin_frame(&ctx);
         for path in system::dropped(&ctx) {
-            self.state.ask(Action::OpenFile(path));
+            self.state.requests.ask(Action::OpenFile(path));
         }
         self.state.glide(&ctx);
         focus::listen(&ctx, self.in_front);
-        if !self.in_front && self.state.embedded.is_none() {
-            commands::listen(&ctx, &mut self.state);
+        if !self.in_front && self.state.window.embedded.is_none() {
+            let AppState {
+                window,
+                course,
+                requests,
+                ..
+            } = &mut self.state;
+            commands::listen(&ctx, window, course, requests);
         }
         self.panels(ui);
         self.files.poll(&ctx, &mut self.state);
-        toast::toast_ui(&ctx, &mut self.state);
+        let AppState {
+            session,
+            window,
+            dialog,
+            ..
+        } = &mut self.state;
+        toast::toast_ui(&ctx, session, window, dialog.is_some());
         dialogs::dialog_ui(&ctx, &mut self.state, &mut self.files);
         self.settle(&ctx);
         // What has come to stand in front takes the focus from what is behind it.
@@ -521,21 +500,21 @@ impl eframe::App for App {
         let (state, engine) = (&self.state, &self.engine);
         system::end_frame(
             &ctx,
-            self.recovery.is_some() && state.modified(),
+            self.recovery.is_some() && state.session.modified(),
             || state.link().ok().map(|written| written.link),
-            || picture_bytes(engine.frame(), Some(&state.document.scene)).ok(),
+            || picture_bytes(engine.frame(), Some(&state.session.document().scene)).ok(),
         );
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
-        if self.state.embedded.is_some() {
+        if self.state.window.embedded.is_some() {
             return;
         }
         eframe::set_value(
             storage,
             STORAGE_KEY,
             &Stored {
-                appearance: self.state.appearance.clone(),
+                appearance: self.state.window.appearance.clone(),
                 course: self.state.course.kept.clone(),
             },
         );

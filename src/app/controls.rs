@@ -1,16 +1,24 @@
 //! The panel of controls, in the order of the equation: sections of rows, each the row of a parameter or a control of its own.
 
 mod lights;
+pub mod materials;
+pub mod named;
 mod object;
+pub mod row;
+pub mod sampling;
+pub mod scenes;
+pub mod vertices;
 
-use super::action::Action;
 use super::engine::Engine;
-use super::focus::{keep_in_sight, named};
-use super::material::{gallery_ui, matching_ui};
-use super::plan::grouped;
-use super::row::{About, View, parameter_with, row};
-use super::state::AppState;
-use super::symbol::Symbol;
+use crate::analysis::grouped;
+use crate::app::controls::materials::{gallery_ui, matching_ui};
+use crate::app::controls::row::{About, View, parameter_with, row};
+use crate::app::session::Session;
+use crate::app::session::action::Action;
+use crate::app::session::action::Requests;
+use crate::app::session::window::WindowState;
+use crate::app::widgets::focus::{keep_in_sight, named};
+use crate::app::widgets::symbol::{self, Symbol};
 use crate::scene::parameter::{Parameter, Slider};
 use crate::scene::{
     AmbientSource, Camera, Choice, CuedBy, DepthCueing, Display, GREATEST_LENGTH, Light, Object,
@@ -34,7 +42,7 @@ enum Item {
     Used(&'static [&'static Parameter]),
     /// Rows that are shown while this holds.
     While(fn(&Scene) -> bool, &'static [&'static Parameter]),
-    Own(fn(&mut Ui, &mut AppState, &Engine)),
+    Own(fn(&mut Ui, &mut Session, &mut WindowState, &mut Requests, &Engine)),
 }
 
 use Item::{Own, Rows, Used, While};
@@ -83,20 +91,19 @@ static SECTIONS: [Section; 8] = [
             Symbol::Reflected,
         ],
         items: &[
-            Own(|ui, state, _| {
-                gallery_ui(
-                    ui,
-                    &mut state.lit,
-                    &mut state.gallery,
-                    &mut state.shown.scene.material,
-                );
+            Own(|ui, session, window, _, _| {
+                let material = &mut session.shown.scene.material;
+                let initial = &session.initial.material;
+                window
+                    .own
+                    .change(|gallery| gallery_ui(ui, initial, gallery, material));
             }),
             Rows(&[&material::KA, &material::KD, &material::KS]),
             While(has_facets, &[&material::ROUGHNESS]),
             While(|scene| !has_facets(scene), &[&material::N]),
             Rows(&[&material::MODEL]),
             While(has_facets, &[&material::DISTRIBUTION]),
-            Own(|ui, state, _| matching_ui(ui, &mut state.lit, &mut state.shown.scene)),
+            Own(|ui, session, _, _, _| matching_ui(ui, &mut session.shown.scene)),
             Rows(&[
                 &material::COLOR,
                 &material::SPECULAR_COLOR,
@@ -127,7 +134,9 @@ static SECTIONS: [Section; 8] = [
         ],
         items: &[
             Rows(&[&material::AMBIENT_COLOR]),
-            Own(|ui, state, _| lights::lights_ui(ui, state)),
+            Own(|ui, session, window, requests, _| {
+                lights::lights_ui(ui, session, window, requests);
+            }),
         ],
     },
     Section {
@@ -137,7 +146,7 @@ static SECTIONS: [Section; 8] = [
         symbols: &[],
         items: &[
             Rows(&[&shading::MODE]),
-            Own(mode_ui),
+            Own(|ui, session, _, _, _| mode_ui(ui, &session.shown.scene)),
             Used(&[
                 &shading::FLAT_AT,
                 &shading::INTERPOLATION,
@@ -150,7 +159,9 @@ static SECTIONS: [Section; 8] = [
         about: special_object,
         open: Open::WhenAbout,
         symbols: &[Symbol::Normal],
-        items: &[Own(object::object_ui)],
+        items: &[Own(|ui, session, _, requests, engine| {
+            object::object_ui(ui, session, requests, engine);
+        })],
     },
     Section {
         title: "controls-surroundings",
@@ -167,7 +178,7 @@ static SECTIONS: [Section; 8] = [
         symbols: &[Symbol::Shadows, Symbol::Bounce],
         items: &[
             Rows(&[&shading::SHADOWS, &material::AMBIENT_SOURCE]),
-            Own(fit_ui),
+            Own(|ui, session, _, _, engine| fit_ui(ui, &mut session.shown.scene, engine)),
             Rows(&[&surroundings::GROUND_VISIBLE]),
             While(
                 |scene| scene.ground.visible,
@@ -207,13 +218,13 @@ static SECTIONS: [Section; 8] = [
             Used(&[&camera::FOV_Y, &camera::HEIGHT]),
             Rows(&[&camera::FRAMING]),
             Rows(&[&camera::ROLL, &camera::EYE, &camera::TARGET]),
-            Own(|ui, state, _| {
+            Own(|ui, _, _, requests, _| {
                 let button = ui.button(text!("controls-reset-camera"));
                 if button
                     .on_hover_text(text!("controls-reset-camera.tip"))
                     .clicked()
                 {
-                    state.ask(Action::ResetCamera);
+                    requests.ask(Action::ResetCamera);
                 }
             }),
         ],
@@ -229,13 +240,13 @@ static SECTIONS: [Section; 8] = [
         symbols: &[Symbol::Intensity, Symbol::Depth],
         items: &[
             Rows(&[&camera::OVERFLOW]),
-            Own(overflow_ui),
+            Own(|ui, _, _, _, engine| overflow_ui(ui, engine)),
             Rows(&[
                 &camera::ENCODING,
                 &camera::BACKGROUND,
                 &surroundings::CUED_BY,
             ]),
-            Own(depths_ui),
+            Own(|ui, session, _, _, _| depths_ui(ui, session)),
             Used(&[
                 &surroundings::FRONT_SCALE,
                 &surroundings::BACK_SCALE,
@@ -298,9 +309,15 @@ fn has_facets(scene: &Scene) -> bool {
 
 /// The controls of what the symbols of the equation stand for. A scene that has just been opened is shown from the top, with the
 /// sections open that it is about.
-pub fn controls_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
-    let opened = std::mem::take(&mut state.just_opened);
-    let opens = open_in(&state.lit.opened);
+pub fn controls_ui(
+    ui: &mut Ui,
+    session: &mut Session,
+    window: &mut WindowState,
+    requests: &mut Requests,
+    engine: &Engine,
+) {
+    let opened = session.take_just_opened();
+    let opens = open_in(&session.initial);
     let mut area = ScrollArea::vertical().auto_shrink(false);
     if opened {
         area = area.vertical_scroll_offset(0.0);
@@ -311,7 +328,15 @@ pub fn controls_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
             let count = columns.len();
             for (place, section) in SECTIONS.iter().enumerate() {
                 let ui = &mut columns[place * count / SECTIONS.len()];
-                section_ui(ui, state, engine, section, (opens[place], opened));
+                section_ui(
+                    ui,
+                    session,
+                    window,
+                    requests,
+                    engine,
+                    section,
+                    (opens[place], opened),
+                );
             }
         });
         ui.add_space(12.0);
@@ -322,15 +347,15 @@ pub fn controls_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
 /// A section, which begins open or folded, and does so anew in another scene.
 fn section_ui(
     ui: &mut Ui,
-    state: &mut AppState,
+    session: &mut Session,
+    window: &mut WindowState,
+    requests: &mut Requests,
     engine: &Engine,
     section: &Section,
     (opens, anew): (bool, bool),
 ) {
-    let sought = state
-        .lit
-        .seek
-        .is_some_and(|symbol| section.symbols.contains(&symbol));
+    let sought = symbol::sought(ui.ctx());
+    let sought = sought.is_some_and(|symbol| section.symbols.contains(&symbol));
     let title = RichText::new(text!(section.title)).strong();
     let header = CollapsingHeader::new(title).id_salt(section.title);
     let open = if sought {
@@ -344,41 +369,42 @@ fn section_ui(
         .show_unindented(ui, |ui| {
             ui.add_space(2.0);
             let items = section.items.iter();
-            items.for_each(|item| item_ui(ui, state, engine, item));
+            items.for_each(|item| item_ui(ui, session, window, requests, engine, item));
             ui.add_space(8.0);
         });
 }
 
-fn item_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, item: &Item) {
-    let AppState {
-        shown,
-        lit,
-        appearance,
-        ..
-    } = state;
-    let scene = &mut shown.scene;
+fn item_ui(
+    ui: &mut Ui,
+    session: &mut Session,
+    window: &mut WindowState,
+    requests: &mut Requests,
+    engine: &Engine,
+    item: &Item,
+) {
+    let scene = &mut session.shown.scene;
     let rows = match item {
         Rows(rows) | Used(rows) => *rows,
         While(holds, rows) if holds(scene) => *rows,
         While(..) => &[],
-        Own(control) => return control(ui, state, engine),
+        Own(control) => return control(ui, session, window, requests, engine),
     };
     let view = View {
-        channels: appearance.channels,
+        channels: window.appearance.channels,
         ..View::default()
     };
     for row in rows {
         if !matches!(item, Used(_)) || (row.idle)(scene, 0).is_none() {
-            parameter_with(ui, lit, scene, row, &view);
+            parameter_with(ui, &session.initial, scene, row, &view);
         }
     }
 }
 
 /// What the shading mode does.
-fn mode_ui(ui: &mut Ui, state: &mut AppState, _: &Engine) {
+fn mode_ui(ui: &mut Ui, scene: &Scene) {
     let Scene {
         shading, object, ..
-    } = &state.shown.scene;
+    } = scene;
     let what = if shading.mode == ShadingMode::Exact && !object.kind.has_surface() {
         text!("controls-exact-without-surface")
     } else {
@@ -388,7 +414,7 @@ fn mode_ui(ui: &mut Ui, state: &mut AppState, _: &Engine) {
 }
 
 /// How many pixels the overflow policy is about.
-fn overflow_ui(ui: &mut Ui, _: &mut AppState, engine: &Engine) {
+fn overflow_ui(ui: &mut Ui, engine: &Engine) {
     let count = engine.report().overflowing;
     let text = text!(
         "controls-overflowing",
@@ -399,8 +425,8 @@ fn overflow_ui(ui: &mut Ui, _: &mut AppState, engine: &Engine) {
 }
 
 /// The constant that stands best for the bounce that is drawn, and a way to take it.
-fn fit_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
-    let ambient = &mut state.shown.scene.ambient;
+fn fit_ui(ui: &mut Ui, scene: &mut Scene, engine: &Engine) {
+    let ambient = &mut scene.ambient;
     if ambient.source == AmbientSource::Constant {
         return;
     }
@@ -417,7 +443,7 @@ fn fit_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
         idle: fit.is_none().then(|| text!("controls-fit.idle")),
         ..About::default()
     };
-    row(ui, &mut state.lit, &about, false, |ui| {
+    row(ui, &about, false, |ui| {
         let Some(fit) = fit.map(Rgb::from_array) else {
             return;
         };
@@ -441,8 +467,8 @@ fn fit_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
 }
 
 /// Where fading begins and ends. The sliders reach as far behind the camera's target as that is from the eye.
-fn depths_ui(ui: &mut Ui, state: &mut AppState, _: &Engine) {
-    let AppState { shown, lit, .. } = state;
+fn depths_ui(ui: &mut Ui, session: &mut Session) {
+    let Session { shown, initial, .. } = session;
     let scene = &mut shown.scene;
     if scene.depth_cueing.by == CuedBy::Off {
         return;
@@ -456,7 +482,7 @@ fn depths_ui(ui: &mut Ui, state: &mut AppState, _: &Engine) {
             slider: Some(Slider::linear(0.0, reach)),
             ..View::default()
         };
-        parameter_with(ui, lit, scene, row, &view);
+        parameter_with(ui, initial, scene, row, &view);
     }
     let front_moved = scene.depth_cueing.front.to_bits() != before.to_bits();
     part(&mut scene.depth_cueing, front_moved, reach);

@@ -4,13 +4,14 @@ mod normals;
 mod pane;
 mod refined;
 
-use super::appearance::{Overlays, ViewName};
-use super::place::ProbePoint;
-use super::state::AppState;
 use crate::analysis::{
     Brightest, Curves, ErrorFigures, NormalField, Overlay, OverlayOptions, PaneFigures, Probe,
     Scan, ScanError, brightest, difference_picture, difference_scale, error_figures, scan_drawn,
 };
+use crate::app::session::Session;
+use crate::app::session::appearance::{Overlays, ViewName};
+use crate::app::session::place::ProbePoint;
+use crate::app::session::window::WindowState;
 use crate::figure::Area;
 use crate::render::{Frame, Report, Term, coarseness};
 use crate::scene::{CompareView, DifferenceKind, Image, Scene};
@@ -72,16 +73,23 @@ impl Engine {
 
     /// Brings pictures, probes and overlay up to date for panes of `size` pixels each; what has not changed is kept. Pictures
     /// that rest get `smooth` edges.
-    pub fn update(&mut self, ctx: &Context, state: &mut AppState, size: [u32; 2], smooth: bool) {
+    pub fn update(
+        &mut self,
+        ctx: &Context,
+        session: &Session,
+        window: &mut WindowState,
+        size: [u32; 2],
+        smooth: bool,
+    ) {
         let size = size.map(|side| side.clamp(1, Image::MAX_SIDE));
-        let shown = state.document.scene.shown_panes();
+        let shown = session.document().scene.shown_panes();
         let count = shown.iter().max().map_or(1, |last| last + 1);
         let before = self.active;
-        self.active = state.panes.active.min(count - 1);
+        self.active = session.panes.active.min(count - 1);
         self.panes.resize_with(count, PaneEngine::default);
         let several = shown.len() > 1;
-        let pixel = state.probe.pixel(size);
-        let model = state.document.model.as_ref();
+        let pixel = window.probe.pixel(size);
+        let model = session.document().model.as_ref();
         let (mut redrawn, mut reprobed) = (false, false);
         let wanted: Vec<(usize, Wanted<'_>)> = shown
             .iter()
@@ -89,7 +97,7 @@ impl Engine {
                 (
                     pane,
                     Wanted {
-                        scene: state.panes.scene(pane),
+                        scene: session.panes.scene(pane),
                         model,
                         size,
                         linear: several,
@@ -111,39 +119,46 @@ impl Engine {
             reprobed |= engine.probe(pixel, drawn);
             redrawn |= drawn;
         }
-        if std::mem::take(&mut state.seek_highlight)
+        if std::mem::take(&mut window.seek_highlight)
             && let Some(pixel) = self.panes[self.active].beside_highlight()
         {
-            state.probe = ProbePoint::at(pixel, size);
+            window.probe = ProbePoint::at(pixel, size);
             self.panes[self.active].probe(pixel, false);
             reprobed = true;
         }
         redrawn |= self.shown != shown;
         self.shown = shown;
         reprobed |= before != self.active;
-        let measured = Some((state.document.scene.reference_pane(), text::language()));
+        let measured = Some((session.document().scene.reference_pane(), text::language()));
         if redrawn || self.measured != measured {
-            self.measure(&state.document.scene);
+            self.measure(&session.document().scene);
             self.measured = measured;
         }
-        self.draw_difference(ctx, state, redrawn);
+        self.draw_difference(ctx, session, window, redrawn);
         if reprobed || redrawn {
             self.revision += 1;
             self.terms.take();
             // The panels beside the picture were laid out before it was drawn.
             ctx.request_repaint();
         }
-        self.draw_overlay(ctx, state, reprobed);
+        self.draw_overlay(ctx, session, window, reprobed);
         self.normals
-            .update(ctx, state, self.active, &self.panes[self.active]);
-        self.refine(ctx, state, redrawn, smooth);
+            .update(ctx, session, window, self.active, &self.panes[self.active]);
+        self.refine(ctx, session, window, redrawn, smooth);
     }
 
     /// Smooths the edges of the pictures once they rest, unless something over them shows pixels.
-    fn refine(&mut self, ctx: &Context, state: &AppState, redrawn: bool, smooth: bool) {
-        let pixels = state.appearance.overlay.normals()
+    fn refine(
+        &mut self,
+        ctx: &Context,
+        session: &Session,
+        window: &WindowState,
+        redrawn: bool,
+        smooth: bool,
+    ) {
+        let pixels = window.appearance.overlay.normals()
             || self.difference.is_some()
-            || state.shows(ViewName::ScanLine);
+            || window.shows(ViewName::ScanLine);
         let shown = || self.shown.iter().map(|&pane| &self.panes[pane]);
         let cost = shown().map(PaneEngine::greatest_cost).sum();
         let triangles = shown().map(|pane| pane.report().triangles).sum();
@@ -166,7 +181,7 @@ impl Engine {
                 .iter()
                 .filter_map(|&pane| Some((pane, panes[pane].drawn()?.clone())))
                 .collect(),
-            model: state.document.model.clone(),
+            model: session.document().model.clone(),
             alive,
         });
     }
@@ -176,22 +191,22 @@ impl Engine {
         self.refined.samples.max(1)
     }
 
-    /// Lights up the faces of the vertex within `reach` pixels of the pointer, or else of the one that is kept; a click
+    /// Lights up the faces of the vertex `near` the pointer, within so many pixels, or else of the one that is kept; a click
     /// keeps what is under it.
     pub fn point_at(
         &mut self,
         ctx: &Context,
-        state: &mut AppState,
-        pointer: Option<DVec2>,
-        reach: f64,
+        session: &Session,
+        window: &mut WindowState,
+        near: Option<(DVec2, f64)>,
         clicked: bool,
     ) {
         self.normals.point_at(
             ctx,
-            state,
+            session,
+            window,
             &self.panes[self.active],
-            pointer,
-            reach,
+            near,
             clicked,
         );
     }
@@ -229,13 +244,19 @@ impl Engine {
         }
     }
 
-    fn draw_difference(&mut self, ctx: &Context, state: &AppState, redrawn: bool) {
-        let compare = &state.document.scene.compare;
+    fn draw_difference(
+        &mut self,
+        ctx: &Context,
+        session: &Session,
+        window: &WindowState,
+        redrawn: bool,
+    ) {
+        let compare = &session.document().scene.compare;
         let (&[first, last], CompareView::Difference) = (&self.shown[..], compare.view) else {
             self.difference = None;
             return;
         };
-        let appearance = (compare.difference, compare.gain, state.appearance.scale);
+        let appearance = (compare.difference, compare.gain, window.appearance.scale);
         if !redrawn
             && self
                 .difference
@@ -248,7 +269,7 @@ impl Engine {
             return;
         };
         let mut frame = difference_picture(a, b, compare.difference, compare.gain);
-        let em = f64::from(ctx.pixels_per_point()) * f64::from(super::theme::TEXT);
+        let em = f64::from(ctx.pixels_per_point()) * f64::from(crate::app::widgets::theme::TEXT);
         let em = em / f64::from(self.panes[first].coarser);
         difference_scale(
             [frame.width, frame.height],
@@ -268,15 +289,21 @@ impl Engine {
         self.difference = texture.map(|texture| (texture, appearance));
     }
 
-    fn draw_overlay(&mut self, ctx: &Context, state: &AppState, reprobed: bool) {
-        let scene = &state.shown.scene;
-        let scale = lettering(ctx, &state.appearance, self.size, 1);
+    fn draw_overlay(
+        &mut self,
+        ctx: &Context,
+        session: &Session,
+        window: &WindowState,
+        reprobed: bool,
+    ) {
+        let scene = &session.shown.scene;
+        let scale = lettering(ctx, &window.appearance, self.size, 1);
         let appearance = (
-            state.appearance.overlay.clone(),
-            state.light,
+            window.appearance.overlay.clone(),
+            session.light,
             is_dark(scene),
             scale,
-            state.covered.clone(),
+            window.covered.clone(),
         );
         if !reprobed
             && self
@@ -289,7 +316,7 @@ impl Engine {
         let options = OverlayOptions {
             scale,
             covered: appearance.4.clone(),
-            ..overlay_options(&appearance.0, state.light, scene)
+            ..overlay_options(&appearance.0, session.light, scene)
         };
         let (size, pane) = (self.size, self.active());
         let (Some((_, probe)), Some(scene)) = (&pane.probed, pane.drawn()) else {

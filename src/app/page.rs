@@ -5,8 +5,8 @@ mod scripts;
 #[path = "page/widgets.rs"]
 mod widgets;
 
-use super::dialog::{FileKind, Picked};
-use super::theme;
+use crate::app::widgets::dialog::{FileKind, Picked};
+use crate::app::widgets::theme;
 use crate::document::give;
 use crate::lesson::{are_there, take_texts};
 use crate::text::{Language, language, set_chinese_font};

@@ -1,18 +1,23 @@
 //! The picture in the middle: drawn pixel for pixel, turned, zoomed and probed by hand.
 
-use super::action::Action;
+pub mod handles;
+pub mod orbit;
+pub mod panes;
+
 use super::course;
-use super::defects;
 use super::engine::Engine;
-use super::focus;
-use super::handles;
-use super::letter::letter;
-use super::orbit;
-use super::panes::{self, PanePlace};
-use super::place::{Place, ProbePoint};
-use super::profile::{self, Profiles};
-use super::scan;
-use super::state::{AppState, Drag, Grip, LightStart};
+use crate::app::course::Course;
+use crate::app::session::Session;
+use crate::app::session::action::Action;
+use crate::app::session::action::Requests;
+use crate::app::session::place::{Place, ProbePoint};
+use crate::app::session::window::WindowState;
+use crate::app::session::window::{Drag, Grip, LightStart};
+use crate::app::views::defects;
+use crate::app::views::profile::{self, Profiles};
+use crate::app::views::scan;
+use crate::app::widgets::focus;
+use crate::app::widgets::letter::letter;
 use crate::scene::{Choice as _, View};
 use crate::text;
 use eframe::egui::accesskit::Role;
@@ -21,6 +26,7 @@ use eframe::egui::{
     Sense, Stroke, TextStyle, Ui, pos2, vec2,
 };
 use glam::DVec2;
+use panes::PanePlace;
 
 /// Degrees that the camera turns when the pointer travels the side of the picture that the camera spans.
 const DEGREES_PER_HEIGHT: f64 = 180.0;
@@ -39,63 +45,79 @@ pub struct Room {
 }
 
 /// Shows the picture, or the panes of a comparison, and does what the pointer asks for.
-pub fn picture_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine) -> Room {
+pub fn picture_ui(
+    ui: &Ui,
+    session: &mut Session,
+    window: &mut WindowState,
+    course: &mut Course,
+    requests: &mut Requests,
+    engine: &mut Engine,
+) -> Room {
     let whole = Place::of(ui);
     let response = ui.interact(whole.rect, focus::picture_id(), Sense::click_and_drag());
-    let mode = state.shown.scene.shading.mode.label();
+    let mode = session.shown.scene.shading.mode.label();
     let name = text!("picture-name", mode = mode);
     let response = focus::named(response, Role::Image, &name);
     keep_arrows(ui, &response);
-    // What the panels changed is shown by every pane.
-    state.commit();
-    let panes = panes::places(state, whole);
-    let place = pointed(ui, state, &response, &panes).unwrap_or(whole);
-    let view = View::new(&state.shown.scene.camera, place.size);
+    let panes = panes::places(session, whole);
+    let place = pointed(ui, session, window, &response, &panes).unwrap_or(whole);
+    let view = View::new(&session.shown.scene.camera, place.size);
     gesture(
         ui,
-        state,
+        session,
+        window,
+        course,
+        requests,
         &response,
-        whole,
         &Pointed {
+            whole,
             place,
             view,
-            grips: handles::grips(state, &view, place),
+            grips: handles::grips(session, window, course, &view, place),
             reach: reach(ui),
         },
     );
-    state.commit();
-    state.covered = handles::covered(state, &view, place);
-    let smooth = state.appearance.smooth_edges && !profile::shows_perceived(state);
-    engine.update(ui.ctx(), state, place.size, smooth);
+    session.commit();
+    window.covered = handles::covered(session, window, &view, place);
+    let smooth = window.appearance.smooth_edges && !profile::shows_perceived(window);
+    engine.update(ui.ctx(), session, window, place.size, smooth);
     // Lights up the faces of the vertex that the pointer is on, where normals are shown.
     let pointer = response
         .hover_pos()
-        .filter(|_| state.drag.is_none())
+        .filter(|_| window.drag.is_none())
         .map(|at| place.pixel(at));
     let clicked = response.clicked() && !response.double_clicked();
     engine.point_at(
         ui.ctx(),
-        state,
-        pointer,
-        f64::from(NEAR_VERTEX * place.pixels_per_point),
+        session,
+        window,
+        pointer.map(|at| (at, f64::from(NEAR_VERTEX * place.pixels_per_point))),
         clicked,
     );
-    course::watch_edges(state, engine);
-    let panes = panes::places(state, whole);
-    let active = panes.iter().find(|pane| pane.pane == state.panes.active);
+    course::watch_edges(window, course, engine);
+    let panes = panes::places(session, whole);
+    let active = panes.iter().find(|pane| pane.pane == session.panes.active);
     if let Some(active) = active {
-        profile::watch(ui.ctx(), state, active.place, response.hover_pos());
+        profile::watch(ui.ctx(), window, active.place, response.hover_pos());
     }
     for pane in &panes {
-        paint_picture(ui, state, engine, pane);
+        paint_picture(ui, session, window, engine, pane);
     }
     for pane in panes
         .iter()
-        .filter(|pane| panes::is_overlaid(state, pane.pane))
+        .filter(|pane| panes::is_overlaid(session, pane.pane))
     {
-        paint_over(ui, state, engine, pane.place, pane.pane);
+        paint_over(ui, session, window, course, engine, pane.place, pane.pane);
     }
-    panes::captions_ui(ui, state, engine, &panes, whole);
+    panes::captions_ui(
+        ui,
+        session,
+        window,
+        course,
+        requests,
+        engine,
+        (&panes, whole),
+    );
     Room {
         whole: whole.size,
         pane: place.size,
@@ -105,7 +127,8 @@ pub fn picture_ui(ui: &mut Ui, state: &mut AppState, engine: &mut Engine) -> Roo
 /// Where the pane is that the pointer is about: under it, or the active one while it drags. A press makes a pane active.
 fn pointed(
     ui: &Ui,
-    state: &mut AppState,
+    session: &mut Session,
+    window: &WindowState,
     response: &Response,
     panes: &[PanePlace],
 ) -> Option<Place> {
@@ -115,17 +138,17 @@ fn pointed(
         .input(|input| input.pointer.press_origin())
         .filter(|_| pressed);
     if let Some(at) = origin
-        && !panes::on_wipe(state, panes, at, reach(ui))
-        && let Some(pane) = panes::pane_at(panes, state.panes.active, at)
+        && !panes::on_wipe(session, panes, at, reach(ui))
+        && let Some(pane) = panes::pane_at(panes, session.panes.active, at)
     {
-        state.activate(pane.pane);
+        session.activate(pane.pane);
     }
-    let hover = response.hover_pos().filter(|_| state.drag.is_none());
-    let hovered = hover.and_then(|at| panes::pane_at(panes, state.panes.active, at));
+    let hover = response.hover_pos().filter(|_| window.drag.is_none());
+    let hovered = hover.and_then(|at| panes::pane_at(panes, session.panes.active, at));
     let active = || {
         panes
             .iter()
-            .find(|pane| pane.pane == state.panes.active)
+            .find(|pane| pane.pane == session.panes.active)
             .or(panes.first())
             .copied()
     };
@@ -149,6 +172,8 @@ fn keep_arrows(ui: &Ui, response: &Response) {
 
 /// The pane that the pointer is about, and what it can take hold of there.
 struct Pointed {
+    /// The place of all panes.
+    whole: Place,
     place: Place,
     view: View,
     grips: Vec<(Grip, Pos2)>,
@@ -168,7 +193,7 @@ fn reach(ui: &Ui) -> f32 {
 impl Pointed {
     /// What a drag that begins at `at` would move, and how far the middle of that is from `at`, pixels. What tabs put into the
     /// picture lies over lights and vertices, these over the probe.
-    fn under(&self, state: &AppState, at: Pos2) -> (Grip, DVec2) {
+    fn under(&self, session: &Session, course: &Course, at: Pos2) -> (Grip, DVec2) {
         let rank = |grip: &Grip| match grip {
             Grip::Mark => -1,
             Grip::LineEnd(_) => 0,
@@ -187,29 +212,43 @@ impl Pointed {
         });
         match nearest {
             Some((grip, there)) => (*grip, self.place.pixel(*there) - self.place.pixel(at)),
-            None if panes::on_wipe(state, &panes::places(state, self.place), at, self.reach) => {
+            None if panes::on_wipe(
+                session,
+                &panes::places(session, self.place),
+                at,
+                self.reach,
+            ) =>
+            {
                 (Grip::Wipe, DVec2::ZERO)
             }
-            None if state.course.asks_point() => (Grip::Mark, DVec2::ZERO),
+            None if course.asks_point() => (Grip::Mark, DVec2::ZERO),
             None => (Grip::Camera, DVec2::ZERO),
         }
     }
 }
 
-fn gesture(ui: &Ui, state: &mut AppState, response: &Response, whole: Place, pointed: &Pointed) {
-    let place = pointed.place;
+fn gesture(
+    ui: &Ui,
+    session: &mut Session,
+    window: &mut WindowState,
+    course: &mut Course,
+    requests: &mut Requests,
+    response: &Response,
+    pointed: &Pointed,
+) {
+    let (whole, place) = (pointed.whole, pointed.place);
     if let Some(fingers) = ui.input(InputState::multi_touch) {
         // Two fingers move the camera, whatever the first of them had taken hold of.
-        state.drag = None;
+        window.drag = None;
         if whole.rect.contains(fingers.start_pos) {
-            if state.course.asks_point() {
+            if course.asks_point() {
                 return;
             }
-            let camera = &mut state.shown.scene.camera;
+            let camera = &mut session.shown.scene.camera;
             let span = camera.span(place.size.map(f64::from)).max(1.0);
             let [dx, dy] = <[f32; 2]>::from(fingers.translation_delta * place.pixels_per_point);
             orbit::pan(camera, -f64::from(dx) / span, f64::from(dy) / span);
-            state.ask(Action::Zoom(1.0 / f64::from(fingers.zoom_delta)));
+            requests.ask(Action::Zoom(1.0 / f64::from(fingers.zoom_delta)));
         }
         return;
     }
@@ -220,39 +259,39 @@ fn gesture(ui: &Ui, state: &mut AppState, response: &Response, whole: Place, poi
             .unwrap_or(place.rect.center());
         let middle = response.dragged_by(PointerButton::Middle)
             || response.dragged_by(PointerButton::Secondary);
-        let (grip, grab) = pointed.under(state, at);
+        let (grip, grab) = pointed.under(session, course, at);
         let start = match grip {
-            Grip::Light(index) => handles::start(&state.shown.scene, index, &pointed.view, place),
+            Grip::Light(index) => handles::start(&session.shown.scene, index, &pointed.view, place),
             _ => LightStart::default(),
         };
-        state.drag = Some(Drag {
+        window.drag = Some(Drag {
             grip,
             grab,
             start,
             deep: shift || (middle && grip == Grip::Camera),
         });
-        choose(state, grip);
+        choose(session, grip);
     }
     if let Some(at) = response.interact_pointer_pos() {
         if response.dragged() {
-            drag(state, response, at, whole, pointed);
+            drag(session, window, course, response, at, pointed);
             ui.ctx().set_cursor_icon(CursorIcon::Grabbing);
         }
         if response.double_clicked() || response.long_touched() {
-            put_probe(state, place, at);
-        } else if response.clicked() && state.course.asks_point() {
-            put_mark(state, place, at);
+            put_probe(window, place, at);
+        } else if response.clicked() && course.asks_point() {
+            put_mark(course, place, at);
         } else if response.clicked() {
-            choose(state, pointed.under(state, at).0);
+            choose(session, pointed.under(session, course, at).0);
         }
     }
     if response.drag_stopped() {
-        state.drag = None;
+        window.drag = None;
     }
     let Some(at) = response.hover_pos() else {
         return;
     };
-    let (grip, _) = pointed.under(state, at);
+    let (grip, _) = pointed.under(session, course, at);
     if !response.dragged() {
         ui.ctx().set_cursor_icon(cursor(grip, shift));
     }
@@ -266,31 +305,31 @@ fn gesture(ui: &Ui, state: &mut AppState, response: &Response, whole: Place, poi
         let factor = (-scroll * ZOOM_PER_POINT).exp() / pinch;
         match grip {
             Grip::Light(index) => {
-                handles::scale_light(&mut state.shown.scene, index, &pointed.view, factor);
+                handles::scale_light(&mut session.shown.scene, index, &pointed.view, factor);
             }
-            _ => state.ask(Action::Zoom(factor)),
+            _ => requests.ask(Action::Zoom(factor)),
         }
     }
 }
 
 /// Shows the controls of a light or a vertex.
-fn choose(state: &mut AppState, grip: Grip) {
+fn choose(session: &mut Session, grip: Grip) {
     match grip {
-        Grip::Light(index) => state.light = index,
-        Grip::Vertex(vertex) => state.vertex = vertex as usize,
+        Grip::Light(index) => session.light = index,
+        Grip::Vertex(vertex) => session.vertex = vertex as usize,
         _ => {}
     }
 }
 
-fn put_mark(state: &mut AppState, place: Place, at: Pos2) {
+fn put_mark(course: &mut Course, place: Place, at: Pos2) {
     let mark = course::from_pixel(place.pixel(at), place.size);
-    state.course.put_mark(mark);
+    course.put_mark(mark);
 }
 
-fn put_probe(state: &mut AppState, place: Place, at: Pos2) {
+fn put_probe(window: &mut WindowState, place: Place, at: Pos2) {
     let pixel = place.pixel(at);
     let inside = |value: f64, side: u32| value.clamp(0.0, f64::from(side.saturating_sub(1))) as u32;
-    state.probe = ProbePoint::at(
+    window.probe = ProbePoint::at(
         [
             inside(pixel.x, place.size[0]),
             inside(pixel.y, place.size[1]),
@@ -299,19 +338,28 @@ fn put_probe(state: &mut AppState, place: Place, at: Pos2) {
     );
 }
 
-fn drag(state: &mut AppState, response: &Response, at: Pos2, whole: Place, pointed: &Pointed) {
+fn drag(
+    session: &mut Session,
+    window: &mut WindowState,
+    course: &mut Course,
+    response: &Response,
+    at: Pos2,
+    pointed: &Pointed,
+) {
     let Some(Drag {
         grip,
         grab,
         deep,
         start,
-    }) = state.drag
+    }) = window.drag
     else {
         return;
     };
-    let Pointed { place, view, .. } = pointed;
+    let Pointed {
+        whole, place, view, ..
+    } = pointed;
     let pixel = place.pixel(at) + grab;
-    let scene = &mut state.shown.scene;
+    let scene = &mut session.shown.scene;
     let span = scene.camera.span(place.size.map(f64::from)).max(1.0);
     let delta = response.drag_delta() * place.pixels_per_point;
     let (dx, dy) = (f64::from(delta.x) / span, f64::from(delta.y) / span);
@@ -323,22 +371,23 @@ fn drag(state: &mut AppState, response: &Response, at: Pos2, whole: Place, point
                 View::without_roll(DVec2::new(-dx, dy) * DEGREES_PER_HEIGHT, scene.camera.roll);
             orbit::orbit(&mut scene.camera, way.x, way.y);
         }
-        Grip::Probe => put_probe(state, *place, at),
+        Grip::Probe => put_probe(window, *place, at),
         Grip::Mark => {
-            state.course.put_mark(course::from_pixel(pixel, place.size));
+            course.put_mark(course::from_pixel(pixel, place.size));
         }
         Grip::Wipe => {
             let share = whole.pixel(at).x / f64::from(whole.size[0].max(1));
-            state.document.scene.compare.wipe = (share.clamp(0.0, 1.0) * 1000.0).round() / 1000.0;
+            let share = (share.clamp(0.0, 1.0) * 1000.0).round() / 1000.0;
+            session.edit(|scene, _| scene.compare.wipe = share);
         }
-        Grip::Roll => handles::turn_to(state, *place, at),
-        Grip::LineEnd(end) => state.line.put(end, pixel, place.size),
+        Grip::Roll => handles::turn_to(session, window, *place, at),
+        Grip::LineEnd(end) => window.line.put(end, pixel, place.size),
         Grip::Light(index) if deep => handles::scale_light(scene, index, view, (-dy * 2.0).exp()),
         Grip::Light(index) => handles::drag_light(scene, index, view, &start, pixel),
         Grip::Vertex(vertex) if deep => handles::push_vertex(scene, vertex, view, -dy * 2.0),
         Grip::Vertex(vertex) => handles::drag_vertex(&mut scene.object, vertex, view, pixel),
-        Grip::Aim { front } => handles::aim_at(scene, state.light, view, pixel, front),
-        Grip::Rim(_) => handles::open_to(scene, state.light, view, pixel),
+        Grip::Aim { front } => handles::aim_at(scene, session.light, view, pixel, front),
+        Grip::Rim(_) => handles::open_to(scene, session.light, view, pixel),
     }
 }
 
@@ -362,16 +411,22 @@ const WHOLE: Rect = Rect {
     max: pos2(1.0, 1.0),
 };
 
-fn paint_picture(ui: &Ui, state: &AppState, engine: &Engine, pane: &PanePlace) {
+fn paint_picture(
+    ui: &Ui,
+    session: &Session,
+    window: &WindowState,
+    engine: &Engine,
+    pane: &PanePlace,
+) {
     let painter = ui.painter().with_clip_rect(pane.seen);
     let place = pane.place;
     if let Some(texture) = engine.picture(pane.pane) {
         painter.image(texture.id(), place.rect, WHOLE, Color32::WHITE);
     }
-    if pane.pane != state.panes.active || !profile::shows_perceived(state) {
+    if pane.pane != session.panes.active || !profile::shows_perceived(window) {
         return;
     }
-    let Some(profiles) = state.own.get::<Profiles>() else {
+    let Some(profiles) = window.own.get::<Profiles>() else {
         return;
     };
     if let Some(texture) = &profiles.perceived {
@@ -398,36 +453,50 @@ fn paint_picture(ui: &Ui, state: &AppState, engine: &Engine, pane: &PanePlace) {
 }
 
 /// What lies over a pane's picture.
-fn paint_over(ui: &Ui, state: &AppState, engine: &Engine, place: Place, pane: usize) {
+fn paint_over(
+    ui: &Ui,
+    session: &Session,
+    window: &WindowState,
+    course: &Course,
+    engine: &Engine,
+    place: Place,
+    pane: usize,
+) {
     let painter = ui.painter().with_clip_rect(place.rect);
-    let active = pane == state.panes.active;
+    let active = pane == session.panes.active;
     for texture in engine.overlays().into_iter().flatten().filter(|_| active) {
         painter.image(texture.id(), place.rect, WHOLE, Color32::WHITE);
     }
-    let view = View::new(&state.shown.scene.camera, place.size);
-    if state.appearance.overlay.vectors || state.course.shows_probe() {
+    let view = View::new(&session.shown.scene.camera, place.size);
+    if window.appearance.overlay.vectors || course.shows_probe() {
         // A ring round the probed pixel, light on dark, so that it shows on any picture.
-        let at = place.point(state.probe.centre(place.size));
-        let held = state.drag.is_some_and(|drag| drag.grip == Grip::Probe);
+        let at = place.point(window.probe.centre(place.size));
+        let held = window.drag.is_some_and(|drag| drag.grip == Grip::Probe);
         let radius = if held { 8.0 } else { 6.0 };
         painter.circle_stroke(at, radius, Stroke::new(3.5, Color32::from_black_alpha(150)));
         painter.circle_stroke(at, radius, Stroke::new(1.5, Color32::WHITE));
     }
     if active {
-        course::paint_edges(&painter, state, &view, place);
+        course::paint_edges(&painter, window, course, &view, place);
     }
-    handles::paint_below(&painter, state, &view, place, active);
+    handles::paint_below(&painter, session, window, &view, place, active);
     if active {
-        defects::paint(&painter, state, place, &TextStyle::Body.resolve(ui.style()));
+        defects::paint(
+            &painter,
+            session,
+            window,
+            place,
+            &TextStyle::Body.resolve(ui.style()),
+        );
     }
-    if handles::visible(ui.ctx(), state, place) {
+    if handles::visible(ui.ctx(), window, place) {
         let pointer = ui.input(|input| input.pointer.hover_pos());
-        handles::paint_vertices(&painter, state, &view, place, pointer);
+        handles::paint_vertices(&painter, session, window, &view, place, pointer);
     }
-    scan::paint(&painter, state, place);
-    handles::paint(&painter, state, &view, place);
+    scan::paint(&painter, window, place);
+    handles::paint(&painter, session, window, &view, place);
     if active {
         let font = TextStyle::Body.resolve(ui.style());
-        course::paint(&painter, state, place, &font);
+        course::paint(&painter, course, place, &font);
     }
 }

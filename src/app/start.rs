@@ -1,6 +1,6 @@
 //! Opening the window, and saying in a sentence why it does not open.
 
-use super::App;
+use crate::app::App;
 use crate::document::Loaded;
 use crate::lesson::Lesson;
 use crate::text::{Language, text};

@@ -1,6 +1,6 @@
 //! What the system does for a window. A web page has its own, `page.rs`.
 
-use super::dialog::{FileKind, Picked};
+use crate::app::widgets::dialog::{FileKind, Picked};
 use eframe::egui::{Context, InputState, OpenUrl, ViewportCommand};
 use log::{Level, LevelFilter, Log, Metadata, Record};
 use std::path::PathBuf;

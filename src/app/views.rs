@@ -1,20 +1,34 @@
 //! The views: ways of reading the picture, in groups that the rail at the right shows.
 
-use super::appearance::ViewName;
-use super::compare::compare_ui;
+pub mod compare;
+pub mod curves;
+pub mod defects;
+pub mod plan;
+pub mod point;
+pub mod profile;
+pub mod report;
+pub mod scan;
+pub mod stability;
+pub mod study;
+
 use super::course::{course_ui, head_ui, hidden_ui};
-use super::curves::curves_ui;
-use super::defects::defects_ui;
 use super::engine::Engine;
-use super::focus::{keep_in_sight, one_stop, switch_named};
-use super::plan::plan_ui;
-use super::point::point_ui;
-use super::profile::profile_ui;
-use super::scan::scan_ui;
-use super::sign::{Sign, sign_button};
-use super::stability::stability_ui;
-use super::state::AppState;
-use super::study::study_ui;
+use crate::app::course::Course;
+use crate::app::session::Session;
+use crate::app::session::action::Requests;
+use crate::app::session::appearance::ViewName;
+use crate::app::session::window::WindowState;
+use crate::app::views::compare::compare_ui;
+use crate::app::views::curves::curves_ui;
+use crate::app::views::defects::defects_ui;
+use crate::app::views::plan::plan_ui;
+use crate::app::views::point::point_ui;
+use crate::app::views::profile::profile_ui;
+use crate::app::views::scan::scan_ui;
+use crate::app::views::stability::stability_ui;
+use crate::app::views::study::study_ui;
+use crate::app::widgets::focus::{keep_in_sight, one_stop, switch_named};
+use crate::app::widgets::sign::{Sign, sign_button};
 use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
@@ -29,7 +43,7 @@ pub struct View {
     name: &'static str,
     /// Whether it needs more width than a panel beside the picture has: it opens below it.
     wide: bool,
-    show: fn(&mut Ui, &mut AppState, &Engine),
+    show: fn(&mut Ui, &mut Parts<'_>),
 }
 
 impl View {
@@ -65,13 +79,15 @@ pub static GROUPS: [Group; 5] = [
                 key: ViewName::Equation,
                 name: "view-equation",
                 wide: false,
-                show: point_ui,
+                show: |ui, p| point_ui(ui, p.session, p.window, p.requests, p.engine),
             },
             View {
                 key: ViewName::Curves,
                 name: "view-curves",
                 wide: false,
-                show: |ui, state, engine| with(ui, state, engine, curves_ui),
+                show: |ui, p| {
+                    p.with(|p, own| curves_ui(ui, own, p.session, p.window, p.requests, p.engine));
+                },
             },
         ],
     },
@@ -83,13 +99,17 @@ pub static GROUPS: [Group; 5] = [
                 key: ViewName::Profile,
                 name: "view-profile",
                 wide: true,
-                show: |ui, state, engine| with(ui, state, engine, profile_ui),
+                show: |ui, p| {
+                    p.with(|p, own| profile_ui(ui, own, p.session, p.window, p.requests, p.engine));
+                },
             },
             View {
                 key: ViewName::ScanLine,
                 name: "view-scan-line",
                 wide: false,
-                show: |ui, state, engine| with(ui, state, engine, scan_ui),
+                show: |ui, p| {
+                    p.with(|p, own| scan_ui(ui, own, p.session, p.window, p.requests, p.engine));
+                },
             },
         ],
     },
@@ -101,13 +121,17 @@ pub static GROUPS: [Group; 5] = [
                 key: ViewName::Compare,
                 name: "view-compare",
                 wide: false,
-                show: |ui, state, engine| with(ui, state, engine, compare_ui),
+                show: |ui, p| {
+                    p.with(|p, own| compare_ui(ui, own, p.session, p.window, p.requests, p.engine));
+                },
             },
             View {
                 key: ViewName::Defects,
                 name: "view-defects",
                 wide: false,
-                show: |ui, state, engine| with(ui, state, engine, defects_ui),
+                show: |ui, p| {
+                    p.with(|p, own| defects_ui(ui, own, p.session, p.window, p.requests, p.engine));
+                },
             },
         ],
     },
@@ -119,19 +143,25 @@ pub static GROUPS: [Group; 5] = [
                 key: ViewName::Plan,
                 name: "view-plan",
                 wide: false,
-                show: |ui, state, engine| with(ui, state, engine, plan_ui),
+                show: |ui, p| {
+                    p.with(|p, own| plan_ui(ui, own, p.session, p.window, p.requests, p.engine));
+                },
             },
             View {
                 key: ViewName::Study,
                 name: "view-study",
                 wide: true,
-                show: |ui, state, engine| with(ui, state, engine, study_ui),
+                show: |ui, p| {
+                    p.with(|p, own| study_ui(ui, own, p.session, p.window, p.requests, p.engine));
+                },
             },
             View {
                 key: ViewName::Stability,
                 name: "view-stability",
                 wide: false,
-                show: |ui, state, engine| with(ui, state, engine, stability_ui),
+                show: |ui, p| {
+                    p.with(|p, own| stability_ui(ui, own, p.session, p.window, p.requests));
+                },
             },
         ],
     },
@@ -142,21 +172,27 @@ pub static GROUPS: [Group; 5] = [
             key: ViewName::Course,
             name: "course",
             wide: false,
-            show: course_ui,
+            show: |ui, p| course_ui(ui, p.session, p.window, p.course, p.requests),
         }],
     },
 ];
 
-/// Shows a view with what it remembers.
-fn with<T: Default + 'static>(
-    ui: &mut Ui,
-    state: &mut AppState,
-    engine: &Engine,
-    show: fn(&mut Ui, &mut T, &mut AppState, &Engine),
-) {
-    let mut own = state.own.take();
-    show(ui, &mut own, state, engine);
-    state.own.put(own);
+/// The parts of the window that a view may be about; each view takes those that it needs.
+struct Parts<'a> {
+    session: &'a mut Session,
+    window: &'a mut WindowState,
+    course: &'a mut Course,
+    requests: &'a mut Requests,
+    engine: &'a Engine,
+}
+
+impl Parts<'_> {
+    /// Shows a view with what it remembers.
+    fn with<T: Default + 'static>(&mut self, show: impl FnOnce(&mut Self, &mut T)) {
+        let mut own = self.window.own.take();
+        show(self, &mut own);
+        self.window.own.put(own);
+    }
 }
 
 fn group(key: ViewName) -> &'static Group {
@@ -188,9 +224,9 @@ struct Habits {
 }
 
 /// Whether the present view stands below the picture, where there is room on both sides.
-pub fn stands_below(state: &AppState) -> bool {
-    let view = view(state.appearance.view);
-    let moved = state
+pub fn stands_below(window: &WindowState) -> bool {
+    let view = view(window.appearance.view);
+    let moved = window
         .own
         .get()
         .is_some_and(|habits: &Habits| habits.moved.contains(&view.key));
@@ -198,24 +234,24 @@ pub fn stands_below(state: &AppState) -> bool {
 }
 
 /// Shows the group's view that was shown last, or closes it if it is in sight.
-fn choose(state: &mut AppState, index: usize) {
+fn choose(window: &mut WindowState, index: usize) {
     let group = &GROUPS[index];
-    if group.has(state.appearance.view) && state.appearance.views {
-        state.appearance.views = false;
+    if group.has(window.appearance.view) && window.appearance.views {
+        window.appearance.views = false;
         return;
     }
-    let last = state
+    let last = window
         .own
         .get()
         .and_then(|habits: &Habits| habits.last[index]);
     let present = group
-        .has(state.appearance.view)
-        .then_some(state.appearance.view);
-    state.show_view(present.or(last).unwrap_or(group.views[0].key));
+        .has(window.appearance.view)
+        .then_some(window.appearance.view);
+    window.show_view(present.or(last).unwrap_or(group.views[0].key));
 }
 
 /// The rail: a button for each group, below each other or, on a narrow window, side by side with one for the controls.
-pub fn rail_ui(ui: &mut Ui, state: &mut AppState, narrow: bool, size: Vec2) {
+pub fn rail_ui(ui: &mut Ui, window: &mut WindowState, narrow: bool, size: Vec2) {
     let between = if size.y < 52.0 { 0.0 } else { 4.0 };
     ui.spacing_mut().item_spacing = vec2(2.0, between);
     if narrow
@@ -223,18 +259,18 @@ pub fn rail_ui(ui: &mut Ui, state: &mut AppState, narrow: bool, size: Vec2) {
             ui,
             Sign::Controls,
             text!("view-controls"),
-            state.appearance.controls,
+            window.appearance.controls,
             size,
         )
     {
-        state.appearance.controls = !state.appearance.controls;
-        state.appearance.views = false;
+        window.appearance.controls = !window.appearance.controls;
+        window.appearance.views = false;
     }
     for (index, group) in GROUPS.iter().enumerate() {
-        let shown = state.appearance.views && group.has(state.appearance.view);
+        let shown = window.appearance.views && group.has(window.appearance.view);
         if sign_ui(ui, group.sign, group.title(), shown, size) {
-            choose(state, index);
-            state.appearance.controls &= !narrow;
+            choose(window, index);
+            window.appearance.controls &= !narrow;
         }
     }
     one_stop(ui, ui.min_rect());
@@ -264,35 +300,45 @@ fn sign_ui(ui: &mut Ui, sign: Sign, name: &str, on: bool, size: Vec2) -> bool {
 }
 
 /// The view that is open, under the names of its group.
-pub fn view_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, narrow: bool) {
-    let group = group(state.appearance.view);
+pub fn view_ui(
+    ui: &mut Ui,
+    session: &mut Session,
+    window: &mut WindowState,
+    course: &mut Course,
+    requests: &mut Requests,
+    engine: &Engine,
+    narrow: bool,
+) {
+    let group = group(window.appearance.view);
     ui.add_space(4.0);
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         // A lesson has its own head, and is alone in its group.
-        if state.appearance.view == ViewName::Course && state.course.heading().is_some() {
+        if window.appearance.view == ViewName::Course && course.heading().is_some() {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                place_ui(ui, state, narrow);
+                place_ui(ui, window, narrow);
                 ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                    head_ui(ui, state);
+                    head_ui(ui, course, requests);
                 });
             });
             return;
         }
         for view in group.views {
-            let on = view.key == state.appearance.view;
+            let on = view.key == window.appearance.view;
             let button = ui.add(Button::selectable(on, view.title()));
             if switch_named(button, Role::Tab, on, view.title()).clicked() {
-                state.appearance.view = view.key;
+                window.appearance.view = view.key;
             }
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            place_ui(ui, state, narrow);
+            place_ui(ui, window, narrow);
         });
     });
-    let index = GROUPS.iter().position(|one| one.has(state.appearance.view));
-    let name = state.appearance.view;
-    state
+    let index = GROUPS
+        .iter()
+        .position(|one| one.has(window.appearance.view));
+    let name = window.appearance.view;
+    window
         .own
         .change(|habits: &mut Habits| habits.last[index.unwrap_or(0)] = Some(name));
     ui.add_space(2.0);
@@ -301,12 +347,20 @@ pub fn view_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, narrow: bool)
     let rect = ui.available_rect_before_wrap();
     let mut inside = ui.new_child(UiBuilder::new().max_rect(rect));
     ui.advance_cursor_after_rect(rect);
+    let hidden = course.hides();
+    let mut parts = Parts {
+        session,
+        window,
+        course,
+        requests,
+        engine,
+    };
     if name == ViewName::Course {
         // Its ways on stay in sight.
-        return (view.show)(&mut inside, state, engine);
+        return (view.show)(&mut inside, &mut parts);
     }
-    let show = if state.hides_numbers() {
-        |ui: &mut Ui, state: &mut AppState, _: &Engine| hidden_ui(ui, state)
+    let show = if hidden {
+        |ui: &mut Ui, parts: &mut Parts<'_>| hidden_ui(ui, parts.window)
     } else {
         view.show
     };
@@ -314,36 +368,36 @@ pub fn view_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, narrow: bool)
         .id_salt(view.name)
         .auto_shrink(false)
         .show(&mut inside, |ui| {
-            show(ui, state, engine);
+            show(ui, &mut parts);
             keep_in_sight(ui);
         });
 }
 
 /// Closes, enlarges or moves the view.
-fn place_ui(ui: &mut Ui, state: &mut AppState, narrow: bool) {
+fn place_ui(ui: &mut Ui, window: &mut WindowState, narrow: bool) {
     ui.spacing_mut().item_spacing.x = 2.0;
     if sign_button(ui, Sign::Close, text!("view-close")) {
-        (state.appearance.views, state.enlarged) = (false, false);
+        (window.appearance.views, window.enlarged) = (false, false);
     }
-    let (sign, name) = if state.enlarged {
+    let (sign, name) = if window.enlarged {
         (Sign::Shrink, text!("view-shrink"))
     } else {
         (Sign::Enlarge, text!("view-enlarge"))
     };
     if sign_button(ui, sign, name) {
-        state.enlarged = !state.enlarged;
+        window.enlarged = !window.enlarged;
     }
-    if narrow || state.enlarged {
+    if narrow || window.enlarged {
         return;
     }
-    let (sign, name) = if stands_below(state) {
+    let (sign, name) = if stands_below(window) {
         (Sign::Beside, text!("view-beside"))
     } else {
         (Sign::Below, text!("view-below"))
     };
     if sign_button(ui, sign, name) {
-        let view = state.appearance.view;
-        state.own.change(|habits: &mut Habits| {
+        let view = window.appearance.view;
+        window.own.change(|habits: &mut Habits| {
             if habits.moved.contains(&view) {
                 habits.moved.retain(|moved| *moved != view);
             } else {

@@ -8,7 +8,7 @@ use shading_lab::analysis::{Cell, Column, Table};
 use shading_lab::document::{check_target, write_whole};
 use shading_lab::lesson::{
     Class, ClassQuestion, Given, Group, Handed, Student, Unreadable, answer_parts, class_sheet,
-    collect, short_answer, spread, without_marks,
+    collect, short_answer, short_number, spread, without_marks,
 };
 use shading_lab::text::{escaped, excerpt, text};
 use std::path::{Path, PathBuf};
@@ -299,16 +299,15 @@ fn question_line(group: &Group, index: usize) -> String {
     let mut line = format!("{number}  {}", one_line(&without_marks(&asked.ask)));
     let counted = group.counted(index);
     if let Some([least, lower, median, upper, greatest]) = spread(&group.predicted(index)) {
-        let shown = |value: f64| short_answer(&shading_lab::lesson::Answer::Value(value));
         let own = question.kind.asks().predicts_number();
         let key = if own { "class-predicted" } else { "class-off" };
         let words = text!(
             key,
-            least = shown(least),
-            lower = shown(lower),
-            median = shown(median),
-            upper = shown(upper),
-            greatest = shown(greatest)
+            least = short_number(least),
+            lower = short_number(lower),
+            median = short_number(median),
+            upper = short_number(upper),
+            greatest = short_number(greatest)
         );
         line += &format!("\n   {words}");
     } else if !counted.is_empty() {

@@ -34,7 +34,7 @@ impl Budget {
     /// Most triangles of a scene, whatever is asked of it.
     pub const TRIANGLES: u64 = 1 << 22;
 
-    /// All that a file may cause.
+    /// Returns all that a file may cause.
     pub fn of_file() -> Self {
         Self(Arc::new(AtomicU64::new(Self::FILE)))
     }
@@ -43,7 +43,7 @@ impl Budget {
         self.0.load(Ordering::Relaxed)
     }
 
-    /// Whether something was refused.
+    /// Returns whether something was refused.
     pub(super) fn is_spent(&self) -> bool {
         self.left() == 0
     }
@@ -65,7 +65,7 @@ pub enum TooHeavy {
     /// It is more than [`Budget::STEP`].
     #[error("{}", text!("lesson-step-too-heavy", most = Budget::STEP / 1_000_000))]
     Step,
-    /// With what came before it, it is more than [`Budget::FILE`].
+    /// The step with all before it is more than [`Budget::FILE`].
     #[error("{}", text!("lesson-file-too-heavy", most = Budget::FILE / 1_000_000))]
     File,
     /// A scene has more triangles than [`Budget::TRIANGLES`].
@@ -159,7 +159,7 @@ impl Account {
     }
 }
 
-/// The work of those stages of a picture that run.
+/// Returns the work of those stages of a picture that run.
 fn picture(scene: &Scene, model: Option<&Mesh>, runs: impl Fn(Stage) -> bool) -> u64 {
     let [width, height] = scene.image.size.map(u64::from);
     let points: u64 = scene

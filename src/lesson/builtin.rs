@@ -28,18 +28,18 @@ pub struct BuiltIn {
 }
 
 impl BuiltIn {
-    /// The lesson in the present language.
+    /// Returns the lesson in the present language.
     pub fn lesson(&self) -> Lesson {
         self.lesson_in(language())
     }
 
-    /// The text of its file in a language; on a web page empty until it [is there](are_there).
+    /// Returns the text of its file in a language; on a web page empty until it [is there](are_there).
     #[cfg(not(target_arch = "wasm32"))]
     pub fn source(&self, language: Language) -> &'static str {
         self.texts[language as usize]
     }
 
-    /// The text of its file in a language, empty until it [is there](are_there).
+    /// Returns the text of its file in a language, empty until it [is there](are_there).
     #[cfg(target_arch = "wasm32")]
     pub fn source(&self, language: Language) -> &'static str {
         let file = format!("{}/{}.md", language.tag(), self.name);
@@ -47,7 +47,7 @@ impl BuiltIn {
         texts.map_or("", String::as_str)
     }
 
-    /// The lesson in a language.
+    /// Returns the lesson in a language.
     pub fn lesson_in(&self, language: Language) -> Lesson {
         Lesson::read(self.source(language), None)
             .unwrap_or_else(|error| unreachable!("the tests read every lesson: {error}"))
@@ -104,12 +104,12 @@ pub static LESSONS: [BuiltIn; 33] = lessons! {
     "opengl"
 };
 
-/// The lesson of that name.
+/// Finds the lesson of that name.
 pub fn find(name: &str) -> Option<&'static BuiltIn> {
     LESSONS.iter().find(|lesson| lesson.name == name)
 }
 
-/// Whether the lessons' texts are there: always, but on a web page that has not fetched them yet.
+/// Returns whether the lessons' texts are there: always, but on a web page that has not fetched them yet.
 pub fn are_there() -> bool {
     #[cfg(target_arch = "wasm32")]
     return TEXTS.get().is_some();

@@ -1,4 +1,4 @@
-//! What the engine finds wrong with a lesson.
+//! The check of a lesson by the engine.
 
 use super::{Answer, Budget, Lab, Lesson, LessonError, LessonProblem, Step};
 use crate::scene::parameter::Parameter;

@@ -15,7 +15,7 @@ use std::path::PathBuf;
 /// A picture that was handed in.
 #[derive(Clone, Debug)]
 pub struct Handed {
-    /// What it is called.
+    /// Its name.
     pub path: PathBuf,
     /// Its content, where that is not in the file.
     pub bytes: Option<Vec<u8>>,
@@ -37,7 +37,7 @@ pub struct Unreadable {
     pub file: String,
     /// In the language of the moment.
     pub why: String,
-    /// The same in English, for programs.
+    /// The reason in English, for programs.
     pub english: String,
 }
 
@@ -50,7 +50,7 @@ pub struct Group {
     pub questions: Vec<ClassQuestion>,
     /// The hand-ins, by the names of their files.
     pub students: Vec<Student>,
-    /// Whether the lesson came inside a hand-in: it may open no file then.
+    /// The lesson came inside a hand-in: it may open no file then.
     foreign: bool,
 }
 
@@ -59,7 +59,7 @@ pub struct Group {
 pub struct ClassQuestion {
     /// The step, from 0.
     pub step: usize,
-    /// What was asked.
+    /// The question.
     pub ask: String,
     /// Why the answer is right; may be empty.
     pub why: String,
@@ -69,14 +69,14 @@ pub struct ClassQuestion {
     pub solution: Option<Solution>,
     /// Why there is no right answer.
     pub failure: Option<String>,
-    /// What the students saw, of questions about a place in it.
+    /// The picture that the students saw, of questions about a place in it.
     pub picture: Option<Frame>,
 }
 
 /// A hand-in that counts.
 #[derive(Debug)]
 pub struct Student {
-    /// Which of the files, from 0.
+    /// Its number among the files, from 0.
     pub index: usize,
     /// The file's name.
     pub file: String,
@@ -103,14 +103,14 @@ pub struct Given {
 }
 
 impl ClassQuestion {
-    /// The question itself.
+    /// Returns the question itself.
     pub fn question<'l>(&self, lesson: &'l Lesson) -> Option<&'l Question> {
         lesson.steps.get(self.step)?.question.as_ref()
     }
 }
 
 impl Student {
-    /// How many answers are right.
+    /// Counts the right answers.
     pub fn right(&self) -> usize {
         let right = |given: &&Option<Given>| given.as_ref().is_some_and(Given::is_right);
         self.given.iter().filter(right).count()
@@ -118,7 +118,7 @@ impl Student {
 }
 
 impl Given {
-    /// Whether it is right, within the question's tolerance.
+    /// Returns whether it is right, within the question's tolerance.
     pub fn is_right(&self) -> bool {
         self.grade.is_some_and(|grade| grade.right)
     }
@@ -130,7 +130,7 @@ impl Group {
         self.foreign
     }
 
-    /// The answers to a question, of those who gave one.
+    /// Returns the answers to a question, of those who gave one.
     pub fn given(&self, question: usize) -> impl Iterator<Item = &Given> {
         let given =
             move |student: &'_ Student| student.given.get(question).is_some_and(Option::is_some);
@@ -138,13 +138,13 @@ impl Group {
         students.filter_map(move |student| student.given[question].as_ref())
     }
 
-    /// The share of the class whose answer to a question is right.
+    /// Returns the fraction of the class whose answer to a question is right.
     pub fn share_right(&self, question: usize) -> f64 {
         let right = self.given(question).filter(|given| given.is_right());
         right.count() as f64 / self.students.len().max(1) as f64
     }
 
-    /// The numbers that were predicted, in order; of places, curves and pictures how far they are off.
+    /// Returns the numbers that were predicted, in order; of places, curves and pictures how far they are off.
     pub fn predicted(&self, question: usize) -> Vec<f64> {
         let mut numbers: Vec<f64> = self
             .given(question)
@@ -163,7 +163,7 @@ impl Group {
     }
 }
 
-/// Least, quartiles and greatest of sorted numbers.
+/// Returns the smallest, the quartiles and the largest of sorted numbers.
 pub fn spread(sorted: &[f64]) -> Option<[f64; 5]> {
     let last = sorted.len().checked_sub(1)?;
     Some([0.0, 0.25, 0.5, 0.75, 1.0].map(|share| {
@@ -338,7 +338,7 @@ impl Group {
         Ok(())
     }
 
-    /// A group for the lesson of a hand-in.
+    /// Makes a group for the lesson of a hand-in.
     fn of(hand_in: &HandIn, lesson: Option<&Lesson>) -> Result<Self, String> {
         lesson_of(hand_in, lesson).map(|(lesson, foreign)| Self::new(lesson, foreign))
     }
@@ -357,7 +357,7 @@ impl Group {
         }
     }
 
-    /// Whether a hand-in belongs to it.
+    /// Returns whether a hand-in belongs to it.
     fn is_of(&self, hand_in: &HandIn, lesson: Option<&Lesson>) -> bool {
         let name = self.lesson.name == hand_in.record.lesson;
         name && match (lesson, &hand_in.source) {
@@ -536,7 +536,7 @@ impl ClassQuestion {
         Ok(())
     }
 
-    /// A question of a step with the numbers in its texts.
+    /// Fills in the numbers in the texts of a step's question.
     pub(super) fn filled(
         step: usize,
         question: &Question,

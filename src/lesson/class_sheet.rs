@@ -23,7 +23,7 @@ const STYLE: &str = "\
 @media print { .right, .wrong, .bar div, .class tfoot td { print-color-adjust: exact; } }
 ";
 
-/// The page.
+/// Returns the page of a class as HTML.
 pub fn class_sheet(class: &Class) -> String {
     let mut body: Html = class.groups.iter().map(group_part).collect();
     if !class.unreadable.is_empty() {

@@ -1,11 +1,11 @@
-//! How right an answer is.
+//! The grade of an answer.
 
 use serde::{Deserialize, Serialize};
 
-/// How right an answer is.
+/// The grade of an answer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Grade {
-    /// Within the question's tolerance.
+    /// The answer is within the question's tolerance.
     pub right: bool,
     /// From 0 to 1.
     pub score: f64,

@@ -25,7 +25,7 @@ const MAX_TEXT: usize = 4 << 20;
 /// Longest name of a student that is kept, in characters.
 pub const MAX_NAME: usize = 100;
 
-/// What a student handed in. The answers are as they were given, and may fit no question.
+/// The answers that a student handed in. They are as they were given, and may fit no question.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HandIn {
     /// Without control characters; empty where none was given.
@@ -43,7 +43,7 @@ pub struct HandIn {
 }
 
 impl HandIn {
-    /// Whether a lesson is the one that was answered, word for word.
+    /// Returns whether a lesson is the one that was answered, word for word.
     pub fn is_of(&self, lesson: &Lesson) -> bool {
         digest([&lesson.source]) == self.digest
     }
@@ -65,7 +65,7 @@ pub enum HandInError {
     /// The answers or the scene were changed after they were handed in.
     #[error("{}", text!("class-changed"))]
     Changed,
-    /// What stands there is no form of answers.
+    /// The text is no form of answers.
     #[error("{}", text!("class-not-answers", error = .0.to_string()))]
     Form(serde_json::Error),
 }
@@ -109,7 +109,7 @@ pub fn hand_in(
     save_picture_with(path, frame, scene, &[(ANSWERS_KEYWORD, &answers)])
 }
 
-/// The bytes of that PNG.
+/// Returns the bytes of that PNG.
 ///
 /// # Errors
 /// A frame that has no pixels.
@@ -150,12 +150,12 @@ fn answers_text(lesson: &Lesson, record: &Record, name: &str, scene: &str) -> St
     head(&digest([&rest, scene])) + &rest
 }
 
-/// What stands before all that the digest is of.
+/// Returns the text before all that the digest is of.
 fn head(digest: &str) -> String {
     format!(r#"{{"version":{VERSION},"digest":"{digest}""#)
 }
 
-/// The answers in a PNG.
+/// Reads the answers in a PNG.
 ///
 /// # Errors
 /// What is wrong with it.
@@ -232,7 +232,7 @@ fn answered(entry: Entry) -> Result<Answered, serde_json::Error> {
     })
 }
 
-/// An answer's kind, as a lesson has it, and what was answered, as JSON has it.
+/// Returns an answer's kind, as a lesson has it, and its value, as JSON has it.
 pub fn answer_parts(answer: &Answer) -> (String, Value) {
     let one = match json!(answer) {
         Value::Object(one) => one.into_iter().next(),
@@ -241,19 +241,19 @@ pub fn answer_parts(answer: &Answer) -> (String, Value) {
     one.unwrap_or_default()
 }
 
-/// A name as it is kept: nothing in it that writes over other text.
+/// Returns a name as it is kept: nothing in it that writes over other text.
 fn clean_name(name: &str) -> String {
     clean(name, MAX_NAME)
 }
 
-/// Text from anybody as one short line, without control characters and marks that turn the direction of writing.
+/// Returns text from anybody as one short line, without control characters and marks that turn the direction of writing.
 fn clean(text: &str, most: usize) -> String {
     let plain = text.chars().filter(|c| !turns(*c));
     let plain = plain.map(|c| if c.is_control() { ' ' } else { c });
     plain.take(most).collect::<String>().trim().to_owned()
 }
 
-/// FNV-1a (Fowler, Noll and Vo 1991) of texts, with their lengths between them.
+/// Returns the FNV-1a hash (Fowler, Noll and Vo 1991) of texts, with their lengths between them.
 pub(super) fn digest<'t>(
     texts: impl IntoIterator<Item = &'t (impl AsRef<str> + ?Sized + 't)>,
 ) -> String {

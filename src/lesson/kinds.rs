@@ -16,7 +16,7 @@ pub use choice::{Choice, ChoiceOption, RightIf};
 pub use curve::{CURVE_POINTS, Curve, CurveOf};
 pub use extreme::Extreme;
 pub use lettered::letter;
-pub use matching::{Match, MatchValues};
+pub use matching::{Match, MatchValues, picture_distance};
 pub use number::short_number;
 pub use order::{Item, Order};
 pub use point::{Find, Point};

@@ -17,7 +17,7 @@ use crate::scene::{Rgb, Scene, ShadingMode};
 use crate::text::{excerpt, text};
 use glam::DVec2;
 use serde_json::{Value as Json, json};
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::HashMap;
 use std::fmt;
 use std::sync::Arc;
@@ -27,12 +27,15 @@ pub struct Lab {
     model: Option<Arc<Mesh>>,
     inner: RefCell<Inner>,
     account: RefCell<Account>,
+    /// The step's probe, and whether it was measured.
+    probe: Option<DVec2>,
+    probe_measured: Cell<bool>,
 }
 
 struct Inner {
     renderer: Renderer,
     scenes: Vec<Arc<Scene>>,
-    /// Which of them the renderer has drawn last.
+    /// The one that the renderer has drawn last.
     drawn: Option<usize>,
     /// The scene that settings make of another one.
     derived: HashMap<(usize, String), usize>,
@@ -95,12 +98,12 @@ impl Lab {
     /// Answers kept at most: those of single pixels are many.
     const KEPT: usize = 2000;
 
-    /// A lab with the scene of a step, which may do the work of a file.
+    /// Makes a lab with the scene of a step, which may do the work of a file.
     pub fn new(staged: &Staged) -> Self {
         Self::within(staged, &Budget::of_file())
     }
 
-    /// A lab whose work is counted against that of the lesson's file.
+    /// Makes a lab whose work is counted against that of the lesson's file.
     pub fn within(staged: &Staged, budget: &Budget) -> Self {
         let mut scene = staged.scene.clone();
         let [width, height] = scene.image.size;
@@ -124,7 +127,14 @@ impl Lab {
                 known: HashMap::new(),
             }),
             account: RefCell::new(Account::new(budget.clone())),
+            probe: staged.shown.probe,
+            probe_measured: Cell::new(false),
         }
+    }
+
+    /// Returns whether a number was taken at the step's probe.
+    pub fn probe_measured(&self) -> bool {
+        self.probe_measured.get()
     }
 
     /// Has what follows counted against another budget, as a step of its own.
@@ -132,12 +142,12 @@ impl Lab {
         self.account.replace(Account::new(budget.clone()));
     }
 
-    /// The work done so far, as [`Budget`] counts it.
+    /// Returns the work done so far, as [`Budget`] counts it.
     pub fn work(&self) -> u64 {
         self.account.borrow().spent()
     }
 
-    /// Why no more work is done.
+    /// Returns why no more work is done.
     pub fn refused(&self) -> Option<TooHeavy> {
         self.account.borrow().refused()
     }
@@ -175,7 +185,7 @@ impl Lab {
         Ok(draw(&mut inner.renderer, &scene))
     }
 
-    /// The step's scene with its probe and line.
+    /// Returns the step's scene with its probe and line.
     pub fn place(&self, staged: &Staged) -> LabPlace<'_> {
         LabPlace {
             lab: self,
@@ -188,12 +198,12 @@ impl Lab {
 }
 
 impl LabPlace<'_> {
-    /// The scene.
+    /// Returns the scene.
     pub fn scene(&self) -> Arc<Scene> {
         Arc::clone(&self.lab.inner.borrow().scenes[self.scene])
     }
 
-    /// The same place in the scene with other settings.
+    /// Goes to the scene with other settings.
     ///
     /// # Errors
     /// Settings that it does not have.
@@ -222,7 +232,7 @@ impl LabPlace<'_> {
         Ok(Self { scene, ..self })
     }
 
-    /// The same with the probe elsewhere.
+    /// Moves the probe.
     #[must_use]
     pub fn probing(self, place: DVec2) -> Self {
         Self {
@@ -231,13 +241,13 @@ impl LabPlace<'_> {
         }
     }
 
-    /// The same with the abscissa of a curve.
+    /// Goes to an abscissa of a curve.
     #[must_use]
     pub(super) fn over(self, x: f64) -> Self {
         Self { x: Some(x), ..self }
     }
 
-    /// The place of a pixel's middle.
+    /// Returns the place of a pixel's centre.
     pub(super) fn place_of(&self, [x, y]: [u32; 2]) -> DVec2 {
         let size = self.size();
         (DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5) - size / 2.0) / size.min_element()
@@ -247,26 +257,26 @@ impl LabPlace<'_> {
         DVec2::from_array(self.scene().image.size.map(f64::from))
     }
 
-    /// In pixels.
+    /// Converts a place to pixels.
     fn in_pixels(&self, place: DVec2) -> DVec2 {
         let size = self.size();
         size / 2.0 + place * size.min_element()
     }
 
-    /// The pixel of a place; none outside the picture.
+    /// Returns the pixel of a place; none outside the picture.
     fn pixel(&self, place: DVec2) -> Option<[u32; 2]> {
         let (at, size) = (self.in_pixels(place).floor(), self.size());
         let inside = at.cmpge(DVec2::ZERO).all() && at.cmplt(size).all();
         inside.then_some([at.x as u32, at.y as u32])
     }
 
-    /// The value of an expression, whose operations count as work.
+    /// Evaluates an expression, whose operations count as work.
     pub(super) fn number(&self, expression: &Expression) -> Result<f64, String> {
         self.lab.spend(OPERATION * expression.size() as u64)?;
         expression.number(self)
     }
 
-    /// Why no more work is done.
+    /// Returns why no more work is done.
     pub(super) fn refused(&self) -> Option<TooHeavy> {
         self.lab.refused()
     }
@@ -284,17 +294,17 @@ impl LabPlace<'_> {
         Ok(draw(&mut inner.renderer, &scene))
     }
 
-    /// Linear intensities of every pixel; the fourth is 0 where there is no object.
+    /// Draws the linear intensities of every pixel; the fourth component is 0 where there is no object.
     pub(super) fn linear(&self) -> Result<Vec<[f32; 4]>, String> {
         self.render(1, |renderer, scene| renderer.linear_picture(scene))
     }
 
-    /// The picture as it is shown.
+    /// Draws the picture as it is shown.
     pub(super) fn counted_picture(&self) -> Result<Frame, String> {
         self.render(1, |renderer, scene| renderer.render(scene).clone())
     }
 
-    /// The picture as it is shown, whatever work that is.
+    /// Draws the picture as it is shown, whatever work that is.
     pub fn picture(&self) -> Frame {
         let scene = self.scene();
         let inner = &mut *self.lab.inner.borrow_mut();
@@ -302,7 +312,7 @@ impl LabPlace<'_> {
         inner.renderer.render(&scene).clone()
     }
 
-    /// The profile along the line in one mode.
+    /// Takes the profile along the line in some modes.
     pub(super) fn profile(
         &self,
         modes: &[ShadingMode],
@@ -327,7 +337,7 @@ impl LabPlace<'_> {
         })
     }
 
-    /// The scene for an analysis at the work of so many pictures.
+    /// Prepares the scene for an analysis at the work of so many pictures.
     fn subject(&self, pictures: u64) -> Result<Subject, String> {
         let scene = self.scene();
         self.lab.spend_pictures(&scene, pictures)?;
@@ -338,13 +348,16 @@ impl LabPlace<'_> {
         })
     }
 
-    /// What an analysis says, kept for the next time.
+    /// Returns the JSON of an analysis, kept for the next time.
     fn known(&self, name: &str) -> Result<Arc<Json>, String> {
         let place = match name {
             "probe" => {
                 let place = self
                     .probe
                     .ok_or_else(|| text!("lesson-no-probe").to_owned())?;
+                if self.lab.probe == Some(place) {
+                    self.lab.probe_measured.set(true);
+                }
                 let pixel = self.pixel(place);
                 let [x, y] = pixel.ok_or_else(|| text!("lesson-probe-outside").to_owned())?;
                 format!("{x},{y}")
@@ -365,7 +378,7 @@ impl LabPlace<'_> {
         Ok(found)
     }
 
-    /// The probe at a pixel. Where the picture of another scene was drawn last, what is drawn anew counts.
+    /// Probes a pixel. Where the picture of another scene was drawn last, what is drawn anew counts.
     fn probed(&self, [x, y]: [u32; 2]) -> Result<Probe, String> {
         let (scene, model) = (self.scene(), self.lab.model.as_deref());
         let inner = &mut *self.lab.inner.borrow_mut();
@@ -498,7 +511,7 @@ impl Quantities for LabPlace<'_> {
     }
 }
 
-/// What the parts lead to.
+/// Returns the value that the parts lead to.
 fn part_of(json: &Json, path: &str, parts: &[Part]) -> Result<Value, String> {
     let Some((part, rest)) = parts.split_first() else {
         return plain(json).ok_or_else(|| text!("lesson-no-number", path = path));
@@ -530,7 +543,7 @@ fn part_of(json: &Json, path: &str, parts: &[Part]) -> Result<Value, String> {
     }
 }
 
-/// How many numbers there are in a value.
+/// Counts the numbers in a value.
 fn length(value: &Value) -> u64 {
     match value {
         Value::List(values) => values.iter().map(length).sum(),

@@ -179,7 +179,7 @@ pub fn blank_picture() -> Frame {
     }
 }
 
-/// The address of a picture that contains it.
+/// Returns the address of a picture that contains it.
 pub fn data(frame: &Frame) -> String {
     let bytes = picture_bytes(frame, None).unwrap_or_default();
     let mut text = base64(&bytes).replace('-', "+").replace('_', "/");

@@ -55,19 +55,19 @@ impl Prose {
         Ok(Self { pieces })
     }
 
-    /// Whether there is nothing in it.
+    /// Returns whether there is nothing in it.
     pub fn is_empty(&self) -> bool {
         self.pieces
             .iter()
             .all(|(text, number)| number.is_none() && text.trim().is_empty())
     }
 
-    /// The text without its numbers.
+    /// Returns the text without its numbers.
     pub fn plain(&self) -> String {
         self.pieces.iter().map(|(text, _)| &**text).collect()
     }
 
-    /// The text with its numbers.
+    /// Returns the text with its numbers.
     ///
     /// # Errors
     /// A number that has no value: its line, and why.

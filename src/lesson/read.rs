@@ -55,7 +55,7 @@ impl Lesson {
     }
 }
 
-/// What stands between a heading and the next one.
+/// The text between a heading and the next one.
 struct RawStep<'s> {
     title: String,
     at: usize,
@@ -106,7 +106,7 @@ impl<'s> Reader<'s> {
         })
     }
 
-    /// The TOML between two lines `+++`, and where what follows begins.
+    /// Finds the TOML between two lines `+++`, and the begin of what follows.
     fn head(&mut self) -> Option<(Block<'s>, usize)> {
         let source = self.source;
         let start = source.len() - source.trim_start_matches('\u{feff}').trim_start().len();
@@ -128,7 +128,7 @@ impl<'s> Reader<'s> {
         ))
     }
 
-    /// The steps, by the headings of the second level.
+    /// Splits the text into steps, by the headings of the second level.
     fn split(&mut self, body: usize) -> Vec<RawStep<'s>> {
         let source = self.source;
         let mut steps: Vec<RawStep<'s>> = Vec::new();

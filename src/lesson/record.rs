@@ -1,4 +1,4 @@
-//! What a student answered in a lesson: what the window keeps and a hand-in carries.
+//! The answers of a student in a lesson: the window keeps them and a hand-in carries them.
 
 use super::{Answer, Grade, Lesson};
 use serde::{Deserialize, Serialize};
@@ -23,18 +23,18 @@ pub struct Answered {
     pub prediction: Answer,
     /// The last answer before the right one was shown.
     pub answer: Answer,
-    /// How right that is.
+    /// The grade of that.
     pub grade: Grade,
-    /// How often the right answer was asked for before it was found.
+    /// The number of times that the right answer was asked for before it was found.
     pub looked_up: u32,
-    /// How many answers were given.
+    /// The number of answers that were given.
     pub tries: u32,
-    /// From when the question was first seen until the last answer.
+    /// The time from when the question was first seen until the last answer.
     pub seconds: f64,
 }
 
 impl Record {
-    /// A record without answers.
+    /// Makes a record without answers.
     pub fn new(lesson: &str, seed: u64) -> Self {
         Self {
             lesson: lesson.to_owned(),
@@ -43,7 +43,7 @@ impl Record {
         }
     }
 
-    /// The answer to a step's question.
+    /// Returns the answer to a step's question.
     pub fn answer(&self, step: usize) -> Option<&Answered> {
         self.answers.iter().find(|answered| answered.step == step)
     }

@@ -10,17 +10,17 @@ use glam::DVec2;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// What may be drawn over the picture.
+/// The names of what may be drawn over the picture.
 pub const OVERLAYS: [&str; 5] = ["vectors", "profile", "normals", "vertices", "edges"];
 
-/// What a step shows. What it leaves open it takes over from the step before.
+/// The scene of a step and its view. What it leaves open it takes over from the step before.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Stage {
     /// A built-in scene or a file.
     pub scene: String,
     /// Settings as `--set` takes them, those of the steps before that go on first.
     pub set: Vec<String>,
-    /// How many lights the scene has.
+    /// The number of lights.
     pub lights: Option<usize>,
     /// The panes of a comparison, each its settings with semicolons between.
     pub panes: Option<Vec<String>>,
@@ -34,9 +34,9 @@ pub struct Stage {
     pub overlays: Vec<&'static str>,
     /// Controls by the last word of their keys, or by the whole key; `light` is where the light is.
     pub controls: Vec<String>,
-    /// Whether numbers are hidden until the question is answered.
+    /// Numbers are hidden until the question is answered.
     pub hide: bool,
-    /// Where it stands in the file.
+    /// Its line in the file.
     pub line_number: u64,
 }
 
@@ -51,9 +51,9 @@ pub struct Staged {
     pub name: String,
     /// The file, where it is one.
     pub path: Option<PathBuf>,
-    /// What makes that scene or file into the scene, as `--set` takes it.
+    /// The settings that make that scene or file into the scene, as `--set` takes them.
     pub settings: Vec<String>,
-    /// What is shown of it.
+    /// The view of it.
     pub shown: Shown,
 }
 
@@ -106,18 +106,18 @@ impl Stage {
         })
     }
 
-    /// Whether its scene is a file.
+    /// Returns whether its scene is a file.
     pub fn is_file(&self) -> bool {
         let endings = ["toml", "obj", "png"];
         ending(Path::new(&self.scene)).is_some_and(|ending| endings.contains(&&*ending))
     }
 
-    /// Whether loading it opens a file.
+    /// Returns whether loading it opens a file.
     pub(super) fn names_file(&self) -> bool {
         self.is_file() || self.set.iter().any(|setting| setting.contains("path"))
     }
 
-    /// What can be seen to be wrong without loading anything.
+    /// Checks what can be checked without loading anything.
     pub(super) fn check(&self) -> Result<(), String> {
         let far = |place: &DVec2| !(place.x.abs() <= 8.0 && place.y.abs() <= 8.0);
         let places = self.probe.iter().chain(self.line.iter().flatten());
@@ -153,7 +153,7 @@ fn pane_of(settings: &str) -> Pane {
     pane
 }
 
-/// The view of that name.
+/// Finds the view of that name.
 pub(super) fn view(name: &str) -> Option<&'static str> {
     VIEWS.into_iter().find(|view| *view == name)
 }

@@ -6,7 +6,7 @@ use super::{Budget, Lab, Lesson, LessonError, Question, Staged, letter};
 use crate::text::text;
 use std::fmt::Write as _;
 
-/// The lesson with its numbers, its questions and, with `answers`, what is right and why.
+/// Returns the lesson with its numbers, its questions and, with `answers`, what is right and why.
 ///
 /// # Errors
 /// What is wrong with the lesson, with its line.

@@ -18,10 +18,10 @@ use glam::DVec2;
 use std::convert::Infallible;
 use tiny_skia::PixmapMut;
 
-/// What a worksheet has.
+/// The contents of a worksheet.
 #[derive(Clone, Copy, Debug)]
 pub struct Worksheet {
-    /// Whether the answers are on the last pages.
+    /// The answers are on the last pages.
     pub answers: bool,
     /// Decides what is drawn at random.
     pub seed: u64,
@@ -68,7 +68,7 @@ fn rules() -> Element {
     element("div").class("rules").with(rule()).with(rule())
 }
 
-/// The page; `progress` is told of each step that is done.
+/// Returns the page as HTML; `progress` is told of each step that is done.
 ///
 /// # Errors
 /// What is wrong with the lesson, with its line.
@@ -221,7 +221,7 @@ fn answer(asked: &ClassQuestion, question: &Question, picture: &Frame) -> Html {
     out.with(element("div").with(blocks(&asked.why)))
 }
 
-/// What the window shows of a step: the picture or its panes, with what is drawn over it. The profile's curve is left out
+/// Draws the picture of a step as the window shows it: with its panes, or with what is drawn over it. The profile's curve is left out
 /// where it would be the answer.
 fn stage_picture(lab: &Lab, step: &Step, staged: &Staged, samples: u32) -> Result<Frame, String> {
     if samples == 0 {

@@ -140,7 +140,7 @@ pub fn picture(harness: &Harness<'_, App>) -> Vec<[u8; 4]> {
 }
 
 pub fn scene<'h>(harness: &'h Harness<'_, App>) -> &'h Scene {
-    &harness.state().state().document.scene
+    &harness.state().state().session.document().scene
 }
 
 /// Chooses an entry of a list by the names of both.

@@ -29,6 +29,12 @@ const ORDER: [&str; 17] = [
     "cli",
 ];
 
+/// The rooms of the window, likewise. The system and the page do the same for the window, each in its place.
+const ROOMS: [&str; 11] = [
+    "widgets", "system", "page", "session", "engine", "controls", "course", "views", "picture",
+    "shell", "start",
+];
+
 type ModulePath = Vec<String>;
 
 struct Import {
@@ -42,20 +48,7 @@ struct Import {
 #[test]
 fn no_file_imports_from_a_folder_above_its_own() {
     let modules = modules();
-    let rank = |path: &ModulePath| {
-        path.first()
-            .and_then(|top| ORDER.iter().position(|folder| folder == top))
-    };
-    let mut upwards = BTreeSet::new();
-    for (from, imports) in edges(&modules) {
-        for to in imports {
-            if let (Some(own), Some(other)) = (rank(&from), rank(&to))
-                && other > own
-            {
-                upwards.insert(format!("{} imports {}", from.join("::"), to.join("::")));
-            }
-        }
-    }
+    let upwards = upwards(&edges(&modules), &[], &ORDER);
     let tops: BTreeSet<&str> = modules
         .keys()
         .filter_map(|path| path.first())
@@ -72,6 +65,54 @@ fn no_file_imports_from_a_folder_above_its_own() {
         upwards.len(),
         lines(&upwards)
     );
+}
+
+#[test]
+fn no_file_of_the_window_imports_from_a_room_above_its_own() {
+    let modules = modules();
+    let upwards = upwards(&edges(&modules), &["app"], &ROOMS);
+    let rooms: BTreeSet<&str> = modules
+        .keys()
+        .filter(|path| path[0] == "app")
+        .filter_map(|path| path.get(1))
+        .map(String::as_str)
+        .collect();
+    assert_eq!(
+        rooms,
+        ROOMS.into_iter().collect(),
+        "the order above names every room"
+    );
+    assert!(
+        upwards.is_empty(),
+        "{} imports run upwards:\n{}",
+        upwards.len(),
+        lines(&upwards)
+    );
+}
+
+/// The imports from a folder of `order` into one after it; both are right below `within`.
+fn upwards(
+    edges: &BTreeMap<ModulePath, BTreeSet<ModulePath>>,
+    within: &[&str],
+    order: &[&str],
+) -> BTreeSet<String> {
+    let rank = |path: &ModulePath| {
+        let inner = path.iter().map(String::as_str);
+        let inside = inner.clone().take(within.len()).eq(within.iter().copied());
+        let folder = inner.skip(within.len()).next().filter(|_| inside);
+        folder.and_then(|folder| order.iter().position(|other| *other == folder))
+    };
+    let mut upwards = BTreeSet::new();
+    for (from, imports) in edges {
+        for to in imports {
+            if let (Some(own), Some(other)) = (rank(from), rank(to))
+                && other > own
+            {
+                upwards.insert(format!("{} imports {}", from.join("::"), to.join("::")));
+            }
+        }
+    }
+    upwards
 }
 
 #[test]

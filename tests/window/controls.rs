@@ -126,10 +126,10 @@ fn keys_turn_the_camera_and_move_the_probe() {
         (scene(&harness).camera.eye.length() - before.length()).abs() < 1e-9,
         "turning keeps the distance"
     );
-    let probe = harness.state().state().probe;
+    let probe = harness.state().state().window.probe;
     harness.key_press(Key::ArrowLeft);
     harness.run();
-    assert!(harness.state().state().probe != probe);
+    assert!(harness.state().state().window.probe != probe);
 }
 
 #[test]
@@ -306,7 +306,7 @@ fn panes_are_compared_by_key_and_a_change_reaches_all_but_what_they_have_of_thei
     let phong = picture(&harness);
     harness.key_press(Key::N);
     harness.run();
-    assert_eq!(harness.state().state().panes.active, 1);
+    assert_eq!(harness.state().state().session.panes.active, 1);
     assert!(
         picture(&harness) != phong,
         "the active pane is the exact one"
@@ -364,7 +364,7 @@ fn the_probe_jumps_to_the_greatest_difference() {
         harness.run();
     }
     assert_eq!(scene(&harness).compare.view, CompareView::Difference);
-    let before = harness.state().state().probe;
+    let before = harness.state().state().window.probe;
     harness
         .get_by(|node| {
             node.label()
@@ -372,7 +372,7 @@ fn the_probe_jumps_to_the_greatest_difference() {
         })
         .click_accesskit();
     harness.run();
-    assert_ne!(harness.state().state().probe, before);
+    assert_ne!(harness.state().state().window.probe, before);
 }
 
 #[test]
@@ -436,7 +436,7 @@ fn pointing_at_a_vertex_lights_up_its_faces() {
         harness.run();
     }
     assert_eq!(scene(&harness).compare.view, CompareView::Single);
-    let lit = |harness: &Harness<'_, App>| harness.state().state().pointed.lit;
+    let lit = |harness: &Harness<'_, App>| harness.state().state().window.pointed.lit;
     let (rect, before) = (picture_place(&harness), picture(&harness));
     let centre = rect.center();
     let at = |harness: &Harness<'_, App>, point: DVec3| {
@@ -468,7 +468,7 @@ fn pointing_at_a_vertex_lights_up_its_faces() {
     assert_eq!(lit(&harness), None, "nothing while normals are hidden");
     harness.key_press(Key::M);
     harness.run();
-    let appearance = &harness.state().state().appearance.overlay;
+    let appearance = &harness.state().state().window.appearance.overlay;
     assert!(appearance.face_normals && appearance.vertex_normals);
     harness.hover_at(place + vec2(5.0, 3.0));
     harness.run();
@@ -506,7 +506,7 @@ fn pointing_at_a_vertex_lights_up_its_faces() {
 /// The look of a window that finds this one stored.
 fn look_from(stored: &Appearance) -> Appearance {
     let harness = window_looking(built_in("teapot"), [900.0, 600.0], stored, |app| app);
-    harness.state().state().appearance.clone()
+    harness.state().state().window.appearance.clone()
 }
 
 #[test]

@@ -105,14 +105,17 @@ fn type_text(harness: &mut Harness<'_, App>, text: &str) {
 fn a_step_shows_its_scene_its_text_and_its_controls() {
     let mut harness = window();
     assert_eq!(scene(&harness).material.n, 20.0);
-    assert_eq!(harness.state().state().appearance.view, ViewName::Course);
+    assert_eq!(
+        harness.state().state().window.appearance.view,
+        ViewName::Course
+    );
     assert!(
         harness
             .query_by_label_contains("half-width is 15.0°")
             .is_some()
     );
     harness.get_by_role_and_label(Role::SpinButton, "n specular exponent");
-    assert!(!harness.state().state().appearance.controls);
+    assert!(!harness.state().state().window.appearance.controls);
     // What is changed can be put back.
     hands::enter(&mut harness, "n specular exponent", 55.0);
     assert_eq!(scene(&harness).material.n, 55.0);
@@ -142,11 +145,11 @@ fn the_picture_moves_on_to_the_next_step() {
     harness.key_press(Key::PageDown);
     harness.step();
     let mut seen = Vec::new();
-    while harness.state().state().gliding.is_some() {
+    while harness.state().state().course.gliding.is_some() {
         harness.step();
         seen.push(n(&harness));
         // It is neither a change that could be lost nor a step of undo.
-        assert!(!harness.state().state().modified());
+        assert!(!harness.state().state().session.modified());
     }
     ready(&mut harness);
     let after = n(&harness);
@@ -164,11 +167,11 @@ fn a_lesson_alone_says_what_its_scenes_show() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets/lessons/en/diffuse.md");
     let mut harness = window_with(Lesson::open(&path).expect("a lesson"));
     let titled = |harness: &Harness<'_, App>| {
-        let document = &harness.state().state().document;
+        let document = harness.state().state().session.document();
         harness.query_by_label(&document.title()).is_some()
     };
     assert!(!titled(&harness));
-    // The probe is marked where the step speaks of it.
+    // The probe is marked where numbers of the step are taken at it.
     let probe = |harness: &Harness<'_, App>| harness.state().state().course.shows_probe();
     assert!(probe(&harness));
     next(&mut harness);
@@ -182,7 +185,7 @@ fn a_lesson_alone_says_what_its_scenes_show() {
 fn numbers_are_hidden_until_the_answer_is_shown() {
     let mut harness = window();
     go(&mut harness, 1);
-    assert!(harness.state().state().hides_numbers());
+    assert!(harness.state().state().course.hides());
     harness
         .get_by_label("Show the numbers: Curves")
         .click_accesskit();
@@ -198,11 +201,11 @@ fn numbers_are_hidden_until_the_answer_is_shown() {
     press(&mut harness, "Check");
     let first = answered(&harness).expect("an answer");
     assert_eq!((&first.answer, first.tries), (&Answer::Choice(0), 1));
-    assert!(!revealed(&harness) && harness.state().state().hides_numbers());
+    assert!(!revealed(&harness) && harness.state().state().course.hides());
     press(&mut harness, "Show the answer");
     let shown = answered(&harness).expect("an answer");
     assert_eq!((shown.looked_up, shown.tries), (1, 1));
-    assert!(revealed(&harness) && !harness.state().state().hides_numbers());
+    assert!(revealed(&harness) && !harness.state().state().course.hides());
     assert!(
         harness
             .query_by_label_contains("A higher power of")

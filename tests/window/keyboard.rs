@@ -59,7 +59,7 @@ fn from_the_start_keys_alone_change_n_move_the_probe_and_export() {
     // The probe, from wherever the focus is.
     key(&mut harness, Key::Tab);
     key(&mut harness, Key::F3);
-    let probe = |harness: &Harness<'_, App>| harness.state().state().probe;
+    let probe = |harness: &Harness<'_, App>| harness.state().state().window.probe;
     key(&mut harness, Key::ArrowRight);
     // Now it stands on a pixel's centre.
     let start = probe(&harness).0;
@@ -225,7 +225,7 @@ fn projector_size_follows_the_windows_height() {
             (text - height / 28.0).abs() < 0.1,
             "{text} of {height} points: ordinary text is a 28th of the height"
         );
-        let appearance = &harness.state().state().appearance;
+        let appearance = &harness.state().state().window.appearance;
         assert!(appearance.projector && !appearance.controls && !appearance.views);
         key(&mut harness, Key::F9);
         assert_eq!(harness.ctx.zoom_factor(), 1.0);

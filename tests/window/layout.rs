@@ -231,7 +231,7 @@ fn every_view_and_dialog_fits_at_every_size_in_both_languages() {
             for _ in 0..10 {
                 harness.key_press(Key::C);
                 harness.run_ok();
-                let tab = harness.state().state().appearance.view;
+                let tab = harness.state().state().window.appearance.view;
                 check(&harness, &format!("{tab:?}"), Shown::View);
                 let press = |harness: &mut Harness<'_, App>, key: &str| {
                     let name = in_language(language, || text!(key));
@@ -353,7 +353,7 @@ fn what_scrolls_is_not_cut_off_at_the_side() {
             for _ in 0..10 {
                 harness.key_press(Key::C);
                 harness.run_ok();
-                let view = harness.state().state().appearance.view;
+                let view = harness.state().state().window.appearance.view;
                 check(&harness, &format!("{view:?}"));
             }
         }

@@ -69,7 +69,7 @@ fn what_is_seen_is_copied_as_a_link_and_opened_by_pasting_it() {
     );
     first.run();
     assert_eq!(
-        first.state().state().notice.as_deref(),
+        first.state().state().session.notice.as_deref(),
         Some("Copied the link")
     );
 
@@ -77,11 +77,15 @@ fn what_is_seen_is_copied_as_a_link_and_opened_by_pasting_it() {
     paste(&mut second, &format!("  {link}\n"));
     assert_eq!(scene(&second), scene(&first));
     let [a, b] = [&first, &second].map(|window| window.state().state());
-    assert_eq!(b.appearance.view, ViewName::Profile);
-    assert!(b.appearance.views && !b.modified() && b.document.origin.name() == "sphere");
-    let size = b.room;
-    assert_eq!(a.probe.pixel(size), b.probe.pixel(size));
-    assert!((a.line.0[0] - b.line.0[0]).length() < 1e-4);
+    assert_eq!(b.window.appearance.view, ViewName::Profile);
+    assert!(
+        b.window.appearance.views
+            && !b.session.modified()
+            && b.session.document().origin.name() == "sphere"
+    );
+    let size = b.window.room;
+    assert_eq!(a.window.probe.pixel(size), b.window.probe.pixel(size));
+    assert!((a.window.line.0[0] - b.window.line.0[0]).length() < 1e-4);
     undo(&mut second);
     assert_eq!(
         *scene(&second),
@@ -109,11 +113,11 @@ fn a_window_opens_on_a_link_with_its_view_probe_and_line() {
     let harness = window_of(load(Path::new(link)).expect("a link"));
     let state = harness.state().state();
     assert_eq!(
-        (state.appearance.view, state.probe),
+        (state.window.appearance.view, state.window.probe),
         (ViewName::Plan, ProbePoint(DVec2::new(0.25, -0.125)))
     );
     assert_eq!(
-        state.line,
+        state.window.line,
         ProfileLine([DVec2::new(-0.5, 0.0), DVec2::new(0.5, 0.25)])
     );
     // A view's name in a link is the one that the window knows it by.
@@ -218,7 +222,7 @@ fn without_a_page_its_address_is_asked_for() {
     );
     harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
     field(&mut harness, PAGE);
-    assert_eq!(harness.state().state().appearance.page, PAGE);
+    assert_eq!(harness.state().state().window.appearance.page, PAGE);
     assert!(decoded(&harness).starts_with("https://example.org/lab/?scene=gold&"));
 }
 
@@ -263,16 +267,16 @@ fn a_notice_goes_with_what_it_speaks_of() {
     copied(&mut harness);
     harness.run();
     press(&mut harness, "Next scene");
-    assert_eq!(harness.state().state().notice, None);
+    assert_eq!(harness.state().state().session.notice, None);
     // The one of a link that was opened is about what is open now.
     paste(&mut harness, "?scene=torus");
     assert_eq!(
-        harness.state().state().notice.as_deref(),
+        harness.state().state().session.notice.as_deref(),
         Some("Opened the link")
     );
     undo(&mut harness);
     assert_eq!(
-        harness.state().state().notice,
+        harness.state().state().session.notice,
         None,
         "and not about what was before"
     );
@@ -290,7 +294,7 @@ fn a_notice_is_told_for_a_while_where_there_is_no_bar_for_it() {
         harness.step();
     }
     assert!(harness.query_by_label("Copied the link").is_none());
-    assert_eq!(harness.state().state().notice, None);
+    assert_eq!(harness.state().state().session.notice, None);
 }
 
 #[test]

@@ -27,7 +27,7 @@ fn the_curves_have_a_tab_of_their_own_that_follows_the_scene() {
         "Reflected intensity by direction",
     ];
     assert_eq!(
-        harness.state().state().appearance.view,
+        harness.state().state().window.appearance.view,
         ViewName::Curves,
         "the scene names its tab"
     );
@@ -37,7 +37,10 @@ fn the_curves_have_a_tab_of_their_own_that_follows_the_scene() {
         "the equation is shown"
     );
     open_view(&mut harness, "Curves");
-    assert_eq!(harness.state().state().appearance.view, ViewName::Curves);
+    assert_eq!(
+        harness.state().state().window.appearance.view,
+        ViewName::Curves
+    );
     for title in titles {
         assert!(harness.query_by_label(title).is_some(), "{title}");
     }
@@ -82,7 +85,7 @@ fn a_curve_is_read_under_the_pointer_without_a_missing_letter() {
         harness.key_press(key);
         harness.run();
     }
-    assert!(harness.state().state().appearance.overlay.lobe);
+    assert!(harness.state().state().window.appearance.overlay.lobe);
     let plots: Vec<_> = harness
         .query_all_by(|node| {
             node.role() == Role::Image && node.label().is_some_and(|label| label.contains("; "))
@@ -114,7 +117,10 @@ fn the_plan_has_a_tab_that_the_bar_opens() {
     });
     link.click_accesskit();
     harness.run();
-    assert_eq!(harness.state().state().appearance.view, ViewName::Plan);
+    assert_eq!(
+        harness.state().state().window.appearance.view,
+        ViewName::Plan
+    );
     let says = |harness: &Harness<'_, App>, text: &str| {
         harness.query_all_by_label_contains(text).next().is_some()
     };
@@ -261,7 +267,7 @@ fn probed(harness: &Harness<'_, App>) -> ProbeHit {
     let frame = harness.state().frame();
     let mut scene = scene(harness).clone();
     scene.image.size = [frame.width, frame.height];
-    let [x, y] = harness.state().state().probe.pixel(scene.image.size);
+    let [x, y] = harness.state().state().window.probe.pixel(scene.image.size);
     probe(&mut Renderer::default(), &scene, x, y)
         .hit
         .expect("the probe stands on the object")
@@ -278,7 +284,7 @@ fn plot(harness: &Harness<'_, App>, title: &str) -> bool {
 
 /// The modes whose profiles were taken last.
 fn modes_taken(harness: &Harness<'_, App>) -> Vec<ShadingMode> {
-    let profiles: Option<&Profiles> = harness.state().state().own.get();
+    let profiles: Option<&Profiles> = harness.state().state().window.own.get();
     let profile = profiles.and_then(Profiles::profile);
     profile.map_or(vec![], |profile| {
         profile.traces.iter().map(|trace| trace.mode).collect()
@@ -302,7 +308,10 @@ fn the_profile_has_a_tab_whose_line_is_dragged_in_the_picture() {
     let mut harness = window("flat-facets");
     open_view(&mut harness, "Profile");
     until_taken(&mut harness);
-    assert_eq!(harness.state().state().appearance.view, ViewName::Profile);
+    assert_eq!(
+        harness.state().state().window.appearance.view,
+        ViewName::Profile
+    );
     assert_eq!(modes_taken(&harness), [ShadingMode::Flat], "the picture's");
     let switch = |harness: &mut Harness<'_, App>, mode: &str| {
         harness
@@ -335,7 +344,7 @@ fn the_profile_has_a_tab_whose_line_is_dragged_in_the_picture() {
         "Jumps of the intensity"
     )));
     // The end of the line, where the picture and the state have it.
-    let before = harness.state().state().line;
+    let before = harness.state().state().window.line;
     let scene_before = scene(&harness).clone();
     let (width, height) = (
         harness.state().frame().width,
@@ -351,7 +360,7 @@ fn the_profile_has_a_tab_whose_line_is_dragged_in_the_picture() {
     let [_, end] = before.pixels([width, height]);
     let at = rect.min + vec2(end.x as f32, end.y as f32) * scale;
     drag(&mut harness, at, at + vec2(-40.0, 30.0));
-    let after = harness.state().state().line.pixels([width, height]);
+    let after = harness.state().state().window.line.pixels([width, height]);
     assert!(
         (after[1] - end - glam::DVec2::new(-40.0, 30.0) / f64::from(scale)).length() < 3.0,
         "{after:?} from {end}"
@@ -389,10 +398,10 @@ fn the_defects_are_measured_and_the_picture_is_turned_about_the_probe() {
     let at = |degrees: f32| {
         pane.center() + radius * vec2(degrees.to_radians().cos(), -degrees.to_radians().sin())
     };
-    let before = harness.state().state().probe.0;
+    let before = harness.state().state().window.probe.0;
     drag(&mut harness, at(30.0), at(120.0));
     assert_eq!(scene(&harness).camera.roll, 120.0);
-    let after = harness.state().state().probe.0;
+    let after = harness.state().state().window.probe.0;
     assert!(
         (after - glam::DVec2::new(before.y, -before.x)).length() < 0.01,
         "{before} {after}"
@@ -417,6 +426,7 @@ fn the_picture_is_shown_as_it_is_perceived() {
         harness
             .state()
             .state()
+            .window
             .own
             .get::<Profiles>()
             .is_some_and(|profiles| profiles.perceived.is_some())
@@ -447,6 +457,7 @@ fn a_profile_of_any_height_is_clipped_to_its_pane() {
         assert!(wait(&mut harness, |harness| harness
             .state()
             .state()
+            .window
             .own
             .get()
             .and_then(Profiles::profile)
@@ -490,6 +501,7 @@ fn every_analysis_is_exported_from_its_tab() {
                 harness
                     .state()
                     .state()
+                    .session
                     .notice
                     .as_ref()
                     .is_some_and(|notice| *notice == format!("Copied: {analysis}"))

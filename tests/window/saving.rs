@@ -104,7 +104,7 @@ fn a_name_without_an_ending_is_given_one_that_opens() {
         );
     }
     assert_eq!(
-        window.state().state().document.origin,
+        window.state().state().session.document().origin,
         Origin::File(folder.0.join("version.2.toml"))
     );
 }
@@ -326,10 +326,10 @@ fn work_is_offered_again_after_a_window_that_was_not_closed() {
     let looked_at = |window: &Window| {
         let state = window.state().state();
         (
-            state.probe,
-            state.line,
-            state.panes.active,
-            state.appearance.view,
+            state.window.probe,
+            state.window.line,
+            state.session.panes.active,
+            state.window.appearance.view,
         )
     };
     let before = looked_at(&first);
@@ -347,7 +347,10 @@ fn work_is_offered_again_after_a_window_that_was_not_closed() {
     assert!(wait(&mut third, |window| scene(window).material.n == 7.0));
     assert_eq!(looked_at(&third), before);
     let state = third.state().state();
-    assert!(state.modified() && state.document.origin == Origin::BuiltIn("torus".to_owned()));
+    assert!(
+        state.session.modified()
+            && state.session.document().origin == Origin::BuiltIn("torus".to_owned())
+    );
     assert_eq!(
         kept(&mut third, &folder),
         ["0.toml", "1.toml"],
@@ -402,10 +405,10 @@ fn a_model_is_restored_from_its_place_or_named_as_missing() {
     let looked_at = |window: &Window| {
         let state = window.state().state();
         (
-            state.probe,
-            state.line,
-            state.panes.active,
-            state.appearance.view,
+            state.window.probe,
+            state.window.line,
+            state.session.panes.active,
+            state.window.appearance.view,
         )
     };
     let before = looked_at(&first);
@@ -429,7 +432,7 @@ fn a_model_is_restored_from_its_place_or_named_as_missing() {
     let mut third = keeping("sphere", &folder.0);
     press(&mut third, "Restore");
     assert!(wait(&mut third, |window| scene(window).material.n == 7.0));
-    assert!(third.state().state().document.model.is_some());
+    assert!(third.state().state().session.document().model.is_some());
 }
 
 #[test]
@@ -443,9 +446,9 @@ fn undo_reaches_across_opening_another_scene() {
     let state = |window: &Window| {
         let state = window.state().state();
         (
-            state.document.origin.name(),
-            state.modified(),
-            state.opened.material.n,
+            state.session.document().origin.name(),
+            state.session.modified(),
+            state.session.opened().material.n,
         )
     };
     let next = state(&window);
@@ -464,7 +467,7 @@ fn undo_reaches_across_opening_another_scene() {
         window.run();
     }
     assert_eq!(state(&window), next);
-    let recent = &window.state().state().appearance.recent;
+    let recent = &window.state().state().window.appearance.recent;
     assert_eq!(
         recent,
         &[folder.0.join("ball.toml")],
@@ -496,7 +499,7 @@ fn the_form_of_an_export_has_usual_sizes_and_keeps_proportions() {
     assert_eq!(sides(&window), ["2", "1"]);
     press(&mut window, "Window");
     let [width, height] = sides(&window).map(|side| side.parse::<u32>().expect("a number"));
-    assert_eq!([width, height], window.state().state().room);
+    assert_eq!([width, height], window.state().state().window.room);
 }
 
 /// Set for the run of this program without a desktop.
@@ -543,7 +546,7 @@ fn browse_without_a_desktop() {
     fill_in(&mut window, &folder.path("cube.toml"), "Open");
     let opened = Origin::File(folder.0.join("cube.toml"));
     assert!(wait(&mut window, |window| {
-        window.state().state().document.origin == opened
+        window.state().state().session.document().origin == opened
     }));
     // Wherever a path is asked for.
     window.key_press_modifiers(SAVE_AS.0, SAVE_AS.1);

@@ -16,7 +16,10 @@ fn opened(name: &str) -> Harness<'static, App> {
     harness.key_press(Key::Num3);
     harness.run();
     open_view(&mut harness, "Scan line");
-    assert_eq!(harness.state().state().appearance.view, ViewName::ScanLine);
+    assert_eq!(
+        harness.state().state().window.appearance.view,
+        ViewName::ScanLine
+    );
     harness
 }
 
@@ -24,6 +27,7 @@ fn step(harness: &Harness<'_, App>) -> usize {
     harness
         .state()
         .state()
+        .window
         .own
         .get::<ScanView>()
         .expect("the tab is shown")
@@ -34,6 +38,7 @@ fn shown<'h>(harness: &'h Harness<'_, App>) -> &'h Scan {
     harness
         .state()
         .state()
+        .window
         .own
         .get::<ScanView>()
         .expect("the tab is shown")
@@ -106,6 +111,7 @@ fn it_plays_until_the_end_and_asks_for_frames_only_then() {
             && harness
                 .state()
                 .state()
+                .window
                 .own
                 .get::<ScanView>()
                 .expect("the tab is shown")
@@ -125,6 +131,7 @@ fn it_plays_until_the_end_and_asks_for_frames_only_then() {
         !harness
             .state()
             .state()
+            .window
             .own
             .get::<ScanView>()
             .expect("the tab is shown")
@@ -218,6 +225,7 @@ fn what_is_shown_is_the_scan_of_the_polygon_under_the_probe() {
         harness
             .state()
             .state()
+            .window
             .own
             .get::<ScanView>()
             .expect("the tab is shown")

@@ -98,12 +98,15 @@ fn one_finger_turns_two_zoom_and_shift() {
 fn a_long_press_sets_the_probe() {
     let mut harness = window("sphere");
     let at = picture_place(&harness).center() + vec2(30.0, 20.0);
-    let before = (harness.state().state().probe, scene(&harness).clone());
+    let before = (
+        harness.state().state().window.probe,
+        scene(&harness).clone(),
+    );
     touch(&mut harness, 0, TouchPhase::Start, at);
     // A frame of a window without a screen takes a quarter of a second.
     (0..8).for_each(|_| harness.step());
     touch(&mut harness, 0, TouchPhase::End, at);
-    assert_ne!(harness.state().state().probe, before.0);
+    assert_ne!(harness.state().state().window.probe, before.0);
     assert_eq!(*scene(&harness), before.1, "the camera stays");
 }
 

@@ -50,8 +50,6 @@ course-curve-whole = Draw the curve over the whole width.
 course-curve-clear = Clear
 course-curve-yours = — yours
 course-curve-right = — right
-# The word by which the text of a lesson speaks of it, in lower case.
-course-probe = probe
 course-mark-yours = yours
 course-mark-right = right
 

@@ -50,8 +50,6 @@ course-curve-whole = 請把曲線畫滿整個寬度。
 course-curve-clear = 清除
 course-curve-yours = — 你的
 course-curve-right = — 正確
-# The word by which the text of a lesson speaks of it, in lower case.
-course-probe = 探測點
 course-mark-yours = 你的
 course-mark-right = 正確
 

@@ -1,11 +1,13 @@
 //! The lights: which there are, and the one chosen.
 
-use crate::app::action::Action;
-use crate::app::focus::{named, switch_named};
-use crate::app::row::{View, parameter_with, swatch};
-use crate::app::sampling::Finding;
-use crate::app::state::AppState;
-use crate::app::symbol::{Lit, Symbol};
+use super::row::{View, parameter_with, swatch};
+use super::sampling::{Finding, Sampling};
+use crate::app::session::Session;
+use crate::app::session::action::Action;
+use crate::app::session::action::Requests;
+use crate::app::session::window::WindowState;
+use crate::app::widgets::focus::{named, switch_named};
+use crate::app::widgets::symbol::{self, Symbol};
 use crate::scene::light::{
     ATTENUATION, C1, C2, C3, COLOR, CONE, DIRECTION, EXPONENT, EXTENT, K, KIND, NAME, POSITION,
     RADIUS, SAMPLES, SHAPE, SOFTNESS, viewer_far,
@@ -23,17 +25,20 @@ use glam::DVec3;
 const SIGN: f32 = 16.0;
 
 /// A line for each light, and the rows of the chosen one; what its kind and its shape do not use is not shown.
-pub fn lights_ui(ui: &mut Ui, state: &mut AppState) {
-    list_ui(ui, state);
-    let (
-        index,
-        AppState {
-            shown,
-            lit,
-            sampling,
-            ..
-        },
-    ) = (state.light, state);
+pub fn lights_ui(
+    ui: &mut Ui,
+    session: &mut Session,
+    window: &mut WindowState,
+    requests: &mut Requests,
+) {
+    list_ui(ui, session, requests);
+    let Session {
+        shown,
+        initial,
+        light,
+        ..
+    } = session;
+    let index = *light;
     let (scene, view) = (
         &mut shown.scene,
         View {
@@ -45,31 +50,33 @@ pub fn lights_ui(ui: &mut Ui, state: &mut AppState) {
         ui.label(RichText::new(text!("lights-none")).weak());
         return;
     }
-    parameter_with(ui, lit, scene, &NAME, &view);
-    kind_ui(ui, lit, scene, index);
+    parameter_with(ui, initial, scene, &NAME, &view);
+    kind_ui(ui, initial, scene, index);
     for row in [
         &POSITION, &DIRECTION, &CONE, &EXPONENT, &SOFTNESS, &SHAPE, &EXTENT, &RADIUS, &SAMPLES,
     ] {
         if (row.idle)(scene, index).is_none() {
-            parameter_with(ui, lit, scene, row, &view);
+            parameter_with(ui, initial, scene, row, &view);
         }
     }
     let Light { kind, samples, .. } = scene.lights[index];
     if kind == LightKind::Area {
+        let mut sampling: Sampling = window.own.take();
         let text = error_text(sampling.ask(ui.ctx(), shown, index), samples);
+        window.own.put(sampling);
         ui.label(RichText::new(text).weak())
             .on_hover_text(text!("lights-sampling.tip"));
     }
     let scene = &mut shown.scene;
-    parameter_with(ui, lit, scene, &COLOR, &view);
-    parameter_with(ui, lit, scene, &ATTENUATION, &view);
+    parameter_with(ui, initial, scene, &COLOR, &view);
+    parameter_with(ui, initial, scene, &ATTENUATION, &view);
     let constants: &[_] = match scene.lights[index].attenuation {
         Attenuation::Viewer | Attenuation::Light => &[&K],
         Attenuation::Quadratic => &[&C1, &C2, &C3],
         Attenuation::None | Attenuation::InverseSquare => &[],
     };
     for row in constants {
-        parameter_with(ui, lit, scene, row, &view);
+        parameter_with(ui, initial, scene, row, &view);
     }
     if viewer_far(scene, index) {
         ui.label(RichText::new(text!("lights-viewer-far")).weak());
@@ -77,33 +84,33 @@ pub fn lights_ui(ui: &mut Ui, state: &mut AppState) {
 }
 
 /// One line a light, and what adds and doubles them.
-fn list_ui(ui: &mut Ui, state: &mut AppState) {
-    let lit = state.lit.now == Some(Symbol::Lights);
-    let soloing = state.shown.scene.soloing();
+fn list_ui(ui: &mut Ui, session: &mut Session, requests: &mut Requests) {
+    let lit = symbol::is_lit(ui.ctx(), Symbol::Lights);
+    let soloing = session.shown.scene.soloing();
     let mut removed = None;
-    for (index, light) in state.shown.scene.lights.iter_mut().enumerate() {
+    for (index, light) in session.shown.scene.lights.iter_mut().enumerate() {
         let shines = light.shines(soloing);
-        let action = line_ui(ui, index, light, shines, state.light == index, lit);
+        let action = line_ui(ui, index, light, shines, session.light == index, lit);
         match action {
-            Some(LineAction::Choose) => state.light = index,
+            Some(LineAction::Choose) => session.light = index,
             Some(LineAction::Remove) => removed = Some(index),
             None => {}
         }
     }
     if let Some(index) = removed {
-        state.shown.scene.lights.remove(index);
-        state.light -= usize::from(state.light > index);
-        state.keep_chosen();
+        session.shown.scene.lights.remove(index);
+        session.light -= usize::from(session.light > index);
+        session.keep_chosen();
     }
     ui.horizontal(|ui| {
         if ui.button(text!("lights-add")).clicked() {
-            state.ask(Action::AddLight(moderate(&state.shown.scene)));
+            requests.ask(Action::AddLight(moderate(&session.shown.scene)));
         }
-        let chosen = state.shown.scene.lights.get(state.light).cloned();
+        let chosen = session.shown.scene.lights.get(session.light).cloned();
         let button = Button::new(text!("lights-duplicate"));
         let duplicated = ui.add_enabled(chosen.is_some(), button).clicked();
         if let Some(light) = chosen.filter(|_| duplicated) {
-            state.ask(Action::AddLight(light));
+            requests.ask(Action::AddLight(light));
         }
     });
 }
@@ -247,12 +254,12 @@ fn sign_of(ui: &Ui, at: Pos2, light: &Light, shines: bool) {
     }
 }
 
-fn kind_ui(ui: &mut Ui, lit: &mut Lit, scene: &mut Scene, index: usize) {
+fn kind_ui(ui: &mut Ui, initial: &Scene, scene: &mut Scene, index: usize) {
     let target = scene.camera.target;
     let before = scene.lights.get(index).is_some_and(Light::has_direction);
     parameter_with(
         ui,
-        lit,
+        initial,
         scene,
         &KIND,
         &View {

@@ -1,14 +1,15 @@
 //! The object: its shape, how finely it is made of polygons or the polygons themselves, and its vertex normals.
 
-use crate::app::action::Action;
-use crate::app::engine::Engine;
-use crate::app::handles::{MOST as MOST_HANDLES, go};
-use crate::app::plan::grouped;
-use crate::app::row::{
+use super::row::{
     About, NumberRow, SliderRange, View, axes, number, parameter, parameter_with, value_row, whole,
 };
-use crate::app::state::AppState;
-use crate::app::symbol::{Lit, Symbol};
+use super::vertices::{MOST_HANDLES, move_vertex};
+use crate::analysis::grouped;
+use crate::app::engine::Engine;
+use crate::app::session::Session;
+use crate::app::session::action::Action;
+use crate::app::session::action::Requests;
+use crate::app::widgets::symbol::Symbol;
 use crate::geometry::{divisions_for, triangles};
 use crate::scene::object::{FIT, KIND, NORMALS, RINGS, SEGMENTS, WEIGHTING, polygons_unused};
 use crate::scene::{ChoiceOption, NormalSource, Object, ObjectKind, Scene};
@@ -19,17 +20,17 @@ use eframe::egui::{RichText, Ui};
 const SLIDER: f64 = 1e6;
 const MOST: f64 = 4e6;
 
-pub fn object_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
-    let AppState {
+/// Shows the rows of the object.
+pub fn object_ui(ui: &mut Ui, session: &mut Session, requests: &mut Requests, engine: &Engine) {
+    let Session {
         shown,
-        lit,
+        initial,
         vertex,
-        asked,
         ..
-    } = state;
+    } = session;
     let report = engine.report();
     let before = shown.scene.object.kind;
-    parameter(ui, lit, &mut shown.scene, &KIND);
+    parameter(ui, initial, &mut shown.scene, &KIND);
     let object = &mut shown.scene.object;
     let kind = object.kind;
     if kind == ObjectKind::Polygons && before != kind {
@@ -37,7 +38,7 @@ pub fn object_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
     }
     if kind == ObjectKind::Obj && shown.model.is_none() {
         object.kind = before;
-        asked.push(Action::Open);
+        requests.ask(Action::Open);
     }
     // Another shape may need more of them.
     (object.segments, object.rings) = (
@@ -53,19 +54,19 @@ pub fn object_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
             ui.horizontal(|ui| {
                 ui.label(RichText::new(name).weak());
                 if ui.button(text!("lights-model-open")).clicked() {
-                    asked.push(Action::Open);
+                    requests.ask(Action::Open);
                 }
             });
-            parameter(ui, lit, &mut shown.scene, &FIT);
+            parameter(ui, initial, &mut shown.scene, &FIT);
         }
-        ObjectKind::Polygons => polygons_ui(ui, lit, vertex, object),
+        ObjectKind::Polygons => polygons_ui(ui, vertex, object),
         _ => {
             if kind != ObjectKind::Corrugated {
                 let idle = polygons_unused(&shown.scene, 0);
-                triangles_ui(ui, lit, idle, &mut shown.scene.object);
+                triangles_ui(ui, initial, idle, &mut shown.scene.object);
             }
-            parameter(ui, lit, &mut shown.scene, &SEGMENTS);
-            parameter(ui, lit, &mut shown.scene, &RINGS);
+            parameter(ui, initial, &mut shown.scene, &SEGMENTS);
+            parameter(ui, initial, &mut shown.scene, &RINGS);
         }
     }
     let [faces, vertices, triangles] =
@@ -76,7 +77,7 @@ pub fn object_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
     let scene = &mut shown.scene;
     parameter_with(
         ui,
-        lit,
+        initial,
         scene,
         &NORMALS,
         &View {
@@ -85,7 +86,7 @@ pub fn object_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
         },
     );
     if scene.object.normal_source() == NormalSource::Averaged {
-        parameter(ui, lit, scene, &WEIGHTING);
+        parameter(ui, initial, scene, &WEIGHTING);
     }
 }
 
@@ -107,10 +108,10 @@ fn has_normals(scene: &Scene, source: &ChoiceOption) -> bool {
 }
 
 /// One slider for segments and rings together.
-fn triangles_ui(ui: &mut Ui, lit: &mut Lit, idle: Option<&str>, object: &mut Object) {
+fn triangles_ui(ui: &mut Ui, initial: &Scene, idle: Option<&str>, object: &mut Object) {
     let plain = Object {
-        segments: lit.opened.object.segments,
-        rings: lit.opened.object.rings,
+        segments: initial.object.segments,
+        rings: initial.object.rings,
         ..object.clone()
     };
     let [segments, rings] = divisions_for(object.kind, 0);
@@ -135,7 +136,6 @@ fn triangles_ui(ui: &mut Ui, lit: &mut Lit, idle: Option<&str>, object: &mut Obj
     let mut wanted = now;
     number(
         ui,
-        lit,
         &NumberRow {
             about,
             range,
@@ -155,7 +155,7 @@ fn triangles_ui(ui: &mut Ui, lit: &mut Lit, idle: Option<&str>, object: &mut Obj
 }
 
 /// The scene's own polygons: how many there are, how they are edited, and the chosen vertex in numbers.
-fn polygons_ui(ui: &mut Ui, lit: &mut Lit, vertex: &mut usize, object: &mut Object) {
+fn polygons_ui(ui: &mut Ui, vertex: &mut usize, object: &mut Object) {
     let polygons = object.polygons();
     let count = polygons.vertices.len();
     let faces = polygons.faces.len();
@@ -183,7 +183,6 @@ fn polygons_ui(ui: &mut Ui, lit: &mut Lit, vertex: &mut usize, object: &mut Obje
     };
     whole(
         ui,
-        lit,
         &NumberRow {
             about,
             range,
@@ -199,10 +198,10 @@ fn polygons_ui(ui: &mut Ui, lit: &mut Lit, vertex: &mut usize, object: &mut Obje
         ..About::default()
     };
     let mut to = at;
-    value_row(ui, lit, &about, at, &mut to, |ui, to| {
+    value_row(ui, &about, at, &mut to, |ui, to| {
         axes(ui, about.name, to);
     });
     if to != at {
-        go(object, number, to, f64::MIN_POSITIVE);
+        move_vertex(object, number, to, f64::MIN_POSITIVE);
     }
 }

@@ -1,16 +1,18 @@
 //! What the window remembers of the course: the lesson that is open, and what was answered.
 
+use super::glide::Glide;
+use super::kinds::{Widget, widget_of};
 use super::marking::HandedIn;
 use super::work::{Prepare, Prepared};
-use crate::app::appearance::Overlays;
-use crate::app::document::CoursePart;
+use crate::app::session::appearance::Overlays;
+use crate::app::session::document::CoursePart;
 use crate::jobs::Background;
 use crate::lesson::{
-    Answer, Answered, CURVE_POINTS, Grade, Kind, LESSONS, Lab, Lesson, Question, Record, Solution,
-    Staged, Step, are_there, find, value_of,
+    Answer, Answered, Grade, LESSONS, Lab, Lesson, Question, Record, Solution, Staged, Step,
+    are_there, find,
 };
 use crate::scene::Scene;
-use crate::text::{Language, in_language, language, text};
+use crate::text::{Language, language, text};
 use egui_commonmark::CommonMarkCache;
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
@@ -36,6 +38,8 @@ pub struct Course {
     pub list: Option<(Language, Vec<Listed>)>,
     /// How many lessons were opened so far.
     pub openings: u64,
+    /// The way to the scene of a step.
+    pub gliding: Option<Glide>,
 }
 
 impl Default for Course {
@@ -48,6 +52,7 @@ impl Default for Course {
             seed: 1,
             list: None,
             openings: 0,
+            gliding: None,
         }
     }
 }
@@ -110,23 +115,14 @@ pub struct Open {
 }
 
 /// An answer that is being made.
-#[derive(Clone, Debug, Default)]
+#[derive(Default)]
 pub struct Draft {
-    pub choice: Option<usize>,
-    /// As typed.
-    pub value: String,
-    /// From the picture's middle, in units of its shorter side.
-    pub point: Option<DVec2>,
-    pub curve: Vec<Option<f64>>,
-    /// The place on a curve that the keys are at.
-    pub cursor: usize,
-    pub order: Vec<usize>,
+    /// The question's widget, with the answer; none where nothing is asked.
+    pub widget: Option<Box<dyn Widget>>,
     /// What the last check said; gone once the answer changes.
     pub grade: Option<Grade>,
     /// When the question was first seen, seconds.
     pub seen: Option<f64>,
-    /// Where the pointer is on a profile, from 0 to 1.
-    pub along: Option<f64>,
     /// Whether the step is to be scrolled to its begin.
     pub fresh: bool,
     /// Where the question begins, points from the top of the window.
@@ -142,52 +138,12 @@ pub struct Draft {
 impl Draft {
     /// The draft for a question, from the answer that was given before.
     fn new(question: Option<&Question>, answered: Option<&Answered>, seed: u64) -> Self {
-        let mut draft = Self {
-            curve: vec![None; CURVE_POINTS],
-            cursor: CURVE_POINTS / 2,
+        let given = answered.map(|answered| &answered.answer);
+        Self {
+            widget: question.map(|question| widget_of(&question.kind, given, seed)),
             fresh: true,
             ..Self::default()
-        };
-        if let Some(Kind::Order(order)) = question.map(|question| &question.kind) {
-            // In another order than the lesson has them.
-            let count = order.items.len();
-            let turn = seed as usize % count.max(1);
-            draft.order = (0..count).rev().map(|item| (item + turn) % count).collect();
         }
-        match answered.map(|answered| &answered.answer) {
-            Some(Answer::Choice(choice)) => draft.choice = Some(*choice),
-            Some(Answer::Value(value)) => draft.value = value.to_string(),
-            Some(Answer::Point(point)) => draft.point = Some(DVec2::from_array(*point)),
-            Some(Answer::Curve(curve)) => draft.curve.clone_from(curve),
-            Some(Answer::Order(order)) => draft.order.clone_from(order),
-            Some(Answer::Settings(_) | Answer::Match(_)) | None => {}
-        }
-        draft
-    }
-
-    /// The answer, where there is a whole one; `scene` is that of the window.
-    pub fn answer(
-        &self,
-        kind: &Kind,
-        scene: &Scene,
-        number: impl Fn(&str) -> Option<f64>,
-    ) -> Option<Answer> {
-        let answer = match kind {
-            Kind::Choice(_) => Answer::Choice(self.choice?),
-            Kind::Value(_) => Answer::Value(number(&self.value)?),
-            Kind::Point(_) => Answer::Point(self.point?.to_array()),
-            Kind::Curve(_) => {
-                let drawn = self.curve.iter().flatten().count();
-                (10 * drawn >= 9 * CURVE_POINTS).then(|| Answer::Curve(self.curve.clone()))?
-            }
-            Kind::Settings(kind) => Answer::Settings(value_of(scene, &kind.control).ok()?),
-            Kind::Order(_) => Answer::Order(self.order.clone()),
-            Kind::Match(kind) => {
-                let values = kind.controls.iter().map(|key| value_of(scene, key).ok());
-                Answer::Match(values.collect::<Option<_>>()?)
-            }
-        };
-        answer.fits(kind).then_some(answer)
     }
 }
 
@@ -217,13 +173,14 @@ impl Open {
     }
 
     pub fn solution(&self) -> Option<&Solution> {
-        self.known()?
-            .as_ref()
-            .ok()?
-            .solution
-            .as_ref()?
-            .as_ref()
-            .ok()
+        self.known()?.as_ref().ok()?.right()
+    }
+
+    /// Returns the answer, where there is a whole one; `scene` is that of the window.
+    pub fn answer(&self, scene: &Scene) -> Option<Answer> {
+        let question = self.question()?;
+        let answer = self.draft.widget.as_ref()?.answer(question, scene)?;
+        answer.fits(&question.kind).then_some(answer)
     }
 
     /// How right an answer is.
@@ -388,6 +345,16 @@ impl Course {
         self.open.as_ref().filter(|open| open.in_view)
     }
 
+    /// Whether the picture is that of a lesson's step.
+    pub fn shows_step(&self) -> bool {
+        self.in_view().is_some()
+    }
+
+    /// Whether a lesson is open whose step is not what is shown.
+    pub fn has_left_lesson(&self) -> bool {
+        self.open.as_ref().is_some_and(Open::is_left)
+    }
+
     /// Whether numbers are hidden until the question is answered.
     pub fn hides(&self) -> bool {
         let hides = |open: &Open| open.current().stage.hide && open.question().is_some();
@@ -403,13 +370,16 @@ impl Course {
     /// The place that the student has marked in the picture.
     pub fn mark(&self) -> Option<DVec2> {
         let open = self.in_view()?;
-        open.draft.point.filter(|_| open.asks_place())
+        open.draft.widget.as_ref()?.mark()
     }
 
     /// Marks a place in the picture.
     pub fn put_mark(&mut self, place: DVec2) {
-        if let Some(open) = &mut self.open {
-            (open.draft.point, open.draft.grade) = (Some(place), None);
+        if let Some(open) = &mut self.open
+            && let Some(widget) = &mut open.draft.widget
+        {
+            widget.put_mark(place);
+            open.draft.grade = None;
         }
     }
 
@@ -426,12 +396,14 @@ impl Course {
     pub fn line(&self) -> Option<([DVec2; 2], Option<f64>)> {
         let open = self.in_view()?;
         let line = open.staged.as_ref()?.shown.line?;
-        let drawn = match open.question().map(|question| &question.kind) {
-            Some(Kind::Curve(curve)) => curve.of.is_profile(),
-            _ => false,
-        };
+        let drawn = open
+            .question()
+            .is_some_and(|question| question.kind.asks().follows_line());
         let named = open.current().stage.overlays.contains(&"profile");
-        (drawn || named).then_some((line, open.draft.along.filter(|_| drawn)))
+        (drawn || named).then_some((
+            line,
+            open.draft.widget.as_ref().and_then(|widget| widget.along()),
+        ))
     }
 
     /// Whether the edges of polygons are drawn over the picture.
@@ -440,24 +412,12 @@ impl Course {
         self.in_view().is_some_and(shows)
     }
 
-    /// Whether the step speaks of the probe, in either language, so that its place is marked without vectors too. Where a place
-    /// is asked for, a mark would look like an answer.
+    /// Returns whether the step's numbers or its answer are taken at the probe, so that its place is marked without vectors too. Where
+    /// a place is asked for, a mark would look like an answer.
     pub fn shows_probe(&self) -> bool {
-        let Some(open) = self.in_view() else {
-            return false;
-        };
-        let Some(Ok(known)) = open.known() else {
-            return false;
-        };
-        let speaks = |language: Language| {
-            let word = in_language(language, || text!("course-probe"));
-            [&known.text, &known.ask]
-                .iter()
-                .any(|words| words.to_lowercase().contains(word))
-        };
-        open.current().stage.probe.is_some()
-            && !open.asks_place()
-            && Language::ALL.into_iter().any(speaks)
+        let at_probe = |open: &Open| matches!(open.known(), Some(Ok(known)) if known.at_probe);
+        self.in_view()
+            .is_some_and(|open| at_probe(open) && !open.asks_place())
     }
 
     /// The lesson that is open, or that was answered last, with its answers, where there are any.

@@ -1,10 +1,11 @@
 //! The edges of the polygons over the picture, where a step is about them.
 
 use crate::analysis::NormalField;
+use crate::app::course::Course;
 use crate::app::engine::Engine;
-use crate::app::lines::line;
-use crate::app::place::Place;
-use crate::app::state::AppState;
+use crate::app::session::place::Place;
+use crate::app::session::window::WindowState;
+use crate::app::widgets::lines::line;
 use crate::scene::View;
 use eframe::egui::{Color32, Painter, Stroke};
 use glam::DVec2;
@@ -17,21 +18,21 @@ const MOST: usize = 6000;
 struct Edges(Option<NormalField>);
 
 /// Takes the polygons of the picture, where a step shows their edges.
-pub fn watch(state: &mut AppState, engine: &Engine) {
-    if state.course.shows_edges() {
-        let mut edges: Edges = state.own.take();
+pub fn watch(window: &mut WindowState, course: &Course, engine: &Engine) {
+    if course.shows_edges() {
+        let mut edges: Edges = window.own.take();
         engine.update_field(&mut edges.0);
-        state.own.put(edges);
+        window.own.put(edges);
     }
 }
 
 /// Draws the outlines of the polygons that face the eye, white on dark, so that they show on any picture.
-pub fn paint(painter: &Painter, state: &AppState, view: &View, place: Place) {
-    let known: Option<&Edges> = state.own.get();
+pub fn paint(painter: &Painter, window: &WindowState, course: &Course, view: &View, place: Place) {
+    let known: Option<&Edges> = window.own.get();
     let Some(field) = known.and_then(|edges| edges.0.as_ref()) else {
         return;
     };
-    if !state.course.shows_edges() || field.face_count() > MOST {
+    if !course.shows_edges() || field.face_count() > MOST {
         return;
     }
     let faces = u32::try_from(field.face_count()).unwrap_or(0);
@@ -57,7 +58,7 @@ pub fn paint(painter: &Painter, state: &AppState, view: &View, place: Place) {
     }
 }
 
-/// Whether corners go round counter-clockwise, as those of a polygon do that turns its front to the eye.
+/// Returns whether corners go round counter-clockwise, as those of a polygon do that turns its front to the eye.
 fn faces_eye(points: &[DVec2]) -> bool {
     let next = points.iter().cycle().skip(1);
     let area: f64 = points.iter().zip(next).map(|(a, b)| a.perp_dot(*b)).sum();

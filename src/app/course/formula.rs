@@ -1,6 +1,6 @@
 //! Formulas in the text of lessons: `K_a·I_a`, `(R·V)^n`, `cos θ`. Letters that the window knows are those of the equation.
 
-use crate::app::typeset::{Piece, letter};
+use crate::app::widgets::typeset::{Piece, letter};
 use crate::figure::{Base, Formula, Item};
 use eframe::egui::Visuals;
 
@@ -86,8 +86,8 @@ fn named(visuals: &Visuals, name: &str, low: String) -> Piece {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::symbol::Symbol;
-    use crate::app::typeset::spoken;
+    use crate::app::widgets::symbol::Symbol;
+    use crate::app::widgets::typeset::spoken;
     use crate::lesson::LESSONS;
     use crate::text::Language;
 

@@ -4,7 +4,7 @@ use crate::scene::Scene;
 use eframe::egui::{Context, Event};
 use glam::{DVec3, FloatExt as _};
 
-/// How long it takes, seconds.
+/// The time that it takes, seconds.
 const DURATION: f64 = 0.5;
 
 /// A change that is on its way.
@@ -16,7 +16,7 @@ pub struct Glide {
 }
 
 impl Glide {
-    /// The way between two scenes with the same object, where camera, lights or n differ.
+    /// Finds the way between two scenes with the same object, where camera, lights or n differ.
     pub fn between(from: &Scene, to: &Scene) -> Option<Self> {
         let same = from.object == to.object
             && from.lights.len() == to.lights.len()
@@ -31,7 +31,7 @@ impl Glide {
         })
     }
 
-    /// The scene that is shown now, and whether it is the last: at once where nothing is to move on its own or somebody does
+    /// Returns the scene that is shown now, and whether it is the last: at once where nothing is to move on its own or somebody does
     /// something.
     pub fn now(&mut self, ctx: &Context) -> (Scene, bool) {
         let now = ctx.input(|input| input.time);
@@ -45,7 +45,7 @@ impl Glide {
         }
     }
 
-    /// The scene at a share of the way. All that does not move is as it is at the end.
+    /// Returns the scene at a fraction of the way. All that does not move is as it is at the end.
     fn at(&self, share: f64) -> Scene {
         let mut scene = self.to.clone();
         if share >= 1.0 {
@@ -71,7 +71,7 @@ impl Glide {
     }
 }
 
-/// A vector on its way round to another.
+/// Turns a vector a fraction of the way to another.
 fn turned(from: DVec3, to: DVec3, share: f64) -> DVec3 {
     if from == DVec3::ZERO || to == DVec3::ZERO {
         return to;
@@ -79,7 +79,7 @@ fn turned(from: DVec3, to: DVec3, share: f64) -> DVec3 {
     from.slerp(to, share)
 }
 
-/// Whether there is more than a pointer that moves or something that is let go.
+/// Returns whether there is more input than a pointer that moves or something that is let go.
 fn is_in_use(ctx: &Context) -> bool {
     let passes = |event: &Event| {
         matches!(

@@ -4,10 +4,10 @@ use super::data::Course;
 use super::marking::{HandedIn, Marked, MarkedAnswer, MarkedQuestion, Marking};
 use super::parts::{cross, error_ui, right_colour, waiting_ui};
 use super::prose::prose_ui;
-use crate::app::background::wake;
-use crate::app::focus::{keep_in_sight, named};
-use crate::app::sign::tick;
-use crate::app::state::AppState;
+use crate::app::session::Session;
+use crate::app::widgets::background::wake;
+use crate::app::widgets::focus::{keep_in_sight, named};
+use crate::app::widgets::sign::tick;
 use crate::lesson::HandIn;
 use crate::text::text;
 use eframe::egui::accesskit::Role;
@@ -25,7 +25,7 @@ const LABEL: f32 = 84.0;
 const DAY: f64 = 86_400.0;
 
 /// The answers, with what is known of their marks.
-pub fn handed_in_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState) {
+pub fn handed_in_ui(ui: &mut Ui, course: &mut Course, session: &Session) {
     let own = course.own.clone();
     let Some(handed_in) = &mut course.handed_in else {
         return;
@@ -39,7 +39,7 @@ pub fn handed_in_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState) {
             ui.set_max_width(ui.available_width() - 4.0);
             match &*answers {
                 Err(why) => {
-                    ui.heading(state.document.origin.name());
+                    ui.heading(session.document().origin.name());
                     error_ui(ui, &text!("course-answers-void", why = why.to_string()));
                 }
                 Ok(answers) => {
@@ -51,8 +51,8 @@ pub fn handed_in_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState) {
                     {
                         work.start(marking, wake(ui.ctx()));
                     }
-                    head_ui(ui, state, answers, handed_in);
-                    body_ui(ui, state, handed_in);
+                    head_ui(ui, session, answers, handed_in);
+                    body_ui(ui, handed_in);
                 }
             }
             ui.add_space(8.0);
@@ -61,9 +61,9 @@ pub fn handed_in_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState) {
 }
 
 /// By whom, to which lesson, and how many answers are right.
-fn head_ui(ui: &mut Ui, state: &AppState, answers: &HandIn, handed_in: &HandedIn) {
+fn head_ui(ui: &mut Ui, session: &Session, answers: &HandIn, handed_in: &HandedIn) {
     let marked = handed_in.work.answer();
-    let file = state.document.origin.name();
+    let file = session.document().origin.name();
     let name = Some(&answers.name).filter(|name| !name.is_empty());
     ui.heading(name.unwrap_or(&file));
     let title = marked.map_or(&answers.title, |marked| &marked.title);
@@ -79,7 +79,7 @@ fn head_ui(ui: &mut Ui, state: &AppState, answers: &HandIn, handed_in: &HandedIn
     ui.add_space(6.0);
 }
 
-fn body_ui(ui: &mut Ui, state: &mut AppState, handed_in: &mut HandedIn) {
+fn body_ui(ui: &mut Ui, handed_in: &mut HandedIn) {
     let HandedIn { work, markdown, .. } = handed_in;
     match work.known() {
         None => waiting_ui(ui, text!("course-answers-marking")),
@@ -87,7 +87,7 @@ fn body_ui(ui: &mut Ui, state: &mut AppState, handed_in: &mut HandedIn) {
         Some(Ok(marked)) => {
             for (index, question) in marked.questions.iter().enumerate() {
                 ui.push_id(index, |ui| {
-                    question_ui(ui, state, markdown, index + 1, question);
+                    question_ui(ui, markdown, index + 1, question);
                 });
                 ui.add_space(4.0);
             }
@@ -98,7 +98,6 @@ fn body_ui(ui: &mut Ui, state: &mut AppState, handed_in: &mut HandedIn) {
 /// A card: what was asked, what was answered, whether that is right, and what is.
 fn question_ui(
     ui: &mut Ui,
-    state: &mut AppState,
     markdown: &mut CommonMarkCache,
     number: usize,
     question: &MarkedQuestion,
@@ -122,7 +121,7 @@ fn question_ui(
         if let Some(failure) = &question.failure {
             error_ui(ui, failure);
         }
-        ui.push_id("ask", |ui| prose_ui(ui, state, markdown, &question.ask));
+        ui.push_id("ask", |ui| prose_ui(ui, markdown, &question.ask));
         ui.add_space(4.0);
         let given = question.given.as_ref();
         let right = given.is_some_and(|given| given.grade.is_some_and(|grade| grade.right));
@@ -138,7 +137,7 @@ fn question_ui(
             (text!("course-answers-solution"), solution),
         ] {
             if let Some(words) = words {
-                answer_ui(ui, state, markdown, label, words);
+                answer_ui(ui, markdown, label, words);
             }
         }
     });
@@ -183,19 +182,13 @@ fn how_given(given: &MarkedAnswer) -> String {
     parts.join(" · ")
 }
 
-fn answer_ui(
-    ui: &mut Ui,
-    state: &mut AppState,
-    markdown: &mut CommonMarkCache,
-    label: &str,
-    words: &str,
-) {
+fn answer_ui(ui: &mut Ui, markdown: &mut CommonMarkCache, label: &str, words: &str) {
     ui.horizontal_top(|ui| {
         let height = ui.text_style_height(&eframe::egui::TextStyle::Body);
         ui.allocate_ui(vec2(LABEL, height), |ui| {
             ui.set_width(LABEL);
             ui.label(RichText::new(label).weak());
         });
-        ui.vertical(|ui| ui.push_id(label, |ui| prose_ui(ui, state, markdown, words)));
+        ui.vertical(|ui| ui.push_id(label, |ui| prose_ui(ui, markdown, words)));
     });
 }

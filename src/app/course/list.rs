@@ -1,10 +1,10 @@
 //! The lessons by topic.
 
 use super::data::{Course, Listed};
-use crate::app::action::{Action, Turn};
-use crate::app::focus::named;
-use crate::app::sign::tick;
-use crate::app::state::AppState;
+use crate::app::session::action::Requests;
+use crate::app::session::action::{Action, Turn};
+use crate::app::widgets::focus::named;
+use crate::app::widgets::sign::tick;
 use crate::lesson::{TOPICS, are_there, topic_name};
 use crate::text::text;
 use eframe::egui::accesskit::Role;
@@ -18,7 +18,7 @@ use std::time::Duration;
 const LOADING: Duration = Duration::from_millis(200);
 
 /// Every lesson; a click opens it.
-pub fn list_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState) {
+pub fn list_ui(ui: &mut Ui, course: &mut Course, requests: &mut Requests) {
     let own = course.own.as_deref().map(Listed::of);
     let lessons = course.listed().to_vec();
     ScrollArea::vertical()
@@ -33,7 +33,7 @@ pub fn list_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState) {
             if let Some(own) = &own {
                 ui.label(RichText::new(text!("course-own")).strong());
                 if card_ui(ui, own, course) {
-                    state.ask(Action::Course(Turn::Own));
+                    requests.ask(Action::Course(Turn::Own));
                 }
                 ui.add_space(8.0);
             }
@@ -57,7 +57,7 @@ pub fn list_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState) {
                 ui.label(RichText::new(topic_name(topic)).strong());
                 for lesson in lessons.iter().filter(|lesson| lesson.topic == topic) {
                     if card_ui(ui, lesson, course) {
-                        state.ask(Action::Course(Turn::Open(lesson.name.clone())));
+                        requests.ask(Action::Course(Turn::Open(lesson.name.clone())));
                     }
                 }
                 ui.add_space(8.0);
@@ -66,7 +66,7 @@ pub fn list_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState) {
                 ui.label(text!("course-none"));
             }
             if ui.link(text!("course-open-own")).clicked() {
-                state.ask(Action::Open);
+                requests.ask(Action::Open);
             }
             ui.add_space(8.0);
         });

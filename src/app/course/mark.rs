@@ -1,9 +1,9 @@
-//! What a step draws over the picture: its line, the place that the student has marked, and the right one.
+//! The drawing of a step over the picture: its line, the place that the student has marked, and the right one.
 
-use crate::app::letter::letter;
-use crate::app::palette;
-use crate::app::place::{Place, ProfileLine};
-use crate::app::state::AppState;
+use crate::app::course::Course;
+use crate::app::session::place::{Place, ProfileLine};
+use crate::app::widgets::letter::letter;
+use crate::app::widgets::palette;
 use crate::figure::palette::Vector;
 use crate::text::text;
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Stroke, vec2};
@@ -13,8 +13,8 @@ use glam::DVec2;
 const MARK: f32 = 8.0;
 
 /// Paints it.
-pub fn paint(painter: &Painter, state: &AppState, place: Place, font: &FontId) {
-    let course = &state.course;
+pub fn paint(painter: &Painter, course: &Course, place: Place, font: &FontId) {
+    let course = &course;
     let dark = |width| Stroke::new(width, Color32::from_black_alpha(170));
     let white = |width| Stroke::new(width, Color32::WHITE);
     if let Some((line, along)) = course.line() {
@@ -86,13 +86,13 @@ fn ring(painter: &Painter, at: Pos2, radius: f32, colour: Color32) {
     painter.circle_stroke(at, radius, Stroke::new(3.0, colour));
 }
 
-/// A place in units of the shorter side from the middle, in pixels.
+/// Converts a place in units of the shorter side from the middle to pixels.
 fn pixel(at: DVec2, size: [u32; 2]) -> DVec2 {
     let size = DVec2::from_array(size.map(f64::from));
     size / 2.0 + at * size.min_element()
 }
 
-/// The other way round.
+/// Converts pixels to units of the shorter side from the middle.
 pub fn from_pixel(pixel: DVec2, size: [u32; 2]) -> DVec2 {
     let size = DVec2::from_array(size.map(|side| f64::from(side.max(1))));
     (pixel.clamp(DVec2::ZERO, size) - size / 2.0) / size.min_element()

@@ -1,7 +1,7 @@
 //! Answers that were handed in, graded by the engine in the background.
 
 use crate::analysis::{Codec, Watch};
-use crate::app::document::CoursePart;
+use crate::app::session::document::CoursePart;
 use crate::jobs::{Background, Work};
 use crate::lesson::{
     Answer, ClassQuestion, Given, Grade, HandIn, HandInError, Lesson, Question, are_there,
@@ -18,12 +18,12 @@ pub struct HandedIn {
     pub answers: Arc<Result<HandIn, HandInError>>,
     pub work: Background<Marking>,
     pub markdown: CommonMarkCache,
-    /// Whether the list of lessons is shown in its place.
+    /// The list of lessons is shown in its place.
     pub closed: bool,
 }
 
 impl HandedIn {
-    /// The answers of a document, if it has any.
+    /// Returns the answers of a document, if it has any.
     pub fn of(part: &CoursePart) -> Option<Self> {
         let CoursePart::HandIn(answers) = part else {
             return None;
@@ -36,7 +36,7 @@ impl HandedIn {
         })
     }
 
-    /// Whether it is that of a document.
+    /// Returns whether it is that of a document.
     pub fn is_of(&self, part: &CoursePart) -> bool {
         matches!(part, CoursePart::HandIn(answers) if Arc::ptr_eq(answers, &self.answers))
     }
@@ -54,7 +54,7 @@ pub struct Marking {
 struct LessonText {
     source: String,
     folder: Option<PathBuf>,
-    /// Whether it came inside the hand-in: it may open no file then.
+    /// It came inside the hand-in: it may open no file then.
     foreign: bool,
 }
 
@@ -63,7 +63,7 @@ struct LessonText {
 pub struct Marked {
     /// The lesson's.
     pub title: String,
-    /// How many answers are right.
+    /// The number of right answers.
     pub right: usize,
     pub questions: Vec<MarkedQuestion>,
 }
@@ -92,7 +92,7 @@ pub struct MarkedAnswer {
 }
 
 impl Marking {
-    /// The work of grading `answers`, once the program's lessons are there; `own` is the lesson that was opened from a file.
+    /// Makes the work of grading `answers`, once the program's lessons are there; `own` is the lesson that was opened from a file.
     pub fn of(answers: &HandIn, own: Option<&Lesson>) -> Option<Self> {
         let own = own.filter(|own| answers.is_of(own));
         let found = match own {

@@ -1,6 +1,6 @@
 //! What the parts of a step share.
 
-use crate::app::palette::vector_text;
+use crate::app::widgets::palette::vector_text;
 use crate::figure::palette::Vector;
 use eframe::egui::{Color32, Label, Rect, RichText, Spinner, Stroke, Ui};
 

@@ -1,18 +1,15 @@
 //! The text of lessons: CommonMark, with formulas set as the equation is.
 
 use super::formula::pieces;
-use crate::app::focus::one_stop;
-use crate::app::state::AppState;
-use crate::app::theme::TEXT;
-use crate::app::typeset::{Place, Run, spoken};
+use crate::app::widgets::focus::one_stop;
+use crate::app::widgets::theme::TEXT;
+use crate::app::widgets::typeset::{Place, Run, spoken};
 use crate::lesson::without_closed_links;
 use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Sense, TextStyle, Ui, WidgetInfo, vec2};
 use egui_commonmark::{CommonMarkCache, CommonMarkViewer};
-use std::cell::{Cell, RefCell};
-use std::mem::take;
-use std::rc::Rc;
+use std::cell::Cell;
 
 /// Size of formulas: a little larger than the text, as their small letters need it.
 const FORMULA: f32 = TEXT + 1.0;
@@ -33,33 +30,21 @@ const CLOSING: &[char] = &[
 const BRACKETS: &[char] = &[')', '）', '」'];
 
 /// Shows a text; the letters of its formulas light up what they stand for.
-pub fn prose_ui(ui: &mut Ui, state: &mut AppState, cache: &mut CommonMarkCache, words: &str) {
+pub fn prose_ui(ui: &mut Ui, cache: &mut CommonMarkCache, words: &str) {
     let top = ui.cursor().min;
-    shown_ui(ui, state, cache, words, true);
+    shown_ui(ui, cache, words, true);
     let rect = ui.min_rect();
     one_stop(ui, rect.with_min_y(top.y));
 }
 
 /// Shows a text on a button: its letters do nothing of themselves.
-pub fn caption_ui(ui: &mut Ui, state: &mut AppState, cache: &mut CommonMarkCache, words: &str) {
-    shown_ui(ui, state, cache, words, false);
+pub fn caption_ui(ui: &mut Ui, cache: &mut CommonMarkCache, words: &str) {
+    shown_ui(ui, cache, words, false);
 }
 
-fn shown_ui(
-    ui: &mut Ui,
-    state: &mut AppState,
-    cache: &mut CommonMarkCache,
-    words: &str,
-    live: bool,
-) {
-    // The viewer takes functions that borrow nothing.
-    let lent = Rc::new(RefCell::new(take(state)));
-    let (inside, count) = (Rc::clone(&lent), Cell::new(0));
-    let math = move |ui: &mut Ui, formula: &str, _: bool| {
-        if let Ok(mut state) = inside.try_borrow_mut() {
-            formula_ui(ui, &mut state, formula, &count, live);
-        }
-    };
+fn shown_ui(ui: &mut Ui, cache: &mut CommonMarkCache, words: &str, live: bool) {
+    let count = Cell::new(0);
+    let math = move |ui: &mut Ui, formula: &str, _: bool| formula_ui(ui, formula, &count, live);
     // Lines of a list are as far apart as those of a paragraph, not as rows of controls.
     let line = ui.text_style_height(&TextStyle::Body);
     let row = std::mem::replace(&mut ui.spacing_mut().interact_size.y, line);
@@ -69,10 +54,6 @@ fn shown_ui(
         &joined(&without_closed_links(words)),
     );
     ui.spacing_mut().interact_size.y = row;
-    drop(math);
-    if let Some(lent) = Rc::into_inner(lent) {
-        *state = lent.into_inner();
-    }
 }
 
 /// The same text with what closes a sentence, and the space behind, inside the formula or the emphasis that it follows: each is
@@ -118,7 +99,7 @@ fn next_mark(words: &str) -> Option<(&'static str, usize)> {
     found.min_by_key(|(mark, at)| (*at, usize::MAX - mark.len()))
 }
 
-fn formula_ui(ui: &mut Ui, state: &mut AppState, formula: &str, count: &Cell<usize>, live: bool) {
+fn formula_ui(ui: &mut Ui, formula: &str, count: &Cell<usize>, live: bool) {
     let spacing = std::mem::replace(&mut ui.spacing_mut().item_spacing.x, 0.0);
     let (formula, space) = match formula.strip_suffix(SPACED) {
         Some(formula) => (
@@ -152,7 +133,7 @@ fn formula_ui(ui: &mut Ui, state: &mut AppState, formula: &str, count: &Cell<usi
             ui.text_style_height(&TextStyle::Body),
         );
         let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
-        laid.paint(ui, state, rect.left_center() - vec2(0.0, RAISED), place);
+        laid.paint(ui, rect.left_center() - vec2(0.0, RAISED), place);
         let words = spoken(&run);
         response.widget_info(|| WidgetInfo::labeled(Role::Label, true, words.trim()));
     }

@@ -5,13 +5,14 @@ use super::parts::{error_ui, waiting_ui};
 use super::prose::prose_ui;
 use super::question::question_ui;
 use super::work::{Prepare, Prepared};
-use crate::app::action::{Action, Turn};
-use crate::app::appearance::ViewName;
-use crate::app::background::wake;
-use crate::app::engine::Engine;
-use crate::app::focus::{aside, keep_in_sight, named, switch_named};
-use crate::app::named::{Named, rows_ui};
-use crate::app::state::AppState;
+use crate::app::controls::named::{Named, rows_ui};
+use crate::app::session::Session;
+use crate::app::session::action::Requests;
+use crate::app::session::action::{Action, Turn};
+use crate::app::session::appearance::ViewName;
+use crate::app::session::window::WindowState;
+use crate::app::widgets::background::wake;
+use crate::app::widgets::focus::{aside, keep_in_sight, named, switch_named};
 use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
@@ -24,12 +25,18 @@ const DOT: f32 = 3.5;
 const DOWN: f32 = 108.0;
 
 /// The step that is open.
-pub fn step_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, engine: &Engine) {
+pub fn step_ui(
+    ui: &mut Ui,
+    course: &mut Course,
+    session: &mut Session,
+    window: &mut WindowState,
+    requests: &mut Requests,
+) {
     prepare(ui, course);
     Panel::bottom("course-steps")
         .frame(Frame::NONE)
         .resizable(false)
-        .show(ui, |ui| ways_ui(ui, course, state));
+        .show(ui, |ui| ways_ui(ui, course, requests));
     let Some(open) = &mut course.open else { return };
     let fresh = std::mem::take(&mut open.draft.fresh);
     let mut area = ScrollArea::vertical()
@@ -41,7 +48,7 @@ pub fn step_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, engine: &
     let shown = area.show(ui, |ui| {
         // Not under the scroll bar.
         ui.set_max_width(ui.available_width() - 4.0);
-        body_ui(ui, course, state, engine);
+        body_ui(ui, course, session, window, requests);
         ui.add_space(8.0);
         keep_in_sight(ui);
     });
@@ -110,20 +117,20 @@ fn prepare(ui: &Ui, course: &mut Course) {
 }
 
 /// The way to the list, and which lesson it is, or that these are answers.
-pub fn head_ui(ui: &mut Ui, state: &mut AppState) {
-    let Some(heading) = state.course.heading() else {
+pub fn head_ui(ui: &mut Ui, course: &Course, requests: &mut Requests) {
+    let Some(heading) = course.heading() else {
         return;
     };
     let title = RichText::new(heading).weak();
     let back = ui.button(format!("‹ {}", text!("course-lessons")));
     ui.add(Label::new(title).wrap());
     if named(back, Role::Button, text!("course-lessons")).clicked() {
-        state.ask(Action::Course(Turn::List));
+        requests.ask(Action::Course(Turn::List));
     }
 }
 
 /// Back, the steps as dots, next.
-fn ways_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState) {
+fn ways_ui(ui: &mut Ui, course: &mut Course, requests: &mut Requests) {
     let Some(open) = &mut course.open else { return };
     let onward = std::mem::take(&mut open.draft.onward);
     let (step, count) = (open.step, open.lesson.steps.len());
@@ -131,7 +138,7 @@ fn ways_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState) {
     ui.horizontal(|ui| {
         let back = ui.add_enabled(step > 0, Button::new(text!("course-back")));
         if back.on_hover_text(text!("course-back.tip")).clicked() {
-            state.ask(Action::Course(Turn::Step(-1)));
+            requests.ask(Action::Course(Turn::Step(-1)));
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let next = if step + 1 < count {
@@ -145,16 +152,16 @@ fn ways_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState) {
                 button.request_focus();
             }
             if button.clicked() {
-                state.ask(Action::Course(Turn::Step(1)));
+                requests.ask(Action::Course(Turn::Step(1)));
             }
-            ui.centered_and_justified(|ui| dots_ui(ui, course, state, step, count));
+            ui.centered_and_justified(|ui| dots_ui(ui, course, requests, step, count));
         });
     });
     ui.add_space(2.0);
 }
 
 /// A dot for each step, filled where its question is answered; where there is no room, in numbers.
-fn dots_ui(ui: &mut Ui, course: &Course, state: &mut AppState, step: usize, count: usize) {
+fn dots_ui(ui: &mut Ui, course: &Course, requests: &mut Requests, step: usize, count: usize) {
     let room = ui.available_width();
     let each = (room / count as f32).min(16.0);
     let words = text!("course-step", number = step + 1, count = count);
@@ -195,12 +202,18 @@ fn dots_ui(ui: &mut Ui, course: &Course, state: &mut AppState, step: usize, coun
     {
         let index = ((at.x - left) / each).floor();
         if index >= 0.0 && (index as usize) < count {
-            state.ask(Action::Course(Turn::To(index as usize)));
+            requests.ask(Action::Course(Turn::To(index as usize)));
         }
     }
 }
 
-fn body_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, engine: &Engine) {
+fn body_ui(
+    ui: &mut Ui,
+    course: &mut Course,
+    session: &mut Session,
+    window: &mut WindowState,
+    requests: &mut Requests,
+) {
     let Some(open) = &mut course.open else { return };
     ui.heading(&open.current().title);
     ui.add_space(2.0);
@@ -210,7 +223,7 @@ fn body_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, engine: &Engi
     match open.known() {
         Some(Ok(known)) => {
             let words = known.text.clone();
-            ui.push_id("text", |ui| prose_ui(ui, state, &mut open.markdown, &words));
+            ui.push_id("text", |ui| prose_ui(ui, &mut open.markdown, &words));
         }
         Some(Err(why)) => error_ui(ui, why),
         None => waiting_ui(ui, text!("course-preparing")),
@@ -220,36 +233,36 @@ fn body_ui(ui: &mut Ui, course: &mut Course, state: &mut AppState, engine: &Engi
         // Its controls and its question are about another scene than what is shown.
         open.draft.top = None;
         ui.add(Label::new(RichText::new(text!("course-left")).weak()).wrap());
-        back_ui(ui, state);
+        back_ui(ui, requests);
         return;
     }
-    controls_ui(ui, open, state);
+    controls_ui(ui, open, session);
     if let Some(view) = open.staged.as_ref().and_then(|staged| staged.shown.view)
         && let Some(key) = ViewName::named(view)
     {
         // Its message is called as the view is.
         let title = text!(&format!("view-{view}"));
         if ui.link(text!("course-numbers", view = title)).clicked() {
-            state.show_view(key);
+            window.show_view(key);
         }
     }
     if open.question().is_some() {
         ui.add_space(4.0);
-        question_ui(ui, course, state, engine);
+        question_ui(ui, course, session, window, requests);
     }
-    again_ui(ui, course, state);
+    again_ui(ui, course, session, requests);
     let Some(open) = &course.open else { return };
     let last = open.step + 1 == open.lesson.steps.len();
     if last && course.to_hand_in().is_some() {
         ui.add_space(6.0);
         if ui.button(text!("controls-command-hand-in")).clicked() {
-            state.ask(Action::HandIn);
+            requests.ask(Action::HandIn);
         }
     }
 }
 
 /// The controls that the step names, and those of its question.
-fn controls_ui(ui: &mut Ui, open: &Open, state: &mut AppState) {
+fn controls_ui(ui: &mut Ui, open: &Open, session: &mut Session) {
     let mut words: Vec<&str> = open
         .current()
         .stage
@@ -270,30 +283,30 @@ fn controls_ui(ui: &mut Ui, open: &Open, state: &mut AppState) {
     if controls.is_empty() {
         return;
     }
-    ui.push_id("controls", |ui| rows_ui(ui, state, &controls));
-    state.commit();
+    ui.push_id("controls", |ui| rows_ui(ui, session, &controls));
+    session.commit();
     ui.add_space(4.0);
 }
 
 /// The way back to the lesson, from another scene that was opened meanwhile.
-pub fn back_ui(ui: &mut Ui, state: &mut AppState) {
+pub fn back_ui(ui: &mut Ui, requests: &mut Requests) {
     let back = ui.button(format!("‹ {}", text!("course-return")));
     let back = named(back, Role::Button, text!("course-return"));
     if back.on_hover_text(text!("course-return.tip")).clicked() {
-        state.ask(Action::Course(Turn::Again));
+        requests.ask(Action::Course(Turn::Again));
     }
 }
 
 /// The way back to the step's scene, where it was changed.
-fn again_ui(ui: &mut Ui, course: &Course, state: &mut AppState) {
+fn again_ui(ui: &mut Ui, course: &Course, session: &Session, requests: &mut Requests) {
     let Some(open) = &course.open else { return };
     let Some(staged) = &open.staged else { return };
-    if state.document.scene == staged.scene {
+    if session.document().scene == staged.scene {
         return;
     }
     ui.add_space(6.0);
     let back = ui.link(text!("course-again"));
     if back.on_hover_text(text!("course-again.tip")).clicked() {
-        state.ask(Action::Course(Turn::Again));
+        requests.ask(Action::Course(Turn::Again));
     }
 }

@@ -28,6 +28,15 @@ pub struct Prepared {
     /// Of options and items, or of the axes of a curve.
     pub names: Vec<String>,
     pub solution: Option<Result<Solution, String>>,
+    /// Whether its numbers or its answer are taken at the probe.
+    pub at_probe: bool,
+}
+
+impl Prepared {
+    /// Returns the right answer, once it is known.
+    pub fn right(&self) -> Option<&Solution> {
+        self.solution.as_ref()?.as_ref().ok()
+    }
 }
 
 impl Work for Prepare {
@@ -53,6 +62,7 @@ impl Work for Prepare {
             why: String::new(),
             names: Vec::new(),
             solution: None,
+            at_probe: lab.probe_measured(),
         };
         let Some(question) = &step.question else {
             return Ok(prepared);
@@ -61,9 +71,11 @@ impl Work for Prepare {
         prepared.why = fill(&question.why)?;
         let names = question.names().into_iter();
         prepared.names = names.map(fill).collect::<Result<_, _>>()?;
+        prepared.at_probe = lab.probe_measured();
         // The text can be read while the answer is sought.
         watch.found(&prepared);
         prepared.solution = Some(question.solve(place, self.seed));
+        prepared.at_probe = lab.probe_measured();
         Ok(prepared)
     }
 }

@@ -1,8 +1,9 @@
 //! Normals over the active pane: needles, kept until something moves, and the faces of the vertex under the pointer.
 
-use super::super::state::AppState;
 use super::pane::{PaneEngine, drawing, lettering, overlay_options, upload};
 use crate::analysis::{LitVertex, Needles, NormalField, OverlayOptions, SeenNormals};
+use crate::app::session::Session;
+use crate::app::session::window::WindowState;
 use crate::scene::{Camera, Scene, ShadingMode, View};
 use eframe::egui::{Context, TextureHandle, TextureOptions};
 use glam::DVec2;
@@ -33,18 +34,19 @@ impl NormalsDrawing {
     pub fn update(
         &mut self,
         ctx: &Context,
-        state: &mut AppState,
+        session: &Session,
+        window: &mut WindowState,
         pane: usize,
         engine: &PaneEngine,
     ) {
         let Some(scene) = engine
             .drawn()
-            .filter(|_| state.appearance.overlay.normals())
+            .filter(|_| window.appearance.overlay.normals())
         else {
             if self.field.is_some() {
                 *self = Self::default();
             }
-            state.pointed.lit = None;
+            window.pointed.lit = None;
             return;
         };
         let renderer = engine.renderer();
@@ -58,7 +60,7 @@ impl NormalsDrawing {
                 .is_some_and(|field| !field.of_equal_mesh(renderer))
             {
                 // Its numbers mean other points.
-                state.pointed.kept = None;
+                window.pointed.kept = None;
             }
             self.drawn = None;
         }
@@ -66,7 +68,7 @@ impl NormalsDrawing {
             .field
             .insert(kept.unwrap_or_else(|| NormalField::new(renderer, &scene.object)));
         let size = scene.image.size;
-        let options = options(ctx, state, scene, engine.coarser);
+        let options = options(ctx, session, window, scene, engine.coarser);
         let exact = scene.shading.mode == ShadingMode::Exact;
         let key = NeedlesKey {
             pane,
@@ -92,14 +94,14 @@ impl NormalsDrawing {
         (self.drawn, self.lit) = (Some(key), None);
     }
 
-    /// Lights up the vertex within `reach` pixels of the pointer, or else the one that is kept.
+    /// Lights up the vertex that is `near` the pointer, within so many pixels, or else the one that is kept.
     pub fn point_at(
         &mut self,
         ctx: &Context,
-        state: &mut AppState,
+        session: &Session,
+        window: &mut WindowState,
         engine: &PaneEngine,
-        pointer: Option<DVec2>,
-        reach: f64,
+        near: Option<(DVec2, f64)>,
         clicked: bool,
     ) {
         // A coarser picture is dragged in: nothing is pointed at.
@@ -109,19 +111,20 @@ impl NormalsDrawing {
         let (Some(field), Some(scene)) = (&self.field, engine.drawn()) else {
             return;
         };
-        let near = |pixel| field.vertex_near(engine.renderer(), &self.seen, pixel, reach);
-        let hovered = pointer.and_then(near).map(|vertex| vertex.index);
+        let vertex =
+            |(pixel, reach)| field.vertex_near(engine.renderer(), &self.seen, pixel, reach);
+        let hovered = near.and_then(vertex).map(|vertex| vertex.index);
         if clicked {
-            state.pointed.kept = hovered.and_then(|vertex| field.point_of(vertex));
+            window.pointed.kept = hovered.and_then(|vertex| field.point_of(vertex));
         }
-        let wanted = hovered.or_else(|| field.vertex_at(state.pointed.kept?));
-        state.pointed.lit = wanted;
+        let wanted = hovered.or_else(|| field.vertex_at(window.pointed.kept?));
+        window.pointed.lit = wanted;
         if self.lit.as_ref().map(|(vertex, _)| *vertex) == wanted {
             return;
         }
         let known = wanted.and_then(|number| field.vertex(number));
         let size = scene.image.size;
-        let options = options(ctx, state, scene, engine.coarser);
+        let options = options(ctx, session, window, scene, engine.coarser);
         let laid = known.and_then(|vertex| LitVertex::new(size, scene, field, &vertex, &options));
         let mut texture = self.lit.take().map(|(_, texture)| texture);
         if let Some(image) = laid.and_then(|laid| drawing(size, |pixmap| laid.draw(pixmap))) {
@@ -146,12 +149,18 @@ impl NormalsDrawing {
 }
 
 /// How needles are drawn; no light has a part in it.
-fn options(ctx: &Context, state: &AppState, scene: &Scene, coarser: u32) -> OverlayOptions {
-    let mut options = overlay_options(&state.appearance.overlay, state.light, scene);
+fn options(
+    ctx: &Context,
+    session: &Session,
+    window: &WindowState,
+    scene: &Scene,
+    coarser: u32,
+) -> OverlayOptions {
+    let mut options = overlay_options(&window.appearance.overlay, session.light, scene);
     options.layers.retain(|layer| layer.of_needles());
     OverlayOptions {
         light: None,
-        scale: lettering(ctx, &state.appearance, scene.image.size, coarser),
+        scale: lettering(ctx, &window.appearance, scene.image.size, coarser),
         ..options
     }
 }

@@ -7,9 +7,9 @@ use crate::analysis::{
     Halo, LinearPicture, OverlayLayer, OverlayOptions, Probe, overlay_letters,
     pixel_beside_highlight, probe,
 };
-use crate::app::appearance::{Appearance, Overlays};
-use crate::app::document::same_model;
-use crate::app::theme::TEXT;
+use crate::app::session::appearance::{Appearance, Overlays};
+use crate::app::session::document::same_model;
+use crate::app::widgets::theme::TEXT;
 use crate::geometry::Mesh;
 use crate::jobs::nanoseconds;
 use crate::render::{Frame, Renderer, Report, coarseness, coarser_size};

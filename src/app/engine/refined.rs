@@ -1,7 +1,7 @@
 //! Smooth edges: pictures of several samples a pixel, drawn in the background once nothing has moved for a while.
 
 use crate::analysis::{Codec, Watch, from_bytes, to_bytes};
-use crate::app::background::{PICTURES, wake};
+use crate::app::widgets::background::{PICTURES, wake};
 use crate::geometry::Mesh;
 use crate::jobs::{Job, News, Work, model_from_bytes, model_to_bytes, nanoseconds};
 use crate::render::Renderer;

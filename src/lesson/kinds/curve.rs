@@ -11,7 +11,7 @@ use crate::render::Frame;
 use crate::scene::ShadingMode;
 use crate::text::{fixed, text};
 
-/// How many points of a curve are compared.
+/// The number of points of a curve that are compared.
 pub const CURVE_POINTS: usize = 65;
 
 /// The colours of curves on pages: of the right one, and of those of a class.
@@ -47,6 +47,11 @@ pub enum CurveOf {
 }
 
 impl Curve {
+    /// Returns whether enough of a curve is drawn: nine tenths of its points.
+    pub fn is_whole(drawn: &[Option<f64>]) -> bool {
+        10 * drawn.iter().flatten().count() >= 9 * CURVE_POINTS
+    }
+
     /// Returns the abscissa of one of its points.
     fn abscissa(&self, index: usize) -> f64 {
         let [from, to] = self.x;
@@ -98,6 +103,10 @@ impl Asks for Curve {
     fn is_drawn(&self) -> bool {
         true
     }
+
+    fn follows_line(&self) -> bool {
+        matches!(self.of, CurveOf::Profile(_))
+    }
 }
 
 impl QuestionKind for Curve {
@@ -115,7 +124,7 @@ impl QuestionKind for Curve {
                 return None;
             }
         };
-        let own = of.is_profile().then_some([0.0, 1.0]);
+        let own = matches!(of, CurveOf::Profile(_)).then_some([0.0, 1.0]);
         let x = reader.range("x", keys.x.or(own));
         let y = reader.range("y", keys.y.or(own));
         let tolerance = reader.positive("tolerance", keys.tolerance.or(Some(0.1)));
@@ -154,20 +163,21 @@ impl QuestionKind for Curve {
         given.len() == CURVE_POINTS && given.iter().flatten().all(|value| value.is_finite())
     }
 
-    /// Grades a curve by its mean distance; none where less than nine tenths were drawn.
+    /// Grades a curve by its mean distance; none where too little was drawn.
     fn grade(
         &self,
         given: &Vec<Option<f64>>,
         right: &Vec<[f64; 2]>,
         _: LabPlace<'_>,
     ) -> Option<Grade> {
-        let distances: Vec<f64> = given
-            .iter()
-            .zip(right)
-            .filter_map(|(given, [_, right])| given.map(|given| (given - right).abs()))
+        if given.len() != right.len() || !Self::is_whole(given) {
+            return None;
+        }
+        let pairs = given.iter().zip(right);
+        let distances: Vec<f64> = pairs
+            .filter_map(|(given, [_, right])| Some((given.as_ref()? - right).abs()))
             .collect();
-        let enough = given.len() == right.len() && 10 * distances.len() >= 9 * right.len();
-        let mean = enough.then(|| distances.iter().sum::<f64>() / distances.len() as f64)?;
+        let mean = distances.iter().sum::<f64>() / distances.len() as f64;
         Some(Grade::within(
             mean / (self.y[1] - self.y[0]),
             self.tolerance,
@@ -213,12 +223,5 @@ impl QuestionKind for Curve {
         });
         let caption = element("figcaption").with(text!("class-curves"));
         Html::new().line(element("figure").with(plot).with(caption))
-    }
-}
-
-impl CurveOf {
-    /// Returns whether it is an intensity along the step's line.
-    pub fn is_profile(&self) -> bool {
-        matches!(self, Self::Profile(_))
     }
 }

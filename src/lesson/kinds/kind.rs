@@ -8,57 +8,62 @@ use crate::render::Frame;
 
 /// The properties of a question that do not depend on the type of its answer.
 pub trait Asks {
-    /// The texts of the options or the items, which have letters.
+    /// Returns the texts of the options or the items, which have letters.
     fn options(&self) -> Vec<&Prose> {
         Vec::new()
     }
 
-    /// The names of the axes.
+    /// Returns the names of the axes.
     fn axes(&self) -> Vec<&Prose> {
         Vec::new()
     }
 
-    /// The controls that answer it.
+    /// Returns the controls that answer it.
     fn controls(&self) -> &[String] {
         &[]
     }
 
-    /// A line that says what is expected, for a terminal.
+    /// Returns a line that says what is expected, for a terminal.
     fn hint(&self) -> Option<String> {
         None
     }
 
-    /// Its answer is one number.
+    /// Returns whether its answer is one number.
     fn predicts_number(&self) -> bool {
         false
     }
 
-    /// Its answer is a drawing.
+    /// Returns whether its answer is a drawing.
     fn is_drawn(&self) -> bool {
         false
     }
 
-    /// Its answer is a place in the picture.
+    /// Returns whether its answer is drawn over the places of the step's line.
+    fn follows_line(&self) -> bool {
+        false
+    }
+
+    /// Returns whether its answer is a place in the picture.
     fn asks_place(&self) -> bool {
         false
     }
 
-    /// The picture has a part in the question, and is printed with it.
+    /// Returns whether the picture has a part in the question, and is printed with it.
     fn uses_picture(&self) -> bool {
         false
     }
 
-    /// The right answer is part of what is asked.
+    /// Returns whether the right answer is part of what is asked.
     fn shows_target(&self) -> bool {
         false
     }
 
-    /// Each student has another right answer, by the seed.
+    /// Returns whether each student has another right answer, by the seed.
     fn is_drawn_at_random(&self) -> bool {
         false
     }
 
-    /// A class's chart tells the right answer.
+    /// Returns whether the chart of a class tells the right answer.
     fn chart_tells(&self) -> bool {
         self.is_drawn()
     }
@@ -66,7 +71,7 @@ pub trait Asks {
 
 /// A kind of question: how it is read, solved, graded and printed.
 pub trait QuestionKind: Asks + Sized {
-    /// What a student answers.
+    /// The answer of a student.
     type Answer;
     /// The right answer.
     type Solution;

@@ -193,13 +193,18 @@ fn random_values(controls: &[String], seed: u64) -> Vec<f64> {
         .collect()
 }
 
-/// Returns the root mean square of the difference of two pictures, as shown.
+/// Returns the root mean square of the difference of the pictures of two scenes.
 fn picture_difference(a: &LabPlace<'_>, b: &LabPlace<'_>) -> Result<f64, String> {
-    let (scene, pictures) = (a.scene(), [a.linear()?, b.linear()?]);
-    let picture = |index: usize| LinearPicture {
-        width: scene.image.size[0],
-        pixels: &pictures[index],
+    let width = a.scene().image.size[0];
+    Ok(picture_distance(width, &a.linear()?, &b.linear()?))
+}
+
+/// Returns the root mean square of the difference of two pictures of linear intensities, as shown.
+pub fn picture_distance(width: u32, a: &[[f32; 4]], b: &[[f32; 4]]) -> f64 {
+    let picture = |pixels| LinearPicture {
+        width,
+        pixels,
         clamps: true,
     };
-    Ok(error_figures(picture(0), picture(1)).rms)
+    error_figures(picture(a), picture(b)).rms
 }

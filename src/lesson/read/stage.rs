@@ -1,4 +1,4 @@
-//! What a step shows.
+//! The scene of a step and its view, as its block has them.
 
 use super::reader::{Block, Reader};
 use crate::lesson::stage::{OVERLAYS, Stage, view};

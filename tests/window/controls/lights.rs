@@ -69,7 +69,7 @@ fn a_spot_lights_cone_is_typed() {
         6.0,
         "a cone is at most a half-space, so this is refused"
     );
-    let reason = harness.state().state().notice.as_deref();
+    let reason = harness.state().state().session.notice.as_deref();
     assert_eq!(
         reason,
         Some("`light.0.cone` is 500, expected 0.1 to 90 degrees"),
@@ -277,7 +277,7 @@ fn check_lights(harness: &Harness<'_, App>, done: &[&str]) {
     let all: Vec<usize> = (1..=count).collect();
     assert_eq!(numbered(harness, "Light "), all, "{done:?}");
     assert_eq!(numbered(harness, "Remove light "), all, "{done:?}");
-    let chosen = harness.state().state().light + 1;
+    let chosen = harness.state().state().session.light + 1;
     assert!(
         chosen <= count.max(1),
         "light {chosen} of {count}: {done:?}"
@@ -339,7 +339,14 @@ fn the_chosen_light_is_one_that_there_is_after_every_step_back() {
         done.push(step);
         check_lights(&harness, &done);
     }
-    while harness.state().state().history.undoable().is_some() {
+    while harness
+        .state()
+        .state()
+        .session
+        .history()
+        .undoable()
+        .is_some()
+    {
         undo(&mut harness);
     }
     check_lights(&harness, &[]);

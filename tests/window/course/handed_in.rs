@@ -67,7 +67,7 @@ fn opened(path: &Path) -> Harness<'static, App> {
 }
 
 fn show_course(harness: &mut Harness<'_, App>) {
-    if !harness.state().state().shows(ViewName::Course) {
+    if !harness.state().state().window.shows(ViewName::Course) {
         press(harness, "Course");
     }
 }
@@ -114,10 +114,10 @@ fn in_a_small_window_the_answers_are_in_sight_and_the_controls_a_step_away() {
     let appearance = Appearance::default();
     let mut harness = hands::window_looking(loaded, [1024.0, 768.0], &appearance, |app| app);
     assert!(wait(&mut harness, |harness| says(harness, "2 of 8 right")));
-    assert!(!harness.state().state().appearance.controls);
+    assert!(!harness.state().state().window.appearance.controls);
     harness.key_press(Key::F4);
     harness.run_ok();
-    let appearance = &harness.state().state().appearance;
+    let appearance = &harness.state().state().window.appearance;
     assert!(appearance.controls && !appearance.views);
 }
 

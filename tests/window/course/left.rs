@@ -25,7 +25,7 @@ fn hides(harness: &mut Harness<'_, App>) -> bool {
         .query_by_role_and_label(Role::Button, BACK)
         .is_some();
     let state = harness.state().state();
-    assert_eq!((state.hides_numbers(), said), (said, said));
+    assert_eq!((state.course.hides(), said), (said, said));
     assert_eq!(back, !said, "there is a way back where the lesson was left");
     said
 }
@@ -53,7 +53,7 @@ fn open(harness: &mut Harness<'_, App>, path: &Path) {
     press(harness, "Open");
     let title = path.file_name().expect("a name").to_string_lossy();
     assert!(hands::wait(harness, |harness| {
-        harness.state().state().document.origin.name() == title
+        harness.state().state().session.document().origin.name() == title
     }));
     harness.run_ok();
 }
@@ -117,7 +117,7 @@ fn every_way_to_another_scene_leaves_the_lesson_and_undo_returns_to_it() {
         harness.run_ok();
         ready(&mut harness);
         assert_eq!(step(&harness), 2, "{way}");
-        assert!(harness.state().state().shows_step(), "{way}");
+        assert!(harness.state().state().course.shows_step(), "{way}");
     }
 }
 
@@ -127,7 +127,7 @@ fn what_a_step_draws_and_locks_stays_with_its_scene() {
     go(&mut harness, 3);
     let state = |harness: &Harness<'_, App>| {
         let state = harness.state().state();
-        let overlay = &state.appearance.overlay;
+        let overlay = &state.window.appearance.overlay;
         let drawn = state.course.mark().is_some();
         (state.course.asks_point(), drawn, overlay.vectors)
     };

@@ -172,7 +172,7 @@ fn lights_unfold_by_keyboard_and_their_symbols_lead_to_their_controls() {
     second.click_accesskit();
     harness.run();
     assert_eq!(
-        harness.state().state().light,
+        harness.state().state().session.light,
         1,
         "Ip of light 2 leads to the controls of light 2"
     );

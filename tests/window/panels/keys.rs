@@ -181,7 +181,7 @@ fn keys_go_to_what_stands_in_front() {
         "no dialog opens over it"
     );
     assert_eq!(
-        (scene(&harness), &harness.state().state().appearance),
+        (scene(&harness), &harness.state().state().window.appearance),
         (&before, &Appearance::default())
     );
     harness.key_press(Key::Escape);

@@ -1,0 +1,381 @@
+//! The material's own controls: the named materials to choose by eye, small spheres drawn in the background once somebody looks;
+//! and the n or m of the other models that makes a highlight as wide as the present one.
+
+use super::row::{About, display, row, value_row};
+use crate::analysis::{Codec, Watch};
+use crate::app::widgets::background::{PICTURES, Pictures};
+use crate::app::widgets::focus::{named, switch_named};
+use crate::app::widgets::symbol::Symbol;
+use crate::illumination::{blinn_from_phong, phong_from_blinn, roughness_from_exponent};
+use crate::jobs::Work;
+use crate::render::Renderer;
+use crate::scene::material::no_highlight;
+use crate::scene::materials::{NAMED, NamedMaterial, OF_A_KIND, recognise};
+use crate::scene::{
+    Ambient, Camera, Distribution, Image, Light, Material, Object, ObjectKind, Reflection,
+    ReflectionModel, Rgb, Scene, Shading, ShadingMode,
+};
+use crate::text;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{
+    Align2, Button, Color32, ColorImage, Grid, Popup, PopupCloseBehavior, Rect, RichText, Sense,
+    StrokeKind, TextStyle, TextureHandle, Ui, Vec2, pos2, vec2,
+};
+use glam::DVec3;
+use serde::{Deserialize, Serialize};
+
+/// The side of a sphere's picture, points.
+const SPHERE: f32 = 48.0;
+/// The sphere with its name.
+const CELL: Vec2 = Vec2::new(104.0, 72.0);
+
+/// Samples a pixel of the pictures: 2 × 2.
+const SAMPLES: u32 = 4;
+
+/// The pictures of the named materials, in the order of [`NAMED`].
+pub type Gallery = Pictures<Spheres>;
+
+/// The spheres in pictures of so many pixels on a side.
+#[derive(Clone, PartialEq, Serialize, Deserialize)]
+pub struct Spheres(u32);
+
+impl Work for Spheres {
+    type Answer = Vec<ColorImage>;
+
+    const CODECS: Option<(Codec<Self>, Codec<Self::Answer>)> = Some((Codec::plain(), PICTURES));
+
+    fn run(&self, watch: &dyn Watch<Self::Answer>) -> Result<Self::Answer, String> {
+        let (mut renderer, mut pictures) = (Renderer::default(), Vec::new());
+        for named in NAMED {
+            pictures.push(picture(&mut renderer, named, self.0));
+            watch.found(&pictures);
+            if !watch.at(pictures.len() as f32 / NAMED.len() as f32) {
+                break;
+            }
+        }
+        Ok(pictures)
+    }
+}
+
+/// The sphere as OpenGL lights it: N against H, a distant light from above, little ambient light.
+fn scene(named: &NamedMaterial, side: u32) -> Scene {
+    Scene {
+        image: Image {
+            size: [side, side],
+            background: Rgb::ZERO,
+        },
+        camera: Camera {
+            fov_y: 33.0,
+            ..Camera::default()
+        },
+        object: Object {
+            kind: ObjectKind::Sphere,
+            ..Object::default()
+        },
+        material: named.material(),
+        reflection: Reflection {
+            model: ReflectionModel::Blinn,
+            ..Reflection::default()
+        },
+        shading: Shading {
+            mode: ShadingMode::Exact,
+            ..Shading::default()
+        },
+        ambient: Ambient {
+            color: Rgb::splat(0.4),
+            ..Ambient::default()
+        },
+        lights: vec![Light {
+            position: DVec3::new(-2.0, 2.5, 4.0),
+            ..Light::default()
+        }],
+        ..Scene::default()
+    }
+}
+
+/// The sphere, cut out by its own coverage.
+fn picture(renderer: &mut Renderer, named: &NamedMaterial, side: u32) -> ColorImage {
+    let frame = renderer.render_supersampled(&scene(named, side), SAMPLES, &mut |_| true);
+    let mut white = scene(named, side);
+    white.material = Material {
+        ka: Rgb::ONE,
+        kd: Rgb::ZERO,
+        ks: Rgb::ZERO,
+        ..named.material()
+    };
+    white.ambient.color = Rgb::ONE;
+    let coverage = renderer.render_supersampled(&white, SAMPLES, &mut |_| true);
+    let pixels = frame.pixels.iter().zip(&coverage.pixels);
+    // The background is black, so the colours are multiplied by the coverage already.
+    let pixels = pixels
+        .map(|([r, g, b, _], [cover, ..])| Color32::from_rgba_premultiplied(*r, *g, *b, *cover));
+    ColorImage::new([side as usize, side as usize], pixels.collect())
+}
+
+/// The keys of what each column holds.
+const KINDS: [&str; 4] = [
+    "controls-stones",
+    "controls-metals",
+    "controls-plastics",
+    "controls-rubbers",
+];
+
+/// A button that says which of the named materials this is, and opens all of them.
+pub fn gallery_ui(ui: &mut Ui, initial: &Material, gallery: &mut Gallery, material: &mut Material) {
+    let present = recognise(material);
+    let [name, tip] = [text!("controls-materials"), text!("controls-materials.tip")];
+    let about = About {
+        label: text!("controls-materials.label"),
+        name,
+        tip,
+        ..About::default()
+    };
+    let opened = initial.clone();
+    value_row(ui, &about, opened, material, |ui, material| {
+        let button =
+            Button::new(present.map_or(text!("controls-materials.none"), NamedMaterial::title))
+                .min_size(vec2(92.0, 0.0));
+        let response = named(ui.add(button), Role::Button, name).on_hover_text(tip);
+        let popup = Popup::menu(&response).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+        let open = popup.show(|ui| {
+            let side = (SPHERE * ui.ctx().pixels_per_point()).round();
+            let wanted = Spheres(side.clamp(16.0, 512.0) as u32);
+            gallery.prepare(ui.ctx(), &wanted, NAMED.len());
+            Grid::new("materials")
+                .num_columns(KINDS.len())
+                .spacing([6.0, 6.0])
+                .show(ui, |ui| {
+                    for kind in KINDS {
+                        ui.label(RichText::new(text!(kind)).weak());
+                    }
+                    ui.end_row();
+                    for place in 0..OF_A_KIND {
+                        for (index, named) in
+                            NAMED.iter().enumerate().skip(place).step_by(OF_A_KIND)
+                        {
+                            if material_ui(
+                                ui,
+                                named,
+                                gallery.textures.get(index),
+                                present == Some(named),
+                            ) {
+                                *material = named.material();
+                            }
+                        }
+                        ui.end_row();
+                    }
+                });
+        });
+        if open.is_none() {
+            gallery.leave();
+        }
+    });
+}
+
+/// A sphere of the material with its name below.
+fn material_ui(
+    ui: &mut Ui,
+    material: &NamedMaterial,
+    texture: Option<&TextureHandle>,
+    present: bool,
+) -> bool {
+    let (rect, response) = ui.allocate_exact_size(CELL, Sense::click());
+    let visuals = ui.style().interact_selectable(&response, present);
+    if present || response.hovered() || response.has_focus() {
+        ui.painter().rect(
+            rect,
+            6.0,
+            visuals.weak_bg_fill,
+            visuals.bg_stroke,
+            StrokeKind::Inside,
+        );
+    }
+    let sphere = Rect::from_center_size(
+        rect.center_top() + vec2(0.0, SPHERE / 2.0 + 4.0),
+        vec2(SPHERE, SPHERE),
+    );
+    let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+    match texture {
+        Some(texture) => {
+            _ = ui
+                .painter()
+                .image(texture.id(), sphere, whole, Color32::WHITE);
+        }
+        None => {
+            _ = ui.painter().circle_stroke(
+                sphere.center(),
+                SPHERE * 0.44,
+                ui.visuals().window_stroke,
+            );
+        }
+    }
+    let below = rect.center_bottom() - vec2(0.0, 3.0);
+    let font = TextStyle::Small.resolve(ui.style());
+    ui.painter().text(
+        below,
+        Align2::CENTER_BOTTOM,
+        material.title(),
+        font,
+        visuals.text_color(),
+    );
+    let response = switch_named(response, Role::Button, present, material.title());
+    let NamedMaterial { ka, kd, ks, n, .. } = *material;
+    let triple = |value: Rgb| format!("{}, {}, {}", value.x, value.y, value.z);
+    let numbers = format!(
+        "Ka {}\nKd {}\nKs {}\nn {n}",
+        triple(ka),
+        triple(kd),
+        triple(ks)
+    );
+    response.on_hover_text(numbers).clicked()
+}
+
+/// The other models, each with the n or m that matches the highlight of `scene`, as far as there is one: Phong's lobe is never
+/// wider than 90° to each side, and microfacets are never perfectly smooth here.
+fn matches(scene: &Scene) -> Vec<(ReflectionModel, f64)> {
+    let Material {
+        n, roughness: m, ..
+    } = scene.material;
+    let model = scene.reflection.model;
+    let blinn = match model {
+        ReflectionModel::Phong => blinn_from_phong(n),
+        ReflectionModel::Blinn => n,
+        // The inverse of m = √(2/(n + 2)).
+        ReflectionModel::CookTorrance => 2.0 / (m * m) - 2.0,
+    };
+    let exists = |(other, number): &(ReflectionModel, f64)| match other {
+        _ if *other == model => false,
+        ReflectionModel::Phong => *number > 0.0,
+        ReflectionModel::Blinn => *number >= 0.0,
+        ReflectionModel::CookTorrance => Material::ROUGHNESS.contains(number),
+    };
+    let all = [
+        (ReflectionModel::Phong, phong_from_blinn(blinn)),
+        (ReflectionModel::Blinn, blinn),
+        (
+            ReflectionModel::CookTorrance,
+            roughness_from_exponent(blinn),
+        ),
+    ];
+    all.into_iter().filter(exists).collect()
+}
+
+/// Sets model and number together.
+fn take(scene: &mut Scene, model: ReflectionModel, number: f64) {
+    scene.reflection.model = model;
+    if model == ReflectionModel::CookTorrance {
+        (scene.reflection.distribution, scene.material.roughness) =
+            (Distribution::Beckmann, number);
+    } else {
+        scene.material.n = number;
+    }
+}
+
+/// A button for each other model.
+pub fn matching_ui(ui: &mut Ui, scene: &mut Scene) {
+    // GGX has no width that the others could have: its tail is longer.
+    let tailed = scene.reflection.distribution == Distribution::Ggx;
+    let found = matches(scene);
+    if found.is_empty() || (tailed && scene.reflection.model == ReflectionModel::CookTorrance) {
+        return;
+    }
+    let about = About {
+        label: text!("controls-matching.label"),
+        name: text!("controls-matching"),
+        tip: text!("controls-matching.tip"),
+        symbol: Some(Symbol::Reflected),
+        idle: no_highlight(scene, 0),
+        ..About::default()
+    };
+    row(ui, &about, false, |ui| {
+        ui.spacing_mut().button_padding.x = 6.0;
+        for (model, number) in found {
+            let (text, name, tip) = if model == ReflectionModel::CookTorrance {
+                let [name, tip] = [
+                    text!("controls-match-roughness"),
+                    text!("controls-match-roughness.tip"),
+                ];
+                (
+                    format!("m {}", display(number, 3)),
+                    name.to_owned(),
+                    tip.to_owned(),
+                )
+            } else {
+                let who = if model == ReflectionModel::Phong {
+                    "Phong"
+                } else {
+                    "Blinn"
+                };
+                let name = text!("controls-match-exponent", model = who);
+                let tip = text!("controls-match-exponent.tip", model = who);
+                (format!("{who} n {}", display(number, 2)), name, tip)
+            };
+            if named(ui.button(text), Role::Button, &name)
+                .on_hover_text(tip)
+                .clicked()
+            {
+                take(scene, model, number);
+            }
+        }
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_picture_is_a_sphere_in_the_middle() {
+        let image = picture(&mut Renderer::default(), &NAMED[10], 48);
+        assert_eq!(image.size, [48, 48]);
+        let at = |x: usize, y: usize| image.pixels[y * 48 + x];
+        assert_eq!(at(0, 0), Color32::TRANSPARENT);
+        let middle = at(24, 24);
+        assert!(
+            middle.a() == 255 && middle.r() > middle.g() && middle.g() > middle.b(),
+            "gold: {middle:?}"
+        );
+        for named in NAMED {
+            assert_eq!(scene(named, 48).validate(), Ok(()));
+        }
+    }
+
+    #[test]
+    fn going_to_another_model_and_back_keeps_the_number() {
+        let mut scene = Scene::default();
+        let before = scene.clone();
+        for model in [
+            ReflectionModel::Blinn,
+            ReflectionModel::CookTorrance,
+            ReflectionModel::Phong,
+        ] {
+            let found = matches(&scene)
+                .into_iter()
+                .find(|(other, _)| *other == model)
+                .expect("a match");
+            take(&mut scene, model, found.1);
+            assert_eq!(scene.validate(), Ok(()));
+        }
+        assert_eq!(scene.reflection.model, before.reflection.model);
+        assert!(
+            (scene.material.n / before.material.n - 1.0).abs() < 1e-9,
+            "{}",
+            scene.material.n
+        );
+    }
+
+    #[test]
+    fn what_has_no_match_offers_none() {
+        let mut scene = Scene::default();
+        scene.material.n = f64::INFINITY;
+        assert_eq!(matches(&scene), [(ReflectionModel::Blinn, f64::INFINITY)]);
+        scene.reflection.model = ReflectionModel::Blinn;
+        scene.material.n = 0.5;
+        assert!(
+            !matches(&scene)
+                .iter()
+                .any(|(model, _)| *model == ReflectionModel::Phong),
+            "no Phong lobe is as wide"
+        );
+    }
+}

@@ -1,0 +1,80 @@
+//! Controls by their names: those of a figure in another page, and of a step of a lesson.
+
+use super::row::{View, parameter_with};
+use crate::app::session::Session;
+use crate::scene::parameter::Parameter;
+use crate::scene::{LightKind, light};
+use eframe::egui::Ui;
+
+/// Least width of a column of controls, points, and the most columns.
+const COLUMN: f32 = 290.0;
+const MOST_COLUMNS: usize = 3;
+
+/// What a word names.
+#[derive(Clone, Copy, Debug)]
+pub enum Named {
+    /// A row; of the light of a number, or of the chosen one.
+    Row(&'static Parameter, Option<usize>),
+    /// Where the chosen light is, or which way it shines.
+    Light,
+}
+
+impl PartialEq for Named {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Row(a, _), Self::Row(b, _)) => a.key == b.key,
+            (Self::Light, Self::Light) => true,
+            _ => false,
+        }
+    }
+}
+
+impl Named {
+    /// The control of a parameter by its key, as in `material.n`, or by the last word of that, as in `n`; `light` is where the
+    /// light is.
+    pub fn find(word: &str) -> Option<Self> {
+        if word == "light" {
+            return Some(Self::Light);
+        }
+        Parameter::of_key(word)
+            .or_else(|| Some((Parameter::by_word(word)?, None)))
+            .map(|(parameter, index)| Self::Row(parameter, index))
+    }
+}
+
+/// A row for each control, in columns where there is room.
+pub fn rows_ui(ui: &mut Ui, session: &mut Session, controls: &[Named]) {
+    let count = ((ui.available_width() / COLUMN) as usize)
+        .min(controls.len())
+        .clamp(1, MOST_COLUMNS);
+    ui.columns(count, |columns| {
+        for (index, control) in controls.iter().enumerate() {
+            row_ui(&mut columns[index % count], session, *control);
+        }
+    });
+}
+
+fn row_ui(ui: &mut Ui, session: &mut Session, control: Named) {
+    let Session {
+        initial,
+        shown,
+        light,
+        ..
+    } = session;
+    let last = shown.scene.lights.len().saturating_sub(1);
+    let chosen = (*light).min(last);
+    let kind = shown.scene.lights.get(chosen).map(|light| light.kind);
+    let (parameter, index) = match control {
+        Named::Row(parameter, index) => (parameter, index.unwrap_or(chosen).min(last)),
+        Named::Light if kind == Some(LightKind::Directional) => (&light::DIRECTION, chosen),
+        Named::Light => (&light::POSITION, chosen),
+    };
+    let view = View {
+        index,
+        numbered: last > 0 && matches!(control, Named::Row(_, Some(_))),
+        // Apart from the floor's other rows nothing else says whose coefficient it is.
+        in_full: parameter.section() == "ground",
+        ..View::default()
+    };
+    parameter_with(ui, initial, &mut shown.scene, parameter, &view);
+}

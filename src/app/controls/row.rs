@@ -1,0 +1,269 @@
+//! A row of the panel of controls: what it is called, the control, and the way back to its value as opened. The row of a
+//! parameter says what the parameter's description says.
+//!
+//! Every control is reachable by keyboard and has an accessible name; its label carries the symbol of the equation in
+//! the symbol's colour, and pointing at either lights up the other.
+
+mod expression;
+mod layout;
+mod number;
+mod widgets;
+
+pub use expression::evaluate;
+use layout::width_of;
+pub use layout::{About, row, value_row};
+pub use number::{NumberRow, SliderRange, display, number, whole};
+pub use widgets::{axes, swatch};
+
+use crate::analysis::specular_vector;
+use crate::app::widgets::palette::vector_text;
+use crate::app::widgets::symbol::Symbol;
+use crate::figure::palette::Vector;
+use crate::scene::parameter::{Access, Kind, Limits, Parameter, Slider, Unit, defaults};
+use crate::scene::{ChoiceOption, Rgb, Scene};
+use eframe::egui::{Color32, Ui};
+use number::{
+    CHANNELS, FIELDS, SIDES, channels_row, coefficient_slider, fields, slider_and_field,
+    whole_slider,
+};
+use widgets::{choice, swatch_button, text, toggle};
+
+/// Width that three fields need beside a swatch, and a list's sign with the space about its words, points.
+const SWATCHED: f32 = 166.0;
+const LIST: f32 = 40.0;
+
+/// A row for a parameter of the scene.
+pub fn parameter(ui: &mut Ui, initial: &Scene, scene: &mut Scene, parameter: &'static Parameter) {
+    parameter_with(ui, initial, scene, parameter, &View::default());
+}
+
+/// What a row shows otherwise than its parameter's description has it.
+pub struct View {
+    /// The number of the light that the parameter belongs to.
+    pub index: usize,
+    /// Whether the row says which light it belongs to.
+    pub numbered: bool,
+    /// Whether the label says what it belongs to.
+    pub in_full: bool,
+    /// Whether coefficients always have a field for each channel.
+    pub channels: bool,
+    pub slider: Option<Slider>,
+    /// The options that are offered; the present one always is.
+    pub offered: fn(&Scene, &ChoiceOption) -> bool,
+}
+
+impl Default for View {
+    fn default() -> Self {
+        Self {
+            index: 0,
+            numbered: false,
+            in_full: false,
+            channels: false,
+            slider: None,
+            offered: |_, _| true,
+        }
+    }
+}
+
+/// A row for a parameter, shown in a particular way.
+pub fn parameter_with(
+    ui: &mut Ui,
+    initial: &Scene,
+    scene: &mut Scene,
+    parameter: &'static Parameter,
+    view: &View,
+) {
+    let index = view.index;
+    let (name, tip) = (parameter.full_name(index), tip(parameter, scene));
+    let number = format!("L{}", index + 1);
+    let about = About {
+        letter: if view.numbered && parameter.letter.is_empty() {
+            &number
+        } else {
+            parameter.letter
+        },
+        tint: tint(ui, scene, parameter),
+        label: if view.in_full {
+            &name
+        } else {
+            parameter.label()
+        },
+        name: &name,
+        tip: &tip,
+        symbol: parameter.symbol,
+        idle: (parameter.idle)(scene, index),
+        room: room(ui, scene, parameter, index),
+    };
+    let (name, range) = (&*name, range(scene, parameter, view));
+    let spec = |default| NumberRow {
+        about: about.clone(),
+        range: range.clone(),
+        default,
+    };
+    let mut row = Edited {
+        ui,
+        initial,
+        scene,
+        index,
+        about: &about,
+    };
+    match parameter.kind {
+        Kind::Number(at, ..) => {
+            row.edit(at, |ui, value, default| {
+                slider_and_field(ui, &spec(*default), value);
+            });
+        }
+        Kind::Whole(at, ..) => {
+            row.edit(at, |ui, value, default| {
+                whole_slider(ui, &spec(f64::from(*default)), value);
+            });
+        }
+        Kind::Coefficient(at, ..) => {
+            row.edit(at, |ui, value, default| {
+                coefficient_slider(ui, &spec(default.max_element()), value);
+            });
+            if let Some(value) =
+                (at.get_mut)(scene, index).filter(|value| view.channels || !is_grey(**value))
+            {
+                channels_row(ui, &about, value);
+            }
+        }
+        Kind::Pair(at, ..) => row.edit(at, |ui, value, _| {
+            fields(ui, name, SIDES, &range, value);
+        }),
+        Kind::Channels(at, ..) => {
+            row.edit(at, |ui, value, _| {
+                fields(ui, name, CHANNELS, &range, value.as_mut());
+            });
+        }
+        Kind::Colour(at, _) => row.edit(at, |ui, value, _| {
+            swatch_button(ui, name, value);
+            fields(ui, name, CHANNELS, &SliderRange::SHORT, value.as_mut());
+        }),
+        Kind::Point(at) | Kind::Direction(at, _) => {
+            row.edit(at, |ui, value, _| axes(ui, name, value));
+        }
+        Kind::Choice(access) => {
+            let opened = access
+                .chosen(initial, index)
+                .or_else(|| access.chosen(defaults(), 0));
+            let (Some(present), Some(default)) = (access.chosen(scene, index), opened) else {
+                return;
+            };
+            let options = access.options().iter().enumerate();
+            let options = options
+                .filter(|(place, option)| *place == present || (view.offered)(scene, option))
+                .collect();
+            let mut chosen = present;
+            value_row(ui, &about, default, &mut chosen, |ui, chosen| {
+                choice(ui, &about, options, chosen);
+            });
+            if chosen != present {
+                access.choose(scene, index, chosen);
+            }
+        }
+        Kind::Switch(at) => row.edit(at, |ui, value, _| toggle(ui, name, value)),
+        Kind::Text(at, longest) => row.edit(at, |ui, value, _| text(ui, &about, longest, value)),
+        Kind::Other(..) => {}
+    }
+}
+
+/// A row about a value of the scene.
+struct Edited<'a> {
+    ui: &'a mut Ui,
+    initial: &'a Scene,
+    scene: &'a mut Scene,
+    index: usize,
+    about: &'a About<'a>,
+}
+
+impl Edited<'_> {
+    /// Shows the row. `control` gets the value and the one that resetting returns to: the default for a light that has been added.
+    fn edit<T: Clone + PartialEq>(
+        &mut self,
+        at: &Access<T>,
+        control: impl FnOnce(&mut Ui, &mut T, &T),
+    ) {
+        let opened = (at.get)(self.initial, self.index)
+            .or_else(|| (at.get)(defaults(), 0))
+            .cloned();
+        if let (Some(value), Some(opened)) = ((at.get_mut)(self.scene, self.index), opened) {
+            let default = opened.clone();
+            value_row(self.ui, self.about, opened, value, |ui, value| {
+                control(ui, value, &default);
+            });
+        }
+    }
+}
+
+/// Width that the control of a parameter needs, points.
+fn room(ui: &Ui, scene: &Scene, parameter: &Parameter, index: usize) -> f32 {
+    match parameter.kind {
+        Kind::Colour(..) => SWATCHED,
+        Kind::Point(_) | Kind::Direction(..) | Kind::Channels(..) => FIELDS,
+        Kind::Choice(access) => access.chosen(scene, index).map_or(0.0, |chosen| {
+            let option = access.options().get(chosen);
+            option.map_or(0.0, |option| width_of(ui, option.label())) + LIST
+        }),
+        _ => 0.0,
+    }
+}
+
+fn is_grey(value: Rgb) -> bool {
+    value == Rgb::splat(value.x)
+}
+
+/// The slider of a parameter, with the limits and the unit of its field.
+fn range(scene: &Scene, parameter: &Parameter, view: &View) -> SliderRange {
+    let slider = view.slider.or(parameter.slider()).unwrap_or(Slider::UNIT);
+    let Limits { least, greatest } = parameter.limits(scene).unwrap_or(Limits::FINITE);
+    SliderRange {
+        span: slider.from.max(least)..=slider.to,
+        limits: least..=greatest,
+        refuses: true,
+        logarithmic: slider.logarithmic,
+        decimals: slider.decimals,
+        suffix: if parameter.unit == Some(Unit::Degrees) {
+            "°"
+        } else {
+            ""
+        },
+    }
+}
+
+/// The help with letter, unit and range.
+fn tip(parameter: &Parameter, scene: &Scene) -> String {
+    let letter = if parameter.letter.is_empty() {
+        String::new()
+    } else {
+        format!("{}: ", parameter.letter)
+    };
+    let limits = parameter
+        .limits(scene)
+        .filter(|limits| parameter.slider().is_some() && limits.greatest <= 1e6);
+    let range = limits.map_or_else(String::new, |limits| format!("{limits} "));
+    let about = format!("{range}{}", parameter.unit());
+    let about = if about.trim().is_empty() {
+        String::new()
+    } else {
+        format!(" ({})", about.trim())
+    };
+    format!("{letter}{}{about}", parameter.help())
+}
+
+/// The colour of the term or the vector that a parameter belongs to.
+fn tint(ui: &Ui, scene: &Scene, parameter: &Parameter) -> Option<Color32> {
+    let (visuals, model) = (ui.visuals(), scene.reflection.model);
+    match parameter.symbol? {
+        Symbol::Kd => Some(vector_text(visuals, Vector::L)),
+        Symbol::Ks | Symbol::Exponent | Symbol::Facets => {
+            Some(vector_text(visuals, specular_vector(model)))
+        }
+        Symbol::Kt | Symbol::Transmitted => Some(vector_text(visuals, Vector::T)),
+        Symbol::Viewer => Some(vector_text(visuals, Vector::V)),
+        Symbol::Light if parameter.letter == "L" || parameter.letter == "D" => {
+            Some(vector_text(visuals, Vector::L))
+        }
+        _ => None,
+    }
+}

@@ -1,0 +1,237 @@
+//! The layout of a row: label, control and the button that resets it.
+
+use crate::app::widgets::focus::{self, named};
+use crate::app::widgets::symbol::{self, Symbol};
+use crate::text;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{
+    Align, Button, Color32, Label, Layout, Rect, Response, RichText, Sense, TextStyle, Ui,
+    UiBuilder, Vec2, pos2, vec2,
+};
+
+/// Least and greatest width of the labels of a panel's rows, points, and the share of the row's width between.
+const LABEL: [f32; 2] = [101.0, 152.0];
+const LABEL_SHARE: f32 = 0.36;
+/// How much smaller the type of a label may be where it does not fit.
+const LEAST_LABEL: f32 = 0.85;
+/// Points between a label and the control.
+const GAP: f32 = 4.0;
+/// Width of the letter in front of a label, points.
+const LETTER: f32 = 24.0;
+/// Width kept for the reset button, points.
+const RESET: f32 = 20.0;
+/// Width of a number's field, points.
+pub const FIELD: f32 = 66.0;
+
+/// What a row is about.
+#[derive(Clone, Debug, Default)]
+pub struct About<'a> {
+    /// The letter in front of the label, as in the equation.
+    pub letter: &'a str,
+    /// The letter's colour; none is ordinary text.
+    pub tint: Option<Color32>,
+    /// The label in words.
+    pub label: &'a str,
+    /// The accessible name; the label where empty.
+    pub name: &'a str,
+    /// What it means, with its unit.
+    pub tip: &'a str,
+    /// The symbol of the equation that it controls.
+    pub symbol: Option<Symbol>,
+    /// Why the control has no effect at present.
+    pub idle: Option<&'a str>,
+    /// Width that the control needs, points. In a row too narrow for it beside its label the control stands below.
+    pub room: f32,
+}
+
+impl About<'_> {
+    /// The accessible name.
+    pub fn name(&self) -> &str {
+        if self.name.is_empty() {
+            self.label
+        } else {
+            self.name
+        }
+    }
+}
+
+/// A row for a value, which `control` edits and resetting takes back to `default`.
+pub fn value_row<T: PartialEq>(
+    ui: &mut Ui,
+    about: &About<'_>,
+    default: T,
+    value: &mut T,
+    control: impl FnOnce(&mut Ui, &mut T),
+) {
+    if row(ui, about, *value != default, |ui| control(ui, value)) {
+        *value = default;
+    }
+}
+
+/// Lays out one row and fills it with `control`. Returns whether the row is to be reset; the button for that
+/// is shown where it has been `changed`.
+pub fn row(ui: &mut Ui, about: &About<'_>, changed: bool, control: impl FnOnce(&mut Ui)) -> bool {
+    let size = vec2(ui.available_width(), ui.spacing().interact_size.y);
+    let [least, greatest] = LABEL;
+    let label_width = (LABEL_SHARE * size.x).clamp(least, greatest);
+    // A control that needs a little more gets it from a label that is shorter.
+    let left = size.x - RESET - about.room;
+    let stacked = left < label_width && left < least_width(ui, about);
+    let (label_width, from, lines) = if stacked {
+        (size.x, LETTER, 2.0)
+    } else {
+        let width = label_width.min(left);
+        (width, width, 1.0)
+    };
+    let (rect, _) = ui.allocate_exact_size(vec2(size.x, lines * size.y), Sense::hover());
+    let is_lit = |symbol| symbol::is_lit(ui.ctx(), symbol);
+    if let Some(symbol) = about.symbol.filter(|_| ui.rect_contains_pointer(rect)) {
+        symbol::light_up(ui.ctx(), symbol);
+    }
+    if about.symbol.is_some_and(is_lit) {
+        let fill = ui.visuals().widgets.hovered.bg_fill.gamma_multiply(0.55);
+        ui.painter()
+            .rect_filled(rect.expand2(vec2(4.0, 2.0)), 6.0, fill);
+    }
+    let reset_here = label(
+        ui,
+        about,
+        changed,
+        Rect::from_min_size(rect.min, vec2(label_width, size.y)),
+    );
+    let inner = Rect::from_min_max(
+        pos2(rect.min.x + from, rect.max.y - size.y),
+        pos2(rect.max.x - RESET, rect.max.y),
+    );
+    let mut child = part(
+        ui,
+        about.name(),
+        inner,
+        Layout::left_to_right(Align::Center),
+    );
+    if about.idle.is_some() {
+        child.disable();
+    }
+    control(&mut child);
+    if let Some(reason) = about.idle {
+        ui.interact(
+            inner,
+            ui.scope_id().with((about.name(), "idle")),
+            Sense::hover(),
+        )
+        .on_hover_text(reason);
+    }
+    let is_found = |symbol| symbol::is_found(ui.ctx(), symbol);
+    if about.symbol.is_some_and(is_found) {
+        ui.scroll_to_rect(rect, Some(Align::Center));
+    }
+    let by_key = focus::resets(ui, rect);
+    let reset_rect = inner.with_min_x(rect.max.x - RESET).with_max_x(rect.max.x);
+    let by_pointer = changed && reset(ui, about, reset_rect);
+    by_pointer || reset_here || by_key
+}
+
+/// A part of a row, laid out in `rect`, whose widgets keep their identity whatever rows come and go.
+fn part(
+    ui: &mut Ui,
+    salt: impl std::hash::Hash + std::fmt::Debug,
+    rect: Rect,
+    layout: Layout,
+) -> Ui {
+    let mut child = ui.new_child(
+        UiBuilder::new()
+            .scope_id(ui.scope_id().with(salt))
+            .max_rect(rect)
+            .layout(layout),
+    );
+    child.spacing_mut().item_spacing.x = 6.0;
+    child
+}
+
+/// The label; a double click resets the row.
+fn label(ui: &mut Ui, about: &About<'_>, changed: bool, rect: Rect) -> bool {
+    let mut child = part(
+        ui,
+        (about.name(), "label"),
+        rect,
+        Layout::left_to_right(Align::Center),
+    );
+    child.spacing_mut().item_spacing.x = 0.0;
+    let mut response: Option<Response> = None;
+    if !about.letter.is_empty() {
+        let tint = about
+            .tint
+            .unwrap_or_else(|| child.visuals().strong_text_color());
+        let letter = child.allocate_ui_with_layout(
+            vec2(LETTER, rect.height()),
+            Layout::left_to_right(Align::Center),
+            |ui| {
+                ui.add(
+                    Label::new(RichText::new(about.letter).color(tint).strong())
+                        .sense(Sense::CLICK),
+                )
+            },
+        );
+        child.advance_cursor_after_rect(Rect::from_min_size(
+            letter.response.rect.min,
+            Vec2::new(LETTER, rect.height()),
+        ));
+        response = Some(letter.inner);
+    }
+    if !about.label.is_empty() {
+        let colour = if about.idle.is_some() {
+            child.visuals().weak_text_color()
+        } else {
+            child.visuals().text_color()
+        };
+        let size = fitting(&child, about.label);
+        let text = RichText::new(about.label).color(colour).size(size);
+        let words = child.add(Label::new(text).truncate().sense(Sense::CLICK));
+        response = Some(response.map_or(words.clone(), |letter| letter | words));
+    }
+    response.is_some_and(|response| {
+        response
+            .on_hover_text(about.idle.unwrap_or(about.tip))
+            .double_clicked()
+            && changed
+    })
+}
+
+fn reset(ui: &mut Ui, about: &About<'_>, rect: Rect) -> bool {
+    let mut child = part(
+        ui,
+        (about.name(), "reset"),
+        rect,
+        Layout::right_to_left(Align::Center),
+    );
+    let weak = child.visuals().weak_text_color();
+    // For the pointer and for screen readers: Tab would stop at it between two fields.
+    let button = Button::new(RichText::new("↺").color(weak))
+        .frame(false)
+        .sense(Sense::CLICK);
+    let response = child.add(button).on_hover_text(text!("controls-reset-tip"));
+    let name = text!("controls-reset", name = about.name());
+    named(response, Role::Button, &name).clicked()
+}
+
+/// Size of type with which `label` fits into the rest of the line: a long one is set a little smaller.
+fn fitting(ui: &Ui, label: &str) -> f32 {
+    let size = TextStyle::Body.resolve(ui.style()).size;
+    let width = width_of(ui, label);
+    (size * (ui.available_width() - GAP) / width.max(1.0)).clamp(LEAST_LABEL * size, size)
+}
+
+/// Width of a line of text, points.
+pub fn width_of(ui: &Ui, text: &str) -> f32 {
+    let font = TextStyle::Body.resolve(ui.style());
+    let galley = ui
+        .painter()
+        .layout_no_wrap(text.to_owned(), font, Color32::WHITE);
+    galley.size().x
+}
+
+/// The least width that letter and label take, points.
+fn least_width(ui: &Ui, about: &About<'_>) -> f32 {
+    let letter = if about.letter.is_empty() { 0.0 } else { LETTER };
+    letter + LEAST_LABEL * width_of(ui, about.label) + GAP
+}

@@ -1,0 +1,371 @@
+//! Rows with a slider and a field for a number, and rows of several fields.
+
+use super::expression::evaluate;
+use super::layout::{About, FIELD, row, value_row};
+use crate::app::widgets::focus::{aside, escaped, switch_named};
+use crate::scene::Rgb;
+use crate::text;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{
+    Button, DragValue, Response, Slider, SliderClamping, Stroke, StrokeKind, Tooltip, Ui,
+    WidgetInfo, vec2,
+};
+use std::cell::RefCell;
+use std::ops::RangeInclusive;
+
+/// The keys of the channels' names.
+pub const CHANNELS: [&str; 3] = ["controls-red", "controls-green", "controls-blue"];
+/// The keys of the axes' names.
+pub const AXES: [&str; 3] = ["controls-x", "controls-y", "controls-z"];
+/// The keys of the names of two lengths.
+pub const SIDES: [&str; 2] = ["controls-width", "controls-height"];
+/// Least width of a slider, and of the field beside it, points.
+const SLIDER: f32 = 40.0;
+const LEAST_FIELD: f32 = 52.0;
+/// Width that three fields need, points: where all are negative, a little less than they take.
+pub const FIELDS: f32 = 138.0;
+/// Width of the switch that makes a number infinite, points.
+const INFINITY_SWITCH: f32 = 26.0;
+
+/// The slider of a number and the limits of what may be typed.
+#[derive(Clone, Debug)]
+pub struct SliderRange {
+    /// What the slider spans.
+    pub span: RangeInclusive<f64>,
+    /// What the field takes.
+    pub limits: RangeInclusive<f64>,
+    /// Whether a number typed beyond the limits is left for the scene's own check to refuse, with its reason; otherwise
+    /// it becomes the nearest limit.
+    pub refuses: bool,
+    pub logarithmic: bool,
+    /// Digits after the point at most.
+    pub decimals: usize,
+    pub suffix: &'static str,
+}
+
+impl SliderRange {
+    /// Of the narrow fields of colours.
+    pub const SHORT: Self = Self {
+        decimals: 2,
+        ..Self::linear(0.0..=1.0)
+    };
+
+    /// A linear slider over `span`, with three decimals and no limit but to be finite and not negative.
+    pub const fn linear(span: RangeInclusive<f64>) -> Self {
+        Self {
+            span,
+            limits: 0.0..=f64::MAX,
+            refuses: false,
+            logarithmic: false,
+            decimals: 3,
+            suffix: "",
+        }
+    }
+
+    /// The same, logarithmic.
+    pub fn logarithmic(span: RangeInclusive<f64>) -> Self {
+        Self {
+            logarithmic: true,
+            ..Self::linear(span)
+        }
+    }
+}
+
+/// A row for one number; `default` is what resetting gives.
+pub struct NumberRow<'a> {
+    pub about: About<'a>,
+    pub range: SliderRange,
+    pub default: f64,
+}
+
+/// A row with a slider and a field.
+pub fn number(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
+    value_row(ui, &spec.about, spec.default, value, |ui, value| {
+        slider_and_field(ui, spec, value);
+    });
+}
+
+/// The same for a whole number.
+pub fn whole(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut u32) {
+    value_row(ui, &spec.about, spec.default as u32, value, |ui, value| {
+        whole_slider(ui, spec, value);
+    });
+}
+
+pub fn whole_slider(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut u32) {
+    let mut real = f64::from(*value);
+    slider_and_field(ui, spec, &mut real);
+    // The limits keep it inside; the cast saturates.
+    *value = real.round() as u32;
+}
+
+/// A slider for the largest channel of a coefficient, which keeps the ratio of the channels.
+pub fn coefficient_slider(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut Rgb) {
+    let largest = value.max_element();
+    let mut scalar = largest;
+    slider_and_field(ui, spec, &mut scalar);
+    if scalar.to_bits() != largest.to_bits() {
+        let keeps_ratio = *value != Rgb::splat(largest) && largest > 0.0 && scalar > 0.0;
+        *value = if keeps_ratio {
+            *value * (scalar / largest)
+        } else {
+            Rgb::splat(scalar)
+        };
+    }
+}
+
+/// A field for each channel of a coefficient, below its slider.
+pub fn channels_row(ui: &mut Ui, about: &About<'_>, value: &mut Rgb) {
+    let name = text!("controls-per-channel", name = about.name());
+    let channels = About {
+        letter: "",
+        label: "",
+        name: &name,
+        room: FIELDS,
+        ..about.clone()
+    };
+    row(ui, &channels, false, |ui| {
+        fields(
+            ui,
+            about.name(),
+            CHANNELS,
+            &SliderRange::SHORT,
+            value.as_mut(),
+        );
+    });
+}
+
+/// Numbers side by side; `parts` are the keys of their names.
+pub fn fields<const N: usize>(
+    ui: &mut Ui,
+    name: &str,
+    parts: [&str; N],
+    range: &SliderRange,
+    values: &mut [f64; N],
+) {
+    // Four digits have room beside each other, also in a narrow panel.
+    let spacing = ui.spacing_mut();
+    spacing.item_spacing.x = 4.0;
+    spacing.button_padding.x = 2.0;
+    let gaps = (N - 1) as f32 * spacing.item_spacing.x;
+    let width = (ui.available_width() - gaps).max(0.0) / N as f32;
+    ui.spacing_mut().interact_size.x = width;
+    for (part, value) in parts.into_iter().zip(values) {
+        field(ui, &format!("{name} {}", text!(part)), value, range, width);
+    }
+}
+
+/// A slider and a field; with a switch for infinity, where that is one of the values.
+pub fn slider_and_field(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
+    let space = ui.spacing().item_spacing.x;
+    let reaches_infinity = *spec.range.limits.end() == f64::INFINITY;
+    let switch = if reaches_infinity {
+        INFINITY_SWITCH + space
+    } else {
+        0.0
+    };
+    let room = ui.available_width() - space - switch;
+    let width = (room - SLIDER).clamp(LEAST_FIELD, FIELD);
+    ui.spacing_mut().slider_width = (room - width).max(SLIDER);
+    if let Some(tint) = spec.about.tint {
+        ui.visuals_mut().selection.bg_fill = tint;
+    }
+    let (range, name, tip, before) = (&spec.range, spec.about.name(), spec.about.tip, *value);
+    let slider = Slider::new(value, range.span.clone())
+        .show_value(false)
+        .clamping(SliderClamping::Edits)
+        .logarithmic(range.logarithmic)
+        .smallest_positive(range.span.start().max(1e-6));
+    let response = ui.add(if range.decimals == 0 {
+        slider.integer()
+    } else {
+        slider
+    });
+    if value.is_nan() {
+        // A screen reader may send anything.
+        *value = before;
+    }
+    let (enabled, shown) = (ui.is_enabled(), *value);
+    response.widget_info(|| WidgetInfo::slider(enabled, shown, name));
+    aside(&response);
+    response.on_hover_text(tip);
+    field(ui, name, value, range, width).on_hover_text(tip);
+    if reaches_infinity {
+        let on = *value == f64::INFINITY;
+        ui.spacing_mut().button_padding.x = 4.0;
+        let button = ui.add(Button::selectable(on, "∞").min_size(vec2(INFINITY_SWITCH, 0.0)));
+        let button = switch_named(
+            button,
+            Role::Button,
+            on,
+            &text!("controls-infinite", name = name),
+        );
+        aside(&button);
+        if button
+            .on_hover_text(text!("controls-infinite-tip"))
+            .clicked()
+        {
+            let finite = if spec.default.is_finite() {
+                spec.default
+            } else {
+                *range.span.end()
+            };
+            *value = if on { finite } else { f64::INFINITY };
+        }
+    }
+}
+
+/// A field for one number, or for arithmetic that gives one. A text that is no number leaves the value as it was, and the
+/// field says so until it is edited again.
+pub fn field(
+    ui: &mut Ui,
+    name: &str,
+    value: &mut f64,
+    range: &SliderRange,
+    width: f32,
+) -> Response {
+    let size = vec2(width, ui.spacing().interact_size.y);
+    let (decimals, before) = (range.decimals, *value);
+    let speed = if range.logarithmic {
+        value.abs().max(1e-3) * 0.01
+    } else {
+        (range.span.end() - range.span.start()) * 0.002
+    };
+    let allowed = if range.refuses {
+        f64::MIN..=f64::INFINITY
+    } else {
+        range.limits.clone()
+    };
+    let refused = RefCell::new(None);
+    let dropped = escaped(ui.ctx());
+    let parse = |text: &str| {
+        if dropped {
+            return None;
+        }
+        // Left as it was shown, a value keeps the digits that are not shown.
+        if text.trim() == display(before, decimals) {
+            return Some(before);
+        }
+        let number = evaluate(text);
+        if number.is_none() && !text.trim().is_empty() {
+            refused.replace(Some(text.trim().to_owned()));
+        }
+        number
+    };
+    let widget = DragValue::new(value)
+        .range(allowed)
+        .clamp_existing_to_range(false)
+        .speed(if decimals == 0 { speed.max(0.1) } else { speed })
+        .suffix(range.suffix)
+        .update_while_editing(false)
+        .custom_formatter(move |value, _| display(value, decimals))
+        .custom_parser(parse);
+    let response = ui.add_sized(size, widget);
+    // A screen reader's number comes past the widget's own allowed, and may be none.
+    if value.is_nan() {
+        *value = before;
+    }
+    if response.changed() && (!range.refuses || response.dragged()) {
+        *value = value.clamp(*range.limits.start(), *range.limits.end());
+    }
+    let (enabled, shown) = (ui.is_enabled(), *value);
+    response.widget_info(|| WidgetInfo {
+        label: Some(name.to_owned()),
+        ..WidgetInfo::drag_value(enabled, shown)
+    });
+    let edited = response.has_focus() || response.dragged() || shown.to_bits() != before.to_bits();
+    wrong(&response, refused.into_inner(), edited);
+    response
+}
+
+/// Shows a field whose text was `refused` in a red frame with the reason, until it is `edited` or something else is clicked.
+fn wrong(response: &Response, refused: Option<String>, edited: bool) {
+    let id = response.id.with("refused");
+    let ctx = &response.ctx;
+    let elsewhere = ctx.input(|input| input.pointer.any_pressed());
+    if let Some(text) = refused {
+        ctx.data_mut(|data| data.insert_temp(id, text));
+    } else if edited || elsewhere {
+        ctx.data_mut(|data| data.remove_temp::<String>(id));
+    }
+    let Some(text) = ctx.data(|data| data.get_temp::<String>(id)) else {
+        return;
+    };
+    let visuals = &ctx.global_style().visuals;
+    let stroke = Stroke::new(2.0, visuals.error_fg_color);
+    let rect = response.rect.expand(1.0);
+    ctx.layer_painter(response.layer_id)
+        .with_clip_rect(response.interact_rect.expand(3.0))
+        .rect_stroke(rect, 6.0, stroke, StrokeKind::Middle);
+    let mut tip = Tooltip::always_open(ctx.clone(), response.layer_id, id, response.rect);
+    tip.popup = tip.popup.width(220.0);
+    tip.show(|ui| {
+        ui.colored_label(
+            ui.visuals().error_fg_color,
+            text!("controls-field-wrong", text = shortened(&text)),
+        );
+        ui.label(text!("controls-field-accepts"));
+    });
+}
+
+/// No more of a text than fits beside a reason.
+fn shortened(text: &str) -> String {
+    const MOST: usize = 24;
+    if text.chars().count() <= MOST {
+        return text.to_owned();
+    }
+    text.chars().take(MOST).chain(['…']).collect()
+}
+
+/// A number as fields show it: no more digits than mean something.
+pub fn display(value: f64, decimals: usize) -> String {
+    if value == f64::INFINITY {
+        return "∞".to_owned();
+    }
+    let size = value.abs();
+    // Near 0 the narrow fields of colours and vectors have one digit more, and short exponents.
+    let narrow = decimals == 2 && size < 0.1;
+    let decimals = if narrow { 3 } else { decimals };
+    if narrow && size > 0.0 && size < 5e-4 {
+        return format!("{value:.0e}");
+    }
+    if size >= 1e7 || (size > 0.0 && size < 0.5 * 10f64.powi(-(decimals.min(9) as i32))) {
+        return format!("{value:.2e}");
+    }
+    let digits = match size {
+        s if s >= 1000.0 => 0,
+        s if s >= 100.0 => decimals.min(1),
+        s if s >= 10.0 => decimals.min(2),
+        _ => decimals,
+    };
+    let text = format!("{value:.digits$}");
+    if digits > 2 && text.ends_with('0') {
+        text[..text.len() - 1].to_owned()
+    } else {
+        text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_show_the_digits_that_mean_something() {
+        assert_eq!(
+            [0.1, 0.125, 0.0, 1e-7].map(|n| display(n, 3)),
+            ["0.10", "0.125", "0.00", "1.00e-7"]
+        );
+        let large = [32.0, 123.456, 1005.0, 1e9, f64::INFINITY, -1.5].map(|n| display(n, 2));
+        assert_eq!(large, ["32.00", "123.5", "1005", "1.00e9", "∞", "-1.50"]);
+        let small = [0.07, 0.065, 0.002, 2e-4, 0.0].map(|n| display(n, 2));
+        assert_eq!(small, ["0.07", "0.065", "0.002", "2e-4", "0.00"]);
+    }
+
+    #[test]
+    fn what_is_shown_can_be_typed() {
+        for value in [0.1, 32.0, 1005.0, f64::INFINITY, 1e9, -2.5] {
+            assert_eq!(evaluate(&display(value, 3)), Some(value));
+        }
+    }
+}

@@ -1,0 +1,187 @@
+//! The gallery of built-in scenes: a small picture of each, drawn in the background while the gallery is open.
+
+use crate::analysis::{Codec, Watch};
+use crate::app::session::action::Action;
+use crate::app::session::action::Requests;
+use crate::app::session::document::Origin;
+use crate::app::session::window::WindowState;
+use crate::app::widgets::background::{PICTURES, Pictures};
+use crate::app::widgets::dialog::Choice;
+use crate::app::widgets::focus::named;
+use crate::app::widgets::theme::text_field;
+use crate::jobs::Work;
+use crate::render::Renderer;
+use crate::scene::presets::{self, Preset};
+use crate::text::text;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{
+    Align2, Color32, ColorImage, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, TextStyle,
+    TextureHandle, Ui, Vec2, pos2, vec2,
+};
+use serde::{Deserialize, Serialize};
+
+/// Size of a thumbnail, points.
+const PICTURE: Vec2 = Vec2::new(148.0, 111.0);
+/// With its title.
+const CARD: Vec2 = Vec2::new(156.0, 156.0);
+
+/// What the gallery remembers.
+#[derive(Default)]
+pub struct Gallery {
+    sought: String,
+    pictures: Pictures<Thumbnails>,
+}
+
+impl Gallery {
+    /// Forgets what is still being drawn.
+    pub fn leave(&mut self) {
+        self.pictures.leave();
+    }
+}
+
+/// The scenes in pictures of this size, in pixels.
+#[derive(Clone, PartialEq, Serialize, Deserialize)]
+pub struct Thumbnails([u32; 2]);
+
+impl Work for Thumbnails {
+    type Answer = Vec<ColorImage>;
+
+    const CODECS: Option<(Codec<Self>, Codec<Self::Answer>)> = Some((Codec::plain(), PICTURES));
+
+    fn run(&self, watch: &dyn Watch<Self::Answer>) -> Result<Self::Answer, String> {
+        let mut pictures = Vec::new();
+        for preset in presets::ALL {
+            let mut scene = preset.scene();
+            scene.image.size = self.0;
+            let frame = Renderer::default().render_supersampled(&scene, 4, &mut |_| true);
+            let size = self.0.map(|side| side as usize);
+            pictures.push(ColorImage::from_rgba_unmultiplied(
+                size,
+                frame.pixels.as_flattened(),
+            ));
+            watch.found(&pictures);
+            if !watch.at(pictures.len() as f32 / presets::ALL.len() as f32) {
+                break;
+            }
+        }
+        Ok(pictures)
+    }
+}
+
+/// Whether a scene is one that is looked for.
+fn is_sought(preset: &Preset, sought: &str) -> bool {
+    let found = |text: &str| text.to_lowercase().contains(sought);
+    let words = [preset.title(), preset.sentence(), preset.topic_title()];
+    found(preset.name) || words.into_iter().any(found)
+}
+
+/// Every scene by chapter; a click opens it.
+pub fn scenes_ui(ui: &mut Ui, window: &mut WindowState, requests: &mut Requests) -> Choice {
+    let mut gallery: Gallery = window.own.take();
+    let size = (PICTURE * ui.ctx().pixels_per_point()).round();
+    let wanted = Thumbnails([size.x as u32, size.y as u32]);
+    gallery
+        .pictures
+        .prepare(ui.ctx(), &wanted, presets::ALL.len());
+    let mut choice = Choice::Stay;
+    ui.horizontal(|ui| {
+        ui.heading(text!("scenes"));
+        let field = text_field(&mut gallery.sought)
+            .hint_text(text!("scenes-search"))
+            .desired_width(ui.available_width() - 76.0);
+        named(ui.add(field), Role::SearchInput, text!("scenes-search"));
+        if ui.button(text!("close")).clicked() {
+            choice = Choice::Leave;
+        }
+    });
+    ui.add_space(8.0);
+    let sought = gallery.sought.trim().to_lowercase();
+    let height = (ui.ctx().content_rect().height() - 150.0).max(160.0);
+    ScrollArea::vertical()
+        .max_height(height)
+        .min_scrolled_height(height)
+        .auto_shrink(false)
+        .show(ui, |ui| {
+            let mut any = false;
+            for topic in presets::topics() {
+                let scenes: Vec<_> = presets::ALL
+                    .iter()
+                    .enumerate()
+                    .filter(|(_, preset)| preset.topic == topic)
+                    .filter(|(_, preset)| is_sought(preset, &sought))
+                    .collect();
+                if scenes.is_empty() {
+                    continue;
+                }
+                any = true;
+                ui.label(RichText::new(presets::topic_title(topic)).strong());
+                ui.horizontal_wrapped(|ui| {
+                    ui.spacing_mut().item_spacing = vec2(8.0, 8.0);
+                    // Two stand side by side in a narrow window.
+                    let width = (0.5 * (ui.available_width() - 8.0)).clamp(100.0, CARD.x);
+                    for (index, preset) in scenes {
+                        if card_ui(ui, width, preset, gallery.pictures.textures.get(index)) {
+                            requests.ask(Action::OpenBuiltIn(preset.name.to_owned()));
+                            choice = Choice::Leave;
+                        }
+                    }
+                });
+                ui.add_space(10.0);
+            }
+            if !any {
+                ui.label(text!("scenes-none", sought = gallery.sought.trim()));
+            }
+        });
+    window.own.put(gallery);
+    choice
+}
+
+/// A scene's picture over its title; whether it was clicked.
+fn card_ui(ui: &mut Ui, width: f32, preset: &Preset, texture: Option<&TextureHandle>) -> bool {
+    let (rect, response) = ui.allocate_exact_size(vec2(width, CARD.y), Sense::click());
+    let response = named(response, Role::Button, preset.title());
+    if !ui.is_rect_visible(rect) {
+        return response.clicked();
+    }
+    let visuals = ui.style().interact(&response);
+    let fill = if response.hovered() {
+        visuals.bg_fill
+    } else {
+        ui.visuals().faint_bg_color
+    };
+    let painter = ui.painter();
+    painter.rect_filled(rect, 8.0, fill);
+    let picture = PICTURE * ((width - 8.0) / PICTURE.x);
+    let place = Rect::from_min_size(rect.min + vec2(4.0, 4.0), picture);
+    if let Some(texture) = texture {
+        let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+        painter.image(texture.id(), place, whole, Color32::WHITE);
+    } else {
+        painter.rect_filled(place, 4.0, ui.visuals().extreme_bg_color);
+    }
+    if response.hovered() || response.has_focus() {
+        let stroke = Stroke::new(2.0, ui.visuals().selection.bg_fill);
+        painter.rect_stroke(rect, 8.0, stroke, StrokeKind::Inside);
+    }
+    let font = TextStyle::Body.resolve(ui.style());
+    let colour = ui.visuals().text_color();
+    let galley = painter.layout(preset.title().to_owned(), font, colour, picture.x);
+    let at = pos2(
+        rect.center().x,
+        place.max.y + 0.5 * (rect.max.y - place.max.y),
+    );
+    let corner = Align2::CENTER_CENTER.anchor_size(at, galley.size()).min;
+    painter.galley(corner, galley, colour);
+    response.on_hover_text(preset.sentence()).clicked()
+}
+
+/// Returns the built-in scene so many places after the one in view, round all of them.
+pub fn scene_after(origin: &Origin, step: isize) -> &'static str {
+    let Origin::BuiltIn(name) = origin else {
+        return presets::DEFAULT;
+    };
+    let place = presets::ALL.iter().position(|preset| preset.name == name);
+    let count = presets::ALL.len() as isize;
+    let next = (place.unwrap_or(0) as isize + step).rem_euclid(count);
+    presets::ALL[next as usize].name
+}

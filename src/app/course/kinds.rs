@@ -1,0 +1,34 @@
+//! The widgets of questions, a file for each kind.
+
+mod card;
+mod choice;
+mod curve;
+mod matching;
+mod order;
+mod point;
+mod settings;
+mod value;
+mod widget;
+
+#[cfg(target_arch = "wasm32")]
+pub use matching::{Likeness, Target};
+pub use widget::{Asked, Widget};
+
+use crate::lesson::{Answer, Kind};
+
+/// Returns the widget of a question, with the answer that was given before; `seed` decides what is drawn at random.
+pub fn widget_of(kind: &Kind, given: Option<&Answer>, seed: u64) -> Box<dyn Widget> {
+    let mut widget: Box<dyn Widget> = match kind {
+        Kind::Choice(_) => Box::new(choice::ChoiceWidget::default()),
+        Kind::Value(_) => Box::new(value::ValueWidget::default()),
+        Kind::Point(_) => Box::new(point::PointWidget::default()),
+        Kind::Curve(_) => Box::new(curve::CurveWidget::default()),
+        Kind::Settings(_) => Box::new(settings::SettingsWidget),
+        Kind::Order(order) => Box::new(order::OrderWidget::new(order.items.len(), seed)),
+        Kind::Match(_) => Box::new(matching::MatchWidget),
+    };
+    if let Some(given) = given {
+        widget.take_up(given);
+    }
+    widget
+}

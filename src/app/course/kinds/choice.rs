@@ -1,0 +1,58 @@
+//! A choice: a card for each option.
+
+use super::card::{CHOICE, Card};
+use super::widget::{Asked, Widget};
+use crate::lesson::{Answer, Question, Solution};
+use crate::scene::Scene;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Sense, Stroke, Ui, vec2};
+
+/// The options, with the one that is chosen.
+#[derive(Default)]
+pub struct ChoiceWidget {
+    chosen: Option<usize>,
+}
+
+impl Widget for ChoiceWidget {
+    fn take_up(&mut self, given: &Answer) {
+        if let Answer::Choice(chosen) = given {
+            self.chosen = Some(*chosen);
+        }
+    }
+
+    fn ui(&mut self, ui: &mut Ui, asked: &mut Asked<'_>) -> bool {
+        let right = match asked.right() {
+            Some(Solution::Choice(right)) => Some(*right),
+            _ => None,
+        };
+        for (index, words) in asked.names.iter().enumerate() {
+            let on = self.chosen == Some(index);
+            let card = Card {
+                id: ui.scope_id().with(("option", index)),
+                words,
+                role: Role::RadioButton,
+                on,
+                right: right.map(|right| right == index),
+                enabled: !asked.revealed,
+            };
+            let response = card.show(ui, asked.markdown, |ui| {
+                let (rect, _) = ui.allocate_exact_size(vec2(16.0, CHOICE), Sense::hover());
+                let visuals = ui.visuals();
+                let stroke = Stroke::new(1.5, visuals.text_color());
+                ui.painter().circle_stroke(rect.center(), 6.0, stroke);
+                if on {
+                    ui.painter()
+                        .circle_filled(rect.center(), 3.5, visuals.hyperlink_color);
+                }
+            });
+            if response.clicked() {
+                (self.chosen, asked.changed) = (Some(index), true);
+            }
+        }
+        false
+    }
+
+    fn answer(&self, _: &Question, _: &Scene) -> Option<Answer> {
+        self.chosen.map(Answer::Choice)
+    }
+}

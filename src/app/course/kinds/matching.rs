@@ -1,0 +1,287 @@
+//! A picture to be matched: the target beside the student's own, and how far they are apart.
+
+use super::widget::{Asked, Widget, set_ui};
+use crate::analysis::{Codec, Watch};
+use crate::app::course::parts::waiting_ui;
+use crate::app::session::Session;
+use crate::app::widgets::background::{PICTURES, wake};
+use crate::app::widgets::focus::named;
+use crate::app::widgets::palette::vector_text;
+use crate::figure::palette::Vector;
+use crate::figure::short;
+use crate::geometry::Mesh;
+use crate::jobs::{Background, Work, model_from_bytes, model_to_bytes};
+use crate::lesson::{
+    Answer, Kind, Match, Question, Solution, control_name, picture_distance, value_of,
+};
+use crate::render::Renderer;
+use crate::scene::Scene;
+use crate::text::text;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{
+    Color32, ColorImage, Context, Grid, Rect, RichText, Sense, Stroke, StrokeKind, TextureHandle,
+    TextureOptions, Ui, pos2, vec2,
+};
+use serde::{Deserialize, Serialize};
+use std::sync::Arc;
+
+/// The longer side of the target's picture and of those compared, pixels.
+const SIDE: u32 = 360;
+/// Greatest height of the target on the screen, points, so that it fits in with the controls and the meter.
+const HIGHEST: f32 = 190.0;
+/// Height of the meter, points.
+const METER: f32 = 10.0;
+
+/// The target's picture.
+#[derive(Serialize, Deserialize)]
+pub struct Target {
+    scene: Scene,
+    #[serde(
+        serialize_with = "model_to_bytes",
+        deserialize_with = "model_from_bytes"
+    )]
+    model: Option<Arc<Mesh>>,
+}
+
+impl Work for Target {
+    type Answer = Vec<ColorImage>;
+
+    const CODECS: Option<(Codec<Self>, Codec<Self::Answer>)> = Some((Codec::plain(), PICTURES));
+
+    fn run(&self, _: &dyn Watch<Self::Answer>) -> Result<Self::Answer, String> {
+        let mut renderer = Renderer::default();
+        renderer.set_model(self.model.clone());
+        let frame = renderer.render_supersampled(&self.scene, 4, &mut |_| true);
+        let size = [frame.width as usize, frame.height as usize];
+        Ok(vec![ColorImage::from_rgba_unmultiplied(
+            size,
+            frame.pixels.as_flattened(),
+        )])
+    }
+}
+
+/// The distance of two scenes: the root mean square of the difference of their pictures.
+#[derive(Serialize, Deserialize)]
+pub struct Likeness {
+    scenes: [Scene; 2],
+    #[serde(
+        serialize_with = "model_to_bytes",
+        deserialize_with = "model_from_bytes"
+    )]
+    model: Option<Arc<Mesh>>,
+}
+
+impl Work for Likeness {
+    type Answer = f64;
+
+    const CODECS: Option<(Codec<Self>, Codec<f64>)> = Some((Codec::plain(), Codec::plain()));
+
+    fn run(&self, _: &dyn Watch<f64>) -> Result<f64, String> {
+        let mut renderer = Renderer::default();
+        renderer.set_model(self.model.clone());
+        let [a, b] = [0, 1].map(|index| renderer.linear_picture(&self.scenes[index]));
+        Ok(picture_distance(self.scenes[0].image.size[0], &a, &b))
+    }
+}
+
+/// The state of a match.
+#[derive(Default)]
+struct Matching {
+    of: Option<(u64, usize)>,
+    target: Background<Target>,
+    picture: Option<TextureHandle>,
+    likeness: Background<Likeness>,
+    /// The distance at first, before the last change, and now.
+    distances: [Option<f64>; 3],
+    changes: u32,
+    began: f64,
+}
+
+impl Matching {
+    /// Has the target's picture drawn.
+    fn draw_target(&mut self, ctx: &Context, target: &Scene, model: Option<&Arc<Mesh>>) {
+        let work = || Target {
+            scene: target.clone(),
+            model: model.cloned(),
+        };
+        self.target
+            .ask(wake(ctx), |known| known.scene == *target, work);
+        if let (None, Some([image, ..])) = (&self.picture, self.target.answer().map(Vec::as_slice))
+        {
+            let texture = ctx.load_texture("target", image.clone(), TextureOptions::LINEAR);
+            self.picture = Some(texture);
+        }
+    }
+
+    /// Has the distance of two scenes measured.
+    fn measure(&mut self, ctx: &Context, scenes: [Scene; 2], model: Option<&Arc<Mesh>>) {
+        let work = || Likeness {
+            scenes: scenes.clone(),
+            model: model.cloned(),
+        };
+        let new = self
+            .likeness
+            .ask(wake(ctx), |known| known.scenes == scenes, work);
+        if new && let Some(distance) = self.likeness.answer() {
+            let [first, _, last] = self.distances;
+            if last != Some(*distance) {
+                self.distances = [first.or(Some(*distance)), last, Some(*distance)];
+                self.changes += u32::from(last.is_some());
+            }
+        }
+    }
+}
+
+/// The target beside the student's own picture. What it remembers outlives the step.
+pub struct MatchWidget;
+
+impl Widget for MatchWidget {
+    /// Shows the target, the distance, and a meter that says whether the last change was for the better.
+    fn ui(&mut self, ui: &mut Ui, asked: &mut Asked<'_>) -> bool {
+        if let Kind::Match(kind) = &asked.question.kind {
+            match_ui(ui, asked, kind);
+        }
+        false
+    }
+
+    fn answer(&self, question: &Question, scene: &Scene) -> Option<Answer> {
+        let controls = question.kind.asks().controls().iter();
+        let values = controls.map(|key| value_of(scene, key).ok());
+        values.collect::<Option<_>>().map(Answer::Match)
+    }
+
+    fn right_ui(
+        &self,
+        ui: &mut Ui,
+        question: &Question,
+        right: &Solution,
+        given: &Answer,
+        session: &mut Session,
+    ) {
+        let (Kind::Match(kind), Solution::Match(right)) = (&question.kind, right) else {
+            return;
+        };
+        let own = match given {
+            Answer::Match(own) => &**own,
+            _ => &[],
+        };
+        Grid::new("parameters")
+            .num_columns(3)
+            .spacing([16.0, 4.0])
+            .show(ui, |ui| {
+                ui.label("");
+                ui.label(RichText::new(text!("course-yours")).weak());
+                ui.label(RichText::new(text!("course-target")).weak());
+                ui.end_row();
+                for ((key, own), right) in kind.controls.iter().zip(own).zip(right) {
+                    ui.label(control_name(key));
+                    ui.monospace(short(*own));
+                    ui.monospace(short(*right));
+                    ui.end_row();
+                }
+            });
+        set_ui(ui, session, &kind.settings(right));
+    }
+}
+
+fn match_ui(ui: &mut Ui, asked: &mut Asked<'_>, kind: &Match) {
+    let (Some(staged), Some(Solution::Match(values))) = (asked.staged, asked.solution) else {
+        return waiting_ui(ui, text!("course-preparing"));
+    };
+    let mut own: Matching = asked.window.own.take();
+    let now = ui.input(|input| input.time);
+    if own.of != Some(asked.step) {
+        own = Matching {
+            of: Some(asked.step),
+            began: now,
+            ..Matching::default()
+        };
+    }
+    let mut settings = asked.question.set.clone();
+    settings.extend(kind.settings(values));
+    let Ok(mut target) = staged.scene.with_overrides(&settings) else {
+        return;
+    };
+    let mut present = asked.scene.clone();
+    // The students may look from elsewhere, but then nothing can be compared.
+    present.camera = target.camera.clone();
+    let [width, height] = target.image.size;
+    let scale = f64::from(SIDE) / f64::from(width.max(height).max(1));
+    let size = [width, height].map(|side| ((f64::from(side) * scale) as u32).max(1));
+    (target.image.size, present.image.size) = (size, size);
+    own.draw_target(ui.ctx(), &target, staged.model.as_ref());
+    own.measure(ui.ctx(), [present, target], staged.model.as_ref());
+    ui.label(RichText::new(text!("course-target")).weak());
+    picture_ui(ui, &own, size);
+    ui.add_space(4.0);
+    if let Some(distance) = own.distances[2] {
+        meter_ui(ui, &own, distance, kind.tolerance);
+    }
+    if !asked.revealed {
+        let seconds = (now - own.began).max(0.0) as u64;
+        let time = format!("{}:{:02}", seconds / 60, seconds % 60);
+        let words = text!("course-match-tries", count = own.changes, time = time);
+        ui.label(RichText::new(words).weak());
+    }
+    asked.window.own.put(own);
+}
+
+fn picture_ui(ui: &mut Ui, own: &Matching, [width, height]: [u32; 2]) {
+    let aspect = height as f32 / width as f32;
+    let wide = ui.available_width().min(HIGHEST / aspect);
+    let size = vec2(wide, wide * aspect);
+    let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
+    named(response, Role::Image, text!("course-target"));
+    let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+    match &own.picture {
+        Some(texture) => {
+            _ = ui
+                .painter()
+                .image(texture.id(), rect, whole, Color32::WHITE);
+        }
+        None => {
+            _ = ui
+                .painter()
+                .rect_filled(rect, 2.0, ui.visuals().extreme_bg_color);
+        }
+    }
+}
+
+/// Shows the distance on a scale of decades from what it was at first to what counts as the same.
+fn meter_ui(ui: &mut Ui, own: &Matching, distance: f64, tolerance: f64) {
+    let [first, before, _] = own.distances;
+    let start = first.unwrap_or(distance).max(4.0 * tolerance);
+    let share = |distance: f64| {
+        let near = (start / distance.max(1e-9)).ln() / (start / tolerance).ln();
+        near.clamp(0.0, 1.0) as f32
+    };
+    let words = if distance <= tolerance {
+        text!("course-match-same")
+    } else {
+        match before {
+            Some(before) if distance < before => text!("course-warmer"),
+            Some(before) if distance > before => text!("course-colder"),
+            _ => "",
+        }
+    };
+    let (rect, response) =
+        ui.allocate_exact_size(vec2(ui.available_width(), METER), Sense::hover());
+    let name = text!("course-match-meter");
+    named(response, Role::ProgressIndicator, name);
+    let visuals = ui.visuals();
+    ui.painter()
+        .rect_filled(rect, 4.0, visuals.extreme_bg_color);
+    let filled = rect.with_max_x(rect.min.x + rect.width() * share(distance));
+    ui.painter()
+        .rect_filled(filled, 4.0, vector_text(visuals, Vector::L));
+    let line = Stroke::new(1.0, visuals.widgets.noninteractive.bg_stroke.color);
+    ui.painter()
+        .rect_stroke(rect, 4.0, line, StrokeKind::Inside);
+    ui.horizontal(|ui| {
+        ui.label(text!(
+            "course-match-distance",
+            rms = format!("{distance:.4}")
+        ));
+        ui.label(RichText::new(words).strong());
+    });
+}

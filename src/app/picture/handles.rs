@@ -1,0 +1,190 @@
+//! What can be dragged in the picture: the lights' handles and, by the tab that is open, the profile's line by its two ends and a
+//! ring by which the picture is turned.
+//!
+//! The handles are shown while the pointer is over the picture. The lights' are described in [`light`]; the chosen light shows where
+//! it shines as well (see [`beam`]).
+
+mod beam;
+mod light;
+mod vertex;
+
+pub use beam::{aim_at, cursor, open_to};
+pub use light::{REACH, apart, drag_light, scale_light, start};
+pub use vertex::{drag_to as drag_vertex, paint as paint_vertices, push as push_vertex};
+
+use crate::app::course::Course;
+use crate::app::session::Session;
+use crate::app::session::appearance::ViewName;
+use crate::app::session::place::{Place, ProbePoint};
+use crate::app::session::window::Grip;
+use crate::app::session::window::WindowState;
+use crate::app::views::defects::shows_ring;
+use crate::app::views::profile;
+use crate::figure::Area;
+use crate::scene::View;
+use eframe::egui::{Color32, Context, Painter, Pos2, Rect, Stroke, Vec2, vec2};
+use glam::DVec2;
+
+/// What the ring round the probe covers, points.
+const PROBE: f32 = 16.0;
+/// Radius of the ring, in the picture's shorter side.
+const RING: f32 = 0.46;
+/// Radius of the ring's knob, points.
+const KNOB: f32 = 7.0;
+
+/// Everything in the picture that the pointer can take hold of at a point, and where that is.
+pub fn grips(
+    session: &Session,
+    window: &WindowState,
+    course: &Course,
+    view: &View,
+    place: Place,
+) -> Vec<(Grip, Pos2)> {
+    let mut grips = Vec::new();
+    if window.shows(ViewName::Profile) {
+        let ends = window.line.pixels(place.size).into_iter().enumerate();
+        grips.extend(ends.map(|(end, pixel)| (Grip::LineEnd(end), place.point(pixel))));
+    }
+    if shows_ring(session, window) {
+        grips.push((Grip::Roll, knob(session, place)));
+    }
+    if window.appearance.overlay.handles {
+        let lights = light::places(&session.shown.scene, view, place).into_iter();
+        grips.extend(lights.zip(0..).map(|(at, index)| (Grip::Light(index), at)));
+        grips.extend(
+            beam::chosen(session, view)
+                .into_iter()
+                .flat_map(|beam| beam.grips(view, place)),
+        );
+        grips.extend(
+            vertex::seen(session, view, place)
+                .into_iter()
+                .map(|(v, at)| (Grip::Vertex(v), at)),
+        );
+    }
+    if let Some(mark) = course.mark().filter(|_| course.asks_point()) {
+        let pixel = ProbePoint(mark).centre(place.size);
+        grips.push((Grip::Mark, place.point(pixel)));
+    }
+    grips.push((Grip::Probe, place.point(window.probe.centre(place.size))));
+    grips
+}
+
+/// What the lights' handles with their numbers and the captions of panes cover, in the picture's pixels.
+pub fn covered(session: &Session, window: &WindowState, view: &View, place: Place) -> Vec<Area> {
+    let mut covered = light::captions(session, place);
+    if window.appearance.overlay.handles {
+        covered.extend(light::covered(&session.shown.scene, view, place));
+    }
+    if window.appearance.overlay.vectors {
+        let probe = place.point(window.probe.centre(place.size));
+        covered.push(light::area(Rect::from_center_size(
+            probe,
+            Vec2::splat(PROBE),
+        )));
+    }
+    let pixels = |area: Area| {
+        let [min, max] = [area.min, area.max].map(|at| place.exact_pixel(at));
+        Area { min, max }
+    };
+    covered.into_iter().map(pixels).collect()
+}
+
+/// Whether the handles of lights are shown: while the pointer is over the picture or holds something, and always where a finger
+/// is the pointer.
+pub fn visible(ctx: &Context, window: &WindowState, place: Place) -> bool {
+    let near = || {
+        ctx.input(|input| {
+            let over = input.pointer.hover_pos();
+            input.has_touch_screen() || over.is_some_and(|at| place.rect.contains(at))
+        })
+    };
+    window.appearance.overlay.handles && (window.drag.is_some() || near())
+}
+
+/// Draws what is below the lights' handles: beams, outlines and stems, the profile's line, the ring.
+pub fn paint_below(
+    painter: &Painter,
+    session: &Session,
+    window: &WindowState,
+    view: &View,
+    place: Place,
+    active: bool,
+) {
+    if visible(painter.ctx(), window, place) {
+        beam::paint(painter, session, view, place);
+        light::paint_stem(painter, session, window, view, place);
+    }
+    paint_tabs(painter, session, window, place, active);
+}
+
+/// Draws the lights' handles.
+pub fn paint(
+    painter: &Painter,
+    session: &Session,
+    window: &WindowState,
+    view: &View,
+    place: Place,
+) {
+    if visible(painter.ctx(), window, place) {
+        light::paint(painter, session, view, place);
+    }
+}
+
+fn ring(place: Place) -> f32 {
+    RING * place.rect.width().min(place.rect.height())
+}
+
+/// The ring's knob: at the right without roll, counter-clockwise with it.
+fn knob(session: &Session, place: Place) -> Pos2 {
+    // Any number of turns is one of 360 degrees; single precision would not know where it ends.
+    let angle = session
+        .shown
+        .scene
+        .camera
+        .roll
+        .rem_euclid(360.0)
+        .to_radians() as f32;
+    place.rect.center() + ring(place) * vec2(angle.cos(), -angle.sin())
+}
+
+/// Turns the picture by whole degrees until the knob points at `at`; what the probe stands on is taken along.
+pub fn turn_to(session: &mut Session, window: &mut WindowState, place: Place, at: Pos2) {
+    let way = at - place.rect.center();
+    if way.length() < 1.0 {
+        return;
+    }
+    let roll = f64::from((-way.y).atan2(way.x))
+        .to_degrees()
+        .rem_euclid(360.0)
+        .round();
+    let turned = roll - session.shown.scene.camera.roll;
+    session.shown.scene.camera.roll = roll;
+    // Pixels count downwards, so that counter-clockwise is clockwise to them.
+    window.probe = ProbePoint(DVec2::from_angle(-turned.to_radians()).rotate(window.probe.0));
+}
+
+/// Draws the profile's line; and the ring.
+fn paint_tabs(
+    painter: &Painter,
+    session: &Session,
+    window: &WindowState,
+    place: Place,
+    active: bool,
+) {
+    profile::paint(painter, session, window, place, active);
+    let dark = |width, alpha| Stroke::new(width, Color32::from_black_alpha(alpha));
+    let white = |width| Stroke::new(width, Color32::WHITE);
+    if shows_ring(session, window) {
+        let centre = place.rect.center();
+        painter.circle_stroke(centre, ring(place), dark(3.0, 110));
+        painter.circle_stroke(
+            centre,
+            ring(place),
+            Stroke::new(1.0, Color32::from_white_alpha(130)),
+        );
+        let at = knob(session, place);
+        painter.circle(at, KNOB, Color32::from_black_alpha(170), dark(3.5, 150));
+        painter.circle_stroke(at, KNOB, white(2.0));
+    }
+}

@@ -1,0 +1,601 @@
+//! The lights in the picture: where their handles are, how they show, and how they are dragged.
+//!
+//! A light keeps its distance while it is dragged: it moves on the sphere through it about the object's middle, and pulled
+//! past the sphere's rim it goes round to the other side. A directional light is nowhere, so its handle slides on a sphere in
+//! the picture, filled on the side that faces the viewer, hollow beyond. A light behind the viewer or outside the picture has a
+//! marker at the edge that points to it; dragged round the edge it goes round the object, dragged inwards it comes to the
+//! viewer.
+
+use super::beam::{self, MARGIN, on_sphere};
+use crate::app::controls::row::swatch;
+use crate::app::session::Session;
+use crate::app::session::place::{Place, tidy};
+use crate::app::session::window::WindowState;
+use crate::app::session::window::{Grip, LightStart};
+use crate::app::widgets::letter::letter;
+use crate::app::widgets::lines::{exact, line};
+use crate::app::widgets::palette;
+use crate::app::widgets::theme::TEXT;
+use crate::figure::palette::Vector;
+use crate::figure::{Area, Placer, Wish};
+use crate::scene::{CompareView, Light, LightKind, ObjectKind, Scene, View};
+use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Vec2, pos2, vec2};
+use glam::{DVec2, DVec3};
+use std::f64::consts::PI;
+use std::ops::RangeInclusive;
+/// Radius of the sphere that directional lights' handles slide on, in the picture's shorter side at the depth of its middle.
+const SPHERE: f64 = 0.42;
+/// Radius of a handle, points.
+const RADIUS: f32 = 8.0;
+/// How near the pointer must be to take hold of something, points.
+pub const REACH: f32 = 14.0;
+/// The height that a pane's caption takes, points.
+const CAPTION: f32 = 34.0;
+/// Width of the figures of a difference, points.
+const FIGURES: f32 = 300.0;
+/// A light in the viewer's own direction counts as this far from it, radians: its marker at the edge can be dragged.
+const LEAST_ANGLE: f64 = 0.25;
+/// How far lights can be moved by hand from the object's middle, world units.
+const DISTANCES: RangeInclusive<f64> = 1e-3..=1e6;
+
+/// How a light shows in the picture.
+#[derive(Clone, Copy)]
+enum Marker {
+    /// A light with a place in the picture.
+    Point,
+    /// A directional light; `front` on the viewer's side of the sphere.
+    Directional { front: bool },
+    /// A light that is not in the picture; the unit vector points to where it is.
+    Edge(Vec2),
+}
+
+/// The middle of the object, which lights are dragged about: that of the unit sphere, or of the scene's own polygons. Where it is
+/// not before the viewer, and for a model at its file's own place, the camera's target.
+fn middle(scene: &Scene, view: &View) -> DVec3 {
+    let object = &scene.object;
+    let own = match object.kind {
+        ObjectKind::Obj if !object.fit => scene.camera.target,
+        ObjectKind::Polygons => {
+            let vertices = object.polygons().vertices;
+            let ends = vertices
+                .iter()
+                .copied()
+                .fold(None, |ends: Option<[DVec3; 2]>, at| {
+                    Some(ends.map_or([at; 2], |[low, high]| [low.min(at), high.max(at)]))
+                });
+            ends.map_or(DVec3::ZERO, |[low, high]| 0.5 * low + 0.5 * high)
+        }
+        _ => DVec3::ZERO,
+    };
+    if view.project(own).is_some() {
+        own
+    } else {
+        scene.camera.target
+    }
+}
+
+/// Draws the line from the light that is held or pointed at to the object's middle.
+pub fn paint_stem(
+    painter: &Painter,
+    session: &Session,
+    window: &WindowState,
+    view: &View,
+    place: Place,
+) {
+    let scene = &session.shown.scene;
+    let middle = middle(scene, view);
+    let pointer = painter.ctx().input(|input| input.pointer.hover_pos());
+    let near = |at: Pos2| pointer.is_some_and(|pointer| pointer.distance(at) <= REACH);
+    let Some((foot, _)) = view.project(middle) else {
+        return;
+    };
+    for (index, light) in scene.lights.iter().enumerate() {
+        let (at, _) = marker(light, view, middle, place);
+        let wanted = match window.drag {
+            Some(drag) => drag.grip == Grip::Light(index),
+            None => near(at),
+        };
+        if wanted {
+            let ends = [exact(at), place.exact_point(foot)];
+            for (width, colour) in [
+                (3.5, Color32::from_black_alpha(110)),
+                (1.2, palette::vector(Vector::L)),
+            ] {
+                line(painter, ends, Stroke::new(width, colour), &[]);
+            }
+            painter.circle_filled(place.point(foot), 2.5, palette::vector(Vector::L));
+        }
+    }
+}
+
+/// Draws the lights' handles; that of the chosen light is emphasised, those that are off look unlit.
+pub fn paint(painter: &Painter, session: &Session, view: &View, place: Place) {
+    let scene = &session.shown.scene;
+    let (middle, soloing) = (middle(scene, view), scene.soloing());
+    let markers: Vec<(Pos2, Marker)> = scene
+        .lights
+        .iter()
+        .map(|light| marker(light, view, middle, place))
+        .collect();
+    for (index, (light, (at, marker))) in scene.lights.iter().zip(&markers).enumerate() {
+        let colour = light.shines(soloing).then(|| swatch(light.color));
+        paint_light(painter, *at, *marker, colour, index == session.light);
+    }
+    beam::chosen(session, view)
+        .into_iter()
+        .for_each(|beam| beam.paint_grips(painter, view, place));
+    paint_numbers(painter, session, place, &markers, foot(view, middle, place));
+}
+
+pub fn area(rect: Rect) -> Area {
+    Area {
+        min: exact(rect.min),
+        max: exact(rect.max),
+    }
+}
+
+impl Marker {
+    /// Where its number would stand, as seen from the handle at `at`, and how far away: clear of the line to the object's
+    /// middle, which is at `foot`.
+    fn number(self, at: Pos2, foot: Option<DVec2>) -> (Vec2, f32) {
+        let away = foot
+            .and_then(|foot| (exact(at) - foot).try_normalize())
+            .map_or(vec2(0.0, 1.0), |away| vec2(away.x as f32, away.y as f32));
+        match self {
+            Self::Point => (away, RADIUS + 2.0),
+            Self::Directional { .. } => (away, RADIUS + 7.0),
+            Self::Edge(way) => (way.rot90(), RADIUS + 5.0),
+        }
+    }
+}
+
+/// Where the object's middle is on the screen, or far out of it.
+fn foot(view: &View, middle: DVec3, place: Place) -> Option<DVec2> {
+    Some(place.exact_point(view.project(middle)?.0))
+}
+
+/// What each handle covers with its number, points.
+pub fn covered(scene: &Scene, view: &View, place: Place) -> Vec<Area> {
+    let middle = middle(scene, view);
+    let foot = foot(view, middle, place);
+    let covered = |light| {
+        let (at, marker) = marker(light, view, middle, place);
+        let (way, clearance) = marker.number(at, foot);
+        let handle = Rect::from_center_size(at, Vec2::splat(2.0 * RADIUS + 4.0));
+        let number = Rect::from_center_size(at + way * (clearance + TEXT * 0.6), vec2(20.0, TEXT));
+        area(handle.union(number))
+    };
+    scene.lights.iter().map(covered).collect()
+}
+
+/// What the captions of panes cover, points.
+pub fn captions(session: &Session, place: Place) -> Vec<Area> {
+    let (rect, view) = (place.rect, session.document().scene.compare.view);
+    if view == CompareView::Single {
+        return Vec::new();
+    }
+    let size = vec2(0.6 * rect.width(), CAPTION);
+    let top = match view {
+        // The figures stand below the names where there is no room beside the scale, and are longer.
+        CompareView::Difference => vec2(rect.width().min(FIGURES), 1.6 * CAPTION),
+        _ => size,
+    };
+    let bottom = rect.left_bottom() - vec2(0.0, CAPTION);
+    let mut covered = vec![
+        Rect::from_min_size(rect.min, top),
+        Rect::from_min_size(bottom, size),
+    ];
+    if view == CompareView::Wipe {
+        let right = rect.right_top() - vec2(0.3 * rect.width(), 0.0);
+        covered.push(Rect::from_min_size(
+            right,
+            vec2(0.3 * rect.width(), CAPTION),
+        ));
+    }
+    covered.into_iter().map(area).collect()
+}
+
+/// Writes the lights' numbers beside their handles, inside the picture, off one another and off the captions of panes.
+fn paint_numbers(
+    painter: &Painter,
+    session: &Session,
+    place: Place,
+    markers: &[(Pos2, Marker)],
+    foot: Option<DVec2>,
+) {
+    let mut taken: Vec<Area> = markers
+        .iter()
+        .map(|(at, _)| area(Rect::from_center_size(*at, Vec2::splat(2.0 * RADIUS))))
+        .collect();
+    taken.extend(captions(session, place));
+    let orange = palette::readable(palette::vector(Vector::L), Color32::BLACK);
+    let mut placer = Placer::new(area(place.rect.shrink(2.0)), f64::from(TEXT), &[], taken);
+    for (index, (at, marker)) in markers.iter().enumerate() {
+        let font = FontId::proportional(if index == session.light { 15.0 } else { 14.0 });
+        let text = format!("L{}", index + 1);
+        let size = painter
+            .layout_no_wrap(text.clone(), font.clone(), orange)
+            .size();
+        let (direction, clearance) = marker.number(*at, foot);
+        let wish = Wish {
+            anchor: exact(*at),
+            direction: DVec2::new(f64::from(direction.x), f64::from(direction.y)),
+            size: DVec2::new(f64::from(size.x), f64::from(size.y)),
+            clearance: f64::from(clearance),
+        };
+        if let Some(room) = placer.place(&wish) {
+            let [x, y] = room.centre().to_array().map(|place| place as f32);
+            letter(
+                painter,
+                pos2(x, y),
+                Align2::CENTER_CENTER,
+                &text,
+                &font,
+                orange,
+            );
+        }
+    }
+}
+
+/// Where the lights' handles are.
+pub fn places(scene: &Scene, view: &View, place: Place) -> Vec<Pos2> {
+    let middle = middle(scene, view);
+    let at = |light| marker(light, view, middle, place).0;
+    scene.lights.iter().map(at).collect()
+}
+
+/// Where a light's handle is, and how it shows.
+fn marker(light: &Light, view: &View, middle: DVec3, place: Place) -> (Pos2, Marker) {
+    let directional = light.kind == LightKind::Directional;
+    let world = if directional {
+        middle - light.direction.normalize_or(DVec3::NEG_Y) * sphere_radius(view, middle)
+    } else {
+        light.position
+    };
+    let inner = place.rect.shrink(MARGIN * 0.5);
+    let seen = view
+        .project(world)
+        .map(|(pixel, _)| place.point(pixel))
+        .filter(|at| inner.contains(*at));
+    let Some(at) = seen else {
+        return at_edge(world, view, place);
+    };
+    let front = (world - middle).dot(view.forward) <= 0.0;
+    (
+        at,
+        if directional {
+            Marker::Directional { front }
+        } else {
+            Marker::Point
+        },
+    )
+}
+
+/// `light` moved, or turned if it is directional, to where its handle is as far as can be from those of `lights`: in the
+/// upper part of the picture and halfway between the viewer and what is looked at, so that this is lit.
+pub fn apart(light: Light, scene: &Scene, size: [u32; 2]) -> Light {
+    let Scene { lights, camera, .. } = scene;
+    let view = View::new(camera, size);
+    let middle = middle(scene, &view);
+    let [width, height] = size.map(f64::from);
+    let rect = Rect::from_min_size(Pos2::ZERO, vec2(width as f32, height as f32));
+    let place = Place {
+        rect,
+        size,
+        pixels_per_point: 1.0,
+    };
+    let handle = |light: &Light| marker(light, &view, middle, place).0;
+    let taken: Vec<Pos2> = lights.iter().map(handle).collect();
+    let depth = 0.5 * camera.distance();
+    let unit = view.world_per_pixel(depth);
+    let moved = |pixel: DVec2| {
+        let position = tidy(view.unproject(pixel, depth), unit);
+        if light.kind == LightKind::Directional {
+            Light {
+                direction: middle - position,
+                ..light.clone()
+            }
+        } else {
+            Light {
+                position,
+                ..light.clone()
+            }
+        }
+    };
+    // More places than lights: not all of them are taken.
+    let count = 4 + (f64::from(u32::try_from(lights.len()).unwrap_or(u32::MAX))).sqrt() as u32;
+    let share = |index: u32| (f64::from(index) + 0.5) / f64::from(count);
+    let places = (0..count * count).map(|index| {
+        DVec2::new(
+            width * (0.1 + 0.8 * share(index % count)),
+            height * (0.1 + 0.5 * share(index / count)),
+        )
+    });
+    let room = |light: &Light| {
+        taken
+            .iter()
+            .map(|at| at.distance(handle(light)))
+            .fold(f32::INFINITY, f32::min)
+    };
+    let found = places.map(moved).min_by(|a, b| room(b).total_cmp(&room(a)));
+    found
+        .filter(|light| light.position.is_finite() && light.direction.is_finite())
+        .unwrap_or(light.clone())
+}
+
+fn sphere_radius(view: &View, middle: DVec3) -> f64 {
+    let depth = (middle - view.eye).dot(view.forward);
+    SPHERE * 2.0 * view.centre.min_element() * view.world_per_pixel(depth)
+}
+
+/// The marker of a light that is not in the picture.
+fn at_edge(world: DVec3, view: &View, place: Place) -> (Pos2, Marker) {
+    let from_eye = world - view.eye;
+    let across = vec2(
+        from_eye.dot(view.right) as f32,
+        -from_eye.dot(view.up) as f32,
+    );
+    let way = if across.length() > 0.0 && across.is_finite() {
+        across.normalized()
+    } else {
+        vec2(0.0, -1.0)
+    };
+    let half = place.rect.size() / 2.0 - vec2(MARGIN, MARGIN);
+    let reach =
+        (half.x.max(1.0) / way.x.abs().max(1e-6)).min(half.y.max(1.0) / way.y.abs().max(1e-6));
+    (place.rect.center() + way * reach, Marker::Edge(way))
+}
+
+/// Where light `index` is, for a drag that begins.
+pub fn start(scene: &Scene, index: usize, view: &View, place: Place) -> LightStart {
+    let middle = middle(scene, view);
+    let Some(light) = scene.lights.get(index) else {
+        return LightStart::default();
+    };
+    let (at, marker) = marker(light, view, middle, place);
+    LightStart {
+        offset: if light.kind == LightKind::Directional {
+            -light.direction
+        } else {
+            light.position - middle
+        },
+        pixel: place.pixel(at),
+        in_picture: !matches!(marker, Marker::Edge(_)),
+    }
+}
+
+/// Moves light `index` about the object's middle so that its handle is at `pixel`: at the distance at which the drag began,
+/// on the side of the object where it began or, past the sphere's rim, on the other.
+pub fn drag_light(scene: &mut Scene, index: usize, view: &View, start: &LightStart, pixel: DVec2) {
+    let middle = middle(scene, view);
+    let Some(light) = scene.lights.get_mut(index) else {
+        return;
+    };
+    let front = start.offset.dot(view.forward) < 0.0;
+    if light.kind == LightKind::Directional {
+        let way = on_sphere(view, pixel, middle, sphere_radius(view, middle), front);
+        if way.is_finite() && way.length() > 0.5 {
+            light.direction = tidy(-way, 1e-3);
+        }
+        return;
+    }
+    let reach = start.offset.length();
+    let way = if start.in_picture {
+        on_sphere(view, pixel, middle, reach, front)
+    } else {
+        round_the_edge(view, middle, start, pixel)
+    };
+    let moved = middle + way * reach;
+    if moved.is_finite() && way.length() > 0.5 {
+        light.position = tidy(moved, reach * 1e-3);
+    }
+}
+
+/// The unit direction from the object's middle to a light whose marker was dragged from the picture's edge to `pixel`. Seen
+/// from the viewer it goes round as the pointer does, and its angle to the viewer is in proportion to the pointer's
+/// distance from the middle.
+fn round_the_edge(view: &View, middle: DVec3, start: &LightStart, pixel: DVec2) -> DVec3 {
+    let Some((centre, _)) = view.project(middle) else {
+        return DVec3::ZERO;
+    };
+    let [from, to] = [start.pixel - centre, pixel - centre];
+    let (viewer, offset) = (view.towards_eye(middle), start.offset.normalize_or_zero());
+    let angle =
+        offset.angle_between(viewer).max(LEAST_ANGLE) * to.length() / from.length().max(1.0);
+    let side = (offset - viewer * offset.dot(viewer)).try_normalize();
+    let side = side.unwrap_or((view.right * from.x - view.up * from.y).normalize_or(view.up));
+    // Pixels count downwards: their angles go clockwise.
+    let angle_round = from.angle_to(to);
+    let turn = DVec2::from_angle(if angle_round.is_finite() {
+        -angle_round
+    } else {
+        0.0
+    });
+    let around = side * turn.x + viewer.cross(side) * turn.y;
+    let (sine, cosine) = angle.min(PI).sin_cos();
+    viewer * cosine + around * sine
+}
+
+/// Multiplies the distance of light `index` from the object's middle; a directional light has none.
+pub fn scale_light(scene: &mut Scene, index: usize, view: &View, factor: f64) {
+    let middle = middle(scene, view);
+    let Some(light) = scene
+        .lights
+        .get_mut(index)
+        .filter(|light| light.kind.has_position())
+    else {
+        return;
+    };
+    let offset = (light.position - middle) * factor;
+    let moved = middle + offset;
+    if moved.is_finite() && DISTANCES.contains(&offset.length()) {
+        light.position = tidy(moved, offset.length() * 1e-3);
+    }
+}
+
+/// Draws a handle, hollow and crossed where it has no `colour`: its light is off.
+fn paint_light(painter: &Painter, at: Pos2, marker: Marker, colour: Option<Color32>, chosen: bool) {
+    let orange = palette::vector(Vector::L);
+    let rim = colour.map_or(Color32::from_gray(175), |_| orange);
+    let ring = if chosen {
+        Stroke::new(2.5, rim)
+    } else {
+        Stroke::new(1.5, rim.gamma_multiply(0.8))
+    };
+    let halo = Stroke::new(ring.width + 2.5, Color32::from_black_alpha(150));
+    let hollow = Color32::from_black_alpha(120);
+    let fill = colour.unwrap_or(hollow);
+    match marker {
+        Marker::Point => {
+            painter.circle_stroke(at, RADIUS, halo);
+            painter.circle(at, RADIUS, fill, ring);
+        }
+        Marker::Directional { front } => {
+            // The rays of a sun.
+            for stroke in [halo, ring] {
+                for k in 0..8u8 {
+                    let way = Vec2::angled(f32::from(k) * std::f32::consts::FRAC_PI_4);
+                    painter.line_segment(
+                        [at + way * (RADIUS + 1.5), at + way * (RADIUS + 6.0)],
+                        stroke,
+                    );
+                }
+            }
+            painter.circle_stroke(at, RADIUS - 1.5, halo);
+            let fill = if front { fill } else { hollow };
+            painter.circle(at, RADIUS - 1.5, fill, ring);
+        }
+        Marker::Edge(way) => {
+            let side = way.rot90();
+            let points = vec![
+                at + way * 11.0,
+                at - way * 7.0 + side * 9.0,
+                at - way * 7.0 - side * 9.0,
+            ];
+            painter.add(Shape::closed_line(points.clone(), halo));
+            painter.add(Shape::convex_polygon(points, fill, ring));
+        }
+    }
+    if colour.is_none() {
+        let across = vec2(RADIUS, -RADIUS) * 1.1;
+        painter.line_segment([at - across, at + across], halo);
+        painter.line_segment([at - across, at + across], Stroke::new(1.5, rim));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Camera;
+    use eframe::egui::Pos2;
+
+    const SIZE: [u32; 2] = [800, 600];
+
+    fn place() -> Place {
+        Place {
+            rect: Rect::from_min_size(Pos2::ZERO, vec2(800.0, 600.0)),
+            size: SIZE,
+            pixels_per_point: 1.0,
+        }
+    }
+
+    fn view() -> View {
+        View::new(&Camera::default(), SIZE)
+    }
+
+    fn with(kind: LightKind, at: DVec3) -> Scene {
+        let light = Light {
+            kind,
+            position: at,
+            direction: -at,
+            ..Light::default()
+        };
+        Scene {
+            lights: vec![light],
+            ..Scene::default()
+        }
+    }
+
+    fn handle(scene: &Scene) -> DVec2 {
+        place().pixel(places(scene, &view(), place())[0])
+    }
+
+    #[test]
+    fn a_light_keeps_its_distance_and_follows_the_pointer() {
+        for from in [DVec3::new(1.0, 0.6, 0.4), DVec3::new(-0.7, 0.9, -0.8)] {
+            let mut scene = with(LightKind::Point, from);
+            let start = start(&scene, 0, &view(), place());
+            assert!(start.in_picture);
+            for wanted in [[400.0, 300.0], [500.0, 250.0], [430.0, 400.0]].map(DVec2::from_array) {
+                drag_light(&mut scene, 0, &view(), &start, wanted);
+                let at = scene.lights[0].position;
+                assert!((at.length() - from.length()).abs() < 2e-3, "{at}");
+                assert!((handle(&scene) - wanted).length() < 2.0, "{wanted}");
+                assert_eq!(at.z > 0.0, from.z > 0.0, "it stays on its side");
+            }
+            // Past the rim it goes round to the other side, and comes back.
+            drag_light(&mut scene, 0, &view(), &start, DVec2::new(760.0, 300.0));
+            assert!((scene.lights[0].position.length() - from.length()).abs() < 2e-3);
+            assert_eq!(scene.lights[0].position.z > 0.0, from.z < 0.0);
+            drag_light(&mut scene, 0, &view(), &start, start.pixel);
+            assert!((scene.lights[0].position - from).length() < 5e-3);
+        }
+    }
+
+    #[test]
+    fn a_directional_light_past_the_rim_goes_behind() {
+        for side in [1.0, -1.0] {
+            let mut scene = with(LightKind::Directional, DVec3::new(0.3, 0.2, side));
+            let start = start(&scene, 0, &view(), place());
+            let towards = |scene: &Scene| -scene.lights[0].direction.normalize();
+            drag_light(&mut scene, 0, &view(), &start, DVec2::new(500.0, 250.0));
+            assert!((handle(&scene) - DVec2::new(500.0, 250.0)).length() < 2.0);
+            assert!(towards(&scene).z * side > 0.0, "{side}");
+            drag_light(&mut scene, 0, &view(), &start, DVec2::new(790.0, 300.0));
+            assert!(
+                towards(&scene).z * side < -0.1,
+                "{side}: {}",
+                towards(&scene)
+            );
+        }
+    }
+
+    #[test]
+    fn a_light_outside_the_picture_goes_round_the_object_with_the_pointer() {
+        let from = DVec3::new(2.4, 3.0, 3.2);
+        let mut scene = with(LightKind::Point, from);
+        let start = start(&scene, 0, &view(), place());
+        assert!(!start.in_picture);
+        drag_light(&mut scene, 0, &view(), &start, start.pixel);
+        assert!((scene.lights[0].position - from).length() < 0.02, "no jump");
+        let middle = DVec2::new(400.0, 300.0);
+        let offset = start.pixel - middle;
+        for (pixel, [x, y]) in [
+            (middle + offset.perp(), [1.0, -1.0]),
+            (middle - offset, [-1.0, -1.0]),
+            (middle - offset.perp(), [-1.0, 1.0]),
+        ] {
+            drag_light(&mut scene, 0, &view(), &start, pixel);
+            let at = scene.lights[0].position;
+            assert!((at.length() - from.length()).abs() < 0.02);
+            assert!(at.x * x > 0.5 && at.y * y > 0.5 && at.z > 0.0, "{at}");
+        }
+        drag_light(&mut scene, 0, &view(), &start, middle);
+        let at = scene.lights[0].position.normalize();
+        assert!(at.z > 0.99, "inwards is to the viewer: {at}");
+    }
+
+    #[test]
+    fn the_distance_changes_along_the_same_direction_and_is_bounded() {
+        let from = DVec3::new(1.0, 0.6, 0.4);
+        let mut scene = with(LightKind::Point, from);
+        scale_light(&mut scene, 0, &view(), 2.0);
+        assert!((scene.lights[0].position - from * 2.0).length() < 0.01);
+        (0..1000).for_each(|_| scale_light(&mut scene, 0, &view(), 0.5));
+        let least = scene.lights[0].position.length();
+        assert!((1e-4..1e-2).contains(&least), "{least}");
+        (0..1000).for_each(|_| scale_light(&mut scene, 0, &view(), 2.0));
+        assert!(scene.lights[0].position.length() <= 1e6);
+        assert_eq!(scene.validate(), Ok(()));
+    }
+}

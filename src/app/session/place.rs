@@ -1,0 +1,186 @@
+//! Places in the picture: on the screen, and in a way that keeps to the scene when the window changes its size.
+
+use crate::app::widgets::lines;
+use eframe::egui::{Pos2, Rect, Ui, vec2};
+use glam::{DVec2, DVec3};
+use serde::{Deserialize, Serialize};
+
+/// Where the picture is on the screen, in points and in pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    pub rect: Rect,
+    /// In physical pixels.
+    pub size: [u32; 2],
+    pub pixels_per_point: f32,
+}
+
+impl Place {
+    /// The whole pixels inside the space that `ui` has left.
+    pub fn of(ui: &Ui) -> Self {
+        let pixels_per_point = ui.ctx().pixels_per_point();
+        let room = ui.available_rect_before_wrap();
+        let min = vec2(
+            (room.min.x * pixels_per_point).ceil(),
+            (room.min.y * pixels_per_point).ceil(),
+        );
+        let max = vec2(
+            (room.max.x * pixels_per_point).floor(),
+            (room.max.y * pixels_per_point).floor(),
+        );
+        let size = (max - min).max(vec2(1.0, 1.0));
+        let rect = Rect::from_min_size((min / pixels_per_point).to_pos2(), size / pixels_per_point);
+        Self {
+            rect,
+            size: [size.x as u32, size.y as u32],
+            pixels_per_point,
+        }
+    }
+
+    /// A point of the screen in the picture's pixels.
+    pub fn pixel(&self, at: Pos2) -> DVec2 {
+        let offset = (at - self.rect.min) * self.pixels_per_point;
+        DVec2::new(f64::from(offset.x), f64::from(offset.y))
+    }
+
+    /// A point of the picture, in pixels, on the screen.
+    pub fn point(&self, pixel: DVec2) -> Pos2 {
+        self.rect.min + vec2(pixel.x as f32, pixel.y as f32) / self.pixels_per_point
+    }
+
+    /// [`Place::pixel`] in double precision.
+    pub fn exact_pixel(&self, at: DVec2) -> DVec2 {
+        (at - lines::exact(self.rect.min)) * f64::from(self.pixels_per_point)
+    }
+
+    /// [`Place::point`] in double precision, for lines that may reach far out of sight.
+    pub fn exact_point(&self, pixel: DVec2) -> DVec2 {
+        lines::exact(self.rect.min) + pixel / f64::from(self.pixels_per_point)
+    }
+}
+
+/// The shorter side of a picture, at least 1 pixel.
+fn shorter(size: [u32; 2]) -> f64 {
+    f64::from(size[0].min(size[1]).max(1))
+}
+
+/// Where the probe stands: from the picture's middle, in units of its shorter side, so that it keeps to the same
+/// place of the scene when the window changes its size.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ProbePoint(pub DVec2);
+
+impl Default for ProbePoint {
+    fn default() -> Self {
+        Self(DVec2::new(0.11, -0.13))
+    }
+}
+
+impl ProbePoint {
+    /// The pixel it stands on in a picture of `size` pixels, kept inside.
+    pub fn pixel(self, size: [u32; 2]) -> [u32; 2] {
+        let ([width, height], unit) = (size.map(f64::from), shorter(size));
+        let inside = |value: f64, side: u32| {
+            value.floor().clamp(0.0, f64::from(side.saturating_sub(1))) as u32
+        };
+        [
+            inside(self.0.x * unit + width * 0.5, size[0]),
+            inside(self.0.y * unit + height * 0.5, size[1]),
+        ]
+    }
+
+    /// The centre of that pixel.
+    pub fn centre(self, size: [u32; 2]) -> DVec2 {
+        let [x, y] = self.pixel(size).map(f64::from);
+        DVec2::new(x + 0.5, y + 0.5)
+    }
+
+    /// The probe at the centre of pixel `x`, `y` of a picture of `size` pixels.
+    pub fn at(pixel: [u32; 2], size: [u32; 2]) -> Self {
+        let [width, height] = size.map(|side| f64::from(side.max(1)));
+        let [x, y] = pixel.map(|value| f64::from(value) + 0.5);
+        Self(DVec2::new(
+            (x - width * 0.5) / shorter(size),
+            (y - height * 0.5) / shorter(size),
+        ))
+    }
+
+    /// The probe moved by whole pixels, not past the picture's edge.
+    pub fn moved(self, by: [i32; 2], size: [u32; 2]) -> Self {
+        let [x, y] = self.pixel(size);
+        let step = |value: u32, by: i32, side: u32| {
+            value.saturating_add_signed(by).min(side.saturating_sub(1))
+        };
+        Self::at([step(x, by[0], size[0]), step(y, by[1], size[1])], size)
+    }
+}
+
+/// Where the profile is taken: both ends from the picture's middle in units of its shorter side, like the probe.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ProfileLine(pub [DVec2; 2]);
+
+impl Default for ProfileLine {
+    fn default() -> Self {
+        Self([DVec2::new(-0.4, 0.06), DVec2::new(0.4, 0.06)])
+    }
+}
+
+impl ProfileLine {
+    /// Both ends in a picture of `size` pixels, kept inside.
+    pub fn pixels(self, size: [u32; 2]) -> [DVec2; 2] {
+        let unit = shorter(size);
+        let size = DVec2::from_array(size.map(f64::from));
+        self.0
+            .map(|end| (end * unit + 0.5 * size).clamp(DVec2::ZERO, size))
+    }
+
+    /// Puts an end at a place of a picture of `size` pixels.
+    pub fn put(&mut self, end: usize, pixel: DVec2, size: [u32; 2]) {
+        let unit = shorter(size);
+        let size = DVec2::from_array(size.map(|side| f64::from(side.max(1))));
+        if let Some(end) = self.0.get_mut(end) {
+            *end = (pixel.clamp(DVec2::ZERO, size) - 0.5 * size) / unit;
+        }
+    }
+}
+
+/// `v` rounded to the decimal place below `step`, so that no digits are shown that the hand did not mean.
+pub fn tidy(v: DVec3, step: f64) -> DVec3 {
+    let unit = 10f64.powf(step.max(1e-12).log10().floor());
+    // Multiplying by a negative power of ten leaves a trail of digits; dividing by the positive one does not.
+    if unit < 1.0 {
+        (v * (1.0 / unit).round()).round() / (1.0 / unit).round()
+    } else {
+        (v / unit).round() * unit
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_probe_returns_to_its_pixel_and_stays_in_the_picture() {
+        for size in [[1, 1], [640, 480], [33, 1001]] {
+            for pixel in [
+                [0, 0],
+                [size[0] - 1, size[1] - 1],
+                [size[0] / 2, size[1] / 3],
+            ] {
+                assert_eq!(ProbePoint::at(pixel, size).pixel(size), pixel);
+            }
+        }
+        let size = [10, 10];
+        assert_eq!(
+            ProbePoint::at([0, 9], size)
+                .moved([-1, 1], size)
+                .pixel(size),
+            [0, 9]
+        );
+        assert_eq!(
+            ProbePoint::at([0, 9], size)
+                .moved([3, -2], size)
+                .pixel(size),
+            [3, 7]
+        );
+        assert_eq!(ProbePoint::default().pixel([0, 0]), [0, 0]);
+    }
+}

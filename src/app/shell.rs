@@ -1,0 +1,20 @@
+//! What stands around the picture: bars, menus, dialogs, messages; and the commands that they and the keys share.
+
+pub mod bars;
+pub mod code;
+pub mod commands;
+pub mod dialog;
+pub mod dialogs;
+pub mod embed;
+pub mod equation;
+pub mod files;
+pub mod film;
+pub mod layout;
+pub mod lessons;
+pub mod links;
+pub mod menu;
+pub mod notice;
+pub mod state;
+pub mod terms;
+pub mod toast;
+pub mod welcome;

@@ -1,0 +1,360 @@
+//! The bars: on top menus and the shading modes side by side; at the bottom which stages the last change ran, what they cost, and
+//! what was left out.
+
+use super::commands::{MENUS, SECTIONS};
+use super::equation;
+use super::menu::commands_ui;
+use super::notice::said_ui;
+use super::terms;
+use crate::analysis::grouped;
+use crate::analysis::stage_words;
+use crate::app::course::Course;
+use crate::app::course::back_ui;
+use crate::app::engine::Engine;
+use crate::app::session::Session;
+use crate::app::session::action::Action;
+use crate::app::session::action::Requests;
+use crate::app::session::appearance::ViewName;
+use crate::app::session::window::WindowState;
+use crate::app::system;
+use crate::app::views::compare::VIEWS;
+use crate::app::views::plan::left_out;
+use crate::app::widgets::focus::{named, one_stop};
+use crate::app::widgets::theme::ThemeChoice;
+use crate::render::StageRun;
+use crate::scene::{Choice, ShadingMode};
+use crate::text::{Language, text};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{
+    Align, Button, ComboBox, Label, Layout, MenuBar, RichText, Sense, TextWrapMode, Ui, vec2,
+};
+
+/// Below this width the menus fold into one, and the modes into a list.
+const NARROW: f32 = 860.0;
+
+/// Menus at the left, modes in the middle; the scene's title too where the window is `low`.
+pub fn menus_ui(
+    ui: &mut Ui,
+    session: &Session,
+    window: &mut WindowState,
+    course: &Course,
+    requests: &mut Requests,
+    low: bool,
+) {
+    ui.add_space(3.0);
+    let narrow = ui.available_width() < NARROW;
+    MenuBar::new().ui(ui, |ui| {
+        if narrow {
+            ui.menu_button(text!("menu"), |ui| {
+                each_menu_ui(ui, session, window, requests);
+            });
+            mode_list_ui(ui, session, requests);
+        } else {
+            let menus = ui.horizontal(|ui| each_menu_ui(ui, session, window, requests));
+            one_stop(ui, menus.response.rect);
+            ui.separator();
+            let modes = ui.horizontal(|ui| modes_ui(ui, session, requests));
+            one_stop(ui, modes.response.rect);
+        }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let name = if low {
+                scene_buttons_ui(ui, window, course, requests);
+                session.document().title()
+            } else {
+                session.document().origin.name()
+            };
+            let text = if session.modified() {
+                format!("{name} *")
+            } else {
+                name
+            };
+            ui.add(Label::new(RichText::new(text).weak()).truncate());
+        });
+    });
+    ui.add_space(3.0);
+}
+
+fn each_menu_ui(ui: &mut Ui, session: &Session, window: &mut WindowState, requests: &mut Requests) {
+    for section in MENUS
+        .iter()
+        .filter_map(|menu| SECTIONS.iter().find(|section| section.key == *menu))
+    {
+        ui.menu_button(section.title(), |ui| {
+            menu_ui(ui, session, window, requests, section.key);
+        });
+    }
+}
+
+/// The items of a menu.
+fn menu_ui(
+    ui: &mut Ui,
+    session: &Session,
+    window: &mut WindowState,
+    requests: &mut Requests,
+    menu: &str,
+) {
+    commands_ui(ui, session, window, requests, menu);
+    if menu == "file" && !system::PAGE {
+        ui.separator();
+        ui.add_enabled_ui(!window.appearance.recent.is_empty(), |ui| {
+            ui.menu_button(text!("recent"), |ui| recent_ui(ui, window, requests));
+        });
+    }
+    if menu != "view" {
+        return;
+    }
+    ui.separator();
+    ui.menu_button(text!("controls-group-compare"), |ui| {
+        for (view, name, tip) in VIEWS {
+            let present = session.document().scene.compare.view == view;
+            let radio = ui.radio(present, text!(name));
+            if radio.on_hover_text(text!(tip)).clicked() {
+                requests.ask(Action::Compare(view));
+                ui.close();
+            }
+        }
+        ui.separator();
+        commands_ui(ui, session, window, requests, "compare");
+    });
+    ui.menu_button(text!("controls-theme"), |ui| {
+        let themes = [
+            (text!("theme-system"), ThemeChoice::System),
+            (text!("theme-dark"), ThemeChoice::Dark),
+            (text!("theme-light"), ThemeChoice::Light),
+        ];
+        for (text, theme) in themes {
+            ui.radio_value(&mut window.appearance.theme, theme, text);
+        }
+    });
+    ui.menu_button(text!("language"), |ui| {
+        ui.radio_value(
+            &mut window.appearance.language,
+            None,
+            text!("language-system"),
+        );
+        for language in Language::ALL {
+            let chosen = Some(language);
+            ui.radio_value(&mut window.appearance.language, chosen, language.name());
+        }
+    });
+}
+
+/// The equation, and a switch for each of its terms.
+pub fn equation_ui(ui: &mut Ui, session: &mut Session, window: &mut WindowState) {
+    ui.add_space(4.0);
+    let wide = ui.available_width() > 640.0;
+    if wide {
+        ui.horizontal(|ui| {
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                terms::switches_ui(ui, session, window, true);
+                ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                    equation::equation_ui(ui, session);
+                });
+            });
+        });
+    } else {
+        equation::equation_ui(ui, session);
+        ui.horizontal_wrapped(|ui| terms::switches_ui(ui, session, window, false));
+    }
+    one_stop(ui, ui.min_rect());
+    ui.add_space(3.0);
+}
+
+/// The scene's title and sentence; the scenes before and after it, and all of them.
+pub fn title_ui(
+    ui: &mut Ui,
+    session: &Session,
+    window: &WindowState,
+    course: &Course,
+    requests: &mut Requests,
+) {
+    ui.add_space(2.0);
+    ui.horizontal(|ui| {
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            scene_buttons_ui(ui, window, course, requests);
+            ui.with_layout(Layout::top_down(Align::Min), |ui| {
+                ui.spacing_mut().item_spacing.y = 1.0;
+                let title = RichText::new(session.document().title()).strong();
+                ui.add(Label::new(title).truncate());
+                let sentence = session.document().sentence();
+                if !sentence.is_empty() {
+                    ui.add(Label::new(RichText::new(sentence).weak()).wrap());
+                }
+            });
+        });
+    });
+    ui.add_space(2.0);
+}
+
+/// From the right to the left: all scenes, the next one, the one before.
+fn scene_buttons_ui(ui: &mut Ui, window: &WindowState, course: &Course, requests: &mut Requests) {
+    let all = if ui.available_width() < 480.0 {
+        "▦".to_owned()
+    } else {
+        format!("▦ {}", text!("scenes"))
+    };
+    let side = ui.spacing().interact_size.y;
+    let button = ui.add(Button::new(all).min_size(vec2(side, side)));
+    let button = named(button, Role::Button, text!("scenes"));
+    if button.on_hover_text(text!("scenes.tip")).clicked() {
+        requests.ask(Action::Scenes);
+    }
+    for (sign, step, name) in [
+        ("▶", 1, text!("scenes-next")),
+        ("◀", -1, text!("scenes-previous")),
+    ] {
+        let button = ui.add(Button::new(sign).min_size(vec2(side, side)));
+        let button = named(button, Role::Button, name);
+        if button.on_hover_text(name).clicked() {
+            requests.ask(Action::NextScene(step));
+        }
+    }
+    // The course's own view has it too.
+    if course.has_left_lesson() && !window.shows(ViewName::Course) {
+        back_ui(ui, requests);
+    }
+}
+
+/// The files opened or saved last.
+fn recent_ui(ui: &mut Ui, window: &mut WindowState, requests: &mut Requests) {
+    for path in window.appearance.recent.clone() {
+        let name = path.file_name().unwrap_or(path.as_os_str());
+        let button = ui.button(name.to_string_lossy());
+        if button.on_hover_text(path.display().to_string()).clicked() {
+            requests.ask(Action::OpenFile(path));
+            ui.close();
+        }
+    }
+    ui.separator();
+    if ui.button(text!("recent-clear")).clicked() {
+        window.appearance.recent.clear();
+        ui.close();
+    }
+}
+
+/// The shading modes, a button each.
+fn modes_ui(ui: &mut Ui, session: &Session, requests: &mut Requests) {
+    let present = session.shown.scene.shading.mode;
+    for (index, mode) in ShadingMode::VALUES.iter().enumerate() {
+        let name = format!("{} {}", index + 1, mode.label());
+        let button = ui.add(Button::selectable(present == *mode, name));
+        if button.on_hover_text(mode.help()).clicked() {
+            shade(requests, *mode);
+        }
+    }
+}
+
+/// The shading modes as a list, named as large as the room allows.
+fn mode_list_ui(ui: &mut Ui, session: &Session, requests: &mut Requests) {
+    let present = session.shown.scene.shading.mode;
+    let list = ComboBox::from_id_salt("modes")
+        .selected_text(present.label())
+        .show_ui(ui, |ui| {
+            for mode in ShadingMode::VALUES {
+                let entry = ui.selectable_label(present == *mode, mode.label());
+                if entry.on_hover_text(mode.help()).clicked() {
+                    shade(requests, *mode);
+                }
+            }
+        });
+    named(list.response, Role::ComboBox, text!("modes"));
+}
+
+fn shade(requests: &mut Requests, mode: ShadingMode) {
+    requests.ask(Action::Shade {
+        mode,
+        renormalise: true,
+    });
+}
+
+/// The bar of stages.
+pub fn stages_ui(
+    ui: &mut Ui,
+    session: &mut Session,
+    window: &mut WindowState,
+    course: &Course,
+    engine: &Engine,
+) {
+    ui.add_space(2.0);
+    if course.hides() {
+        // As high as with numbers, so that the picture keeps its size. Other views say it themselves.
+        ui.horizontal(|ui| {
+            if window.shows(ViewName::Course) {
+                ui.label(RichText::new(text!("course-hidden")).weak());
+            }
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                said_ui(ui, session, TextWrapMode::Truncate);
+            });
+        });
+        ui.add_space(2.0);
+        return;
+    }
+    ui.horizontal(|ui| {
+        let report = engine.report();
+        for run in &report.stages {
+            stage_ui(ui, run);
+        }
+        ui.separator();
+        let evaluations: u64 = report.stages.iter().map(|run| run.evaluations).sum();
+        let ms = engine.nanoseconds() as f64 / 1e6;
+        ui.label(RichText::new(format!("{ms:.1} ms")).monospace());
+        if engine.coarser() > 1 {
+            let text = text!("coarser", share = engine.coarser());
+            ui.label(text).on_hover_text(text!("coarser-tip"));
+        }
+        // A notice takes the room of the counts; so does a narrow window.
+        let room = if session.said().is_none() {
+            ui.available_width()
+        } else {
+            0.0
+        };
+        if room > 250.0 {
+            ui.label(text!(
+                "evaluations",
+                count = evaluations,
+                shown = grouped(evaluations)
+            ));
+        }
+        if room > 530.0 {
+            ui.label(RichText::new(text!("triangles", count = grouped(report.triangles))).weak());
+        }
+        if report.overflowing > 0 && room.min(ui.available_width()) > 250.0 {
+            ui.label(text!("overflowing", count = grouped(report.overflowing)));
+        }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            let omitted = left_out(engine, &window.appearance);
+            let tip = text!("left-out-tip");
+            if ui
+                .link(text!("left-out", count = omitted))
+                .on_hover_text(tip)
+                .clicked()
+            {
+                window.show_view(ViewName::Plan);
+            }
+            said_ui(ui, session, TextWrapMode::Truncate);
+        });
+    });
+    ui.add_space(2.0);
+}
+
+fn stage_ui(ui: &mut Ui, run: &StageRun) {
+    let (name, what) = stage_words(run.stage);
+    let (text, time) = if run.ran {
+        let (ms, evaluations) = (run.nanoseconds as f64 / 1e6, grouped(run.evaluations));
+        (
+            RichText::new(format!("■ {name}")).strong(),
+            text!(
+                "stage-ran",
+                ms = format!("{ms:.2}"),
+                evaluations = evaluations
+            ),
+        )
+    } else {
+        (
+            RichText::new(format!("□ {name}")).weak(),
+            text!("stage-kept").to_owned(),
+        )
+    };
+    ui.add(Label::new(text).sense(Sense::hover()))
+        .on_hover_text(format!("{what}\n{time}"));
+}

@@ -1,0 +1,624 @@
+//! The commands of the window: one table that the keys, the menus and Help read, and what each does to the state.
+
+use crate::analysis::ScanLevel;
+use crate::app::course::Course;
+use crate::app::picture::handles;
+use crate::app::picture::orbit;
+use crate::app::session::action::Requests;
+use crate::app::session::action::{Action, Turn, Walk};
+use crate::app::session::appearance::{Appearance, ViewName};
+use crate::app::session::place::ProbePoint;
+use crate::app::session::window::WindowState;
+use crate::app::shell::state::AppState;
+use crate::app::system;
+use crate::app::views::after;
+use crate::app::views::scan::ScanView;
+use crate::app::widgets::focus;
+use crate::link::is_link;
+use crate::scene::{Light, Scene, ShadingMode};
+use crate::text;
+use eframe::egui::{Context, Event, Key, Modifiers};
+use std::sync::LazyLock;
+
+/// The sections that are menus, in the order of the bar; "compare" is a menu inside "view".
+pub const MENUS: [&str; 5] = ["file", "edit", "view", "scene", "help"];
+
+/// Commands that belong together: a menu, or a part of Help, or both.
+pub struct Section {
+    /// Its name in the catalogue, `controls-group-KEY`.
+    pub key: &'static str,
+    pub commands: Vec<Command>,
+}
+
+/// A command, or several that are alike.
+#[derive(Default)]
+pub struct Command {
+    /// Its name in the catalogue, `controls-command-KEY`: what its menu calls it, and as `.does` what Help says. Empty for a
+    /// line between the items of a menu, and for other keys of a command.
+    key: &'static str,
+    /// What is held, then each key, separated by spaces.
+    keys: &'static str,
+    /// Whether it is an item of its menu.
+    pub in_menu: bool,
+    /// What each key asks for; none for gestures. A menu asks for the first.
+    pub actions: Vec<Action>,
+}
+
+impl Command {
+    /// As it is called in its menu.
+    pub fn name(&self) -> &'static str {
+        text!(&format!("controls-command-{}", self.key))
+    }
+
+    /// As explained in Help; none where it does not stand there.
+    pub fn does(&self) -> Option<&'static str> {
+        let stands = !self.key.is_empty() && (self.actions.is_empty() || !self.keys.is_empty());
+        stands.then(|| text!(&format!("controls-command-{}.does", self.key)))
+    }
+
+    /// The keys, or the gesture, as shown in Help and in the menus.
+    pub fn keys(&self) -> &'static str {
+        if self.keys.is_empty() && self.actions.is_empty() {
+            text!(&format!("controls-command-{}.gesture", self.key))
+        } else {
+            self.keys
+        }
+    }
+
+    /// Whether it is a line between the items of a menu.
+    pub fn is_line(&self) -> bool {
+        self.key.is_empty() && self.actions.is_empty()
+    }
+
+    /// The keys, with what each asks for.
+    fn bindings(&self) -> impl Iterator<Item = (Modifiers, Key, &Action)> {
+        let (command, keys) = held("Ctrl + ", self.keys);
+        let (shift, keys) = held("Shift + ", keys);
+        let modifiers = Modifiers {
+            command,
+            shift,
+            ..Modifiers::NONE
+        };
+        keys.split(' ')
+            .filter_map(key)
+            .zip(&self.actions)
+            .map(move |(key, action)| (modifiers, key, action))
+    }
+}
+
+/// Whether a key is held, and what follows.
+fn held(name: &str, keys: &'static str) -> (bool, &'static str) {
+    keys.strip_prefix(name)
+        .map_or((false, keys), |rest| (true, rest))
+}
+
+fn key(name: &str) -> Option<Key> {
+    match name {
+        "←" => Some(Key::ArrowLeft),
+        "→" => Some(Key::ArrowRight),
+        "↑" => Some(Key::ArrowUp),
+        "↓" => Some(Key::ArrowDown),
+        _ => Key::from_name(name),
+    }
+}
+
+impl Section {
+    fn new(key: &'static str) -> Self {
+        Self {
+            key,
+            commands: vec![],
+        }
+    }
+
+    /// As the menu and Help call it.
+    pub fn title(&self) -> &'static str {
+        text!(&format!("controls-group-{}", self.key))
+    }
+
+    fn with(mut self, command: Command) -> Self {
+        self.commands.push(command);
+        self
+    }
+
+    /// An item of the menu; without keys it does not stand in Help.
+    fn item(self, key: &'static str, keys: &'static str, action: Action) -> Self {
+        self.with(Command {
+            key,
+            keys,
+            in_menu: true,
+            actions: vec![action],
+        })
+    }
+
+    /// Keys that stand in Help alone.
+    fn keys(
+        self,
+        key: &'static str,
+        keys: &'static str,
+        actions: impl IntoIterator<Item = Action>,
+    ) -> Self {
+        self.with(Command {
+            key,
+            keys,
+            actions: actions.into_iter().collect(),
+            ..Command::default()
+        })
+    }
+
+    /// A gesture.
+    fn gesture(self, key: &'static str) -> Self {
+        self.keys(key, "", [])
+    }
+
+    /// A line between the items of a menu.
+    fn line(self) -> Self {
+        self.with(Command::default())
+    }
+}
+
+/// Degrees that a press of a key turns the camera.
+const TURN: f64 = 5.0;
+/// Heights of the picture that a press of a key shifts the camera.
+const SHIFTED: f64 = 0.05;
+/// What a press of a key multiplies the distance by.
+const NEARER: f64 = 0.9;
+/// Left, right, up and down, in pixels; ten of them with the shift key held.
+const ARROWS: [[i32; 2]; 4] = [[-1, 0], [1, 0], [0, -1], [0, 1]];
+/// Left, right, up and down of the camera.
+const WAYS: [[f64; 2]; 4] = [[-1.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.0, -1.0]];
+
+fn walk(level: ScanLevel) -> [Action; 2] {
+    [Walk::Back(level), Walk::Forward(level)].map(Action::Scan)
+}
+
+/// Every command. Sections that are menus have them in the order of their items.
+pub static SECTIONS: LazyLock<Vec<Section>> = LazyLock::new(|| {
+    vec![
+        file(),
+        edit(),
+        view(),
+        compare(),
+        scene(),
+        probe(),
+        camera(),
+        scan(),
+        course(),
+        help(),
+    ]
+});
+
+fn file() -> Section {
+    let section = Section::new("file")
+        .item("open", "Ctrl + O", Action::Open)
+        .item("scenes", "F2", Action::Scenes)
+        .line()
+        .item("save", "Ctrl + S", Action::Save)
+        .item("save-as", "Ctrl + Shift + S", Action::SaveAs)
+        .item("export", "Ctrl + E", Action::Export)
+        .item("hand-in", "", Action::HandIn)
+        .item("set-target", "", Action::SetTarget)
+        .line()
+        .item("copy-link", "Ctrl + Shift + L", Action::CopyLink);
+    // A page knows where it is, and is closed by its browser.
+    if system::PAGE {
+        return section;
+    }
+    section
+        .item("page", "", Action::Page)
+        .line()
+        .item("quit", "Ctrl + Q", Action::Quit)
+}
+
+fn edit() -> Section {
+    Section::new("edit")
+        .item("undo", "Ctrl + Z", Action::Undo)
+        .item("redo", "Ctrl + Shift + Z", Action::Redo)
+        .keys("", "Ctrl + Y", [Action::Redo])
+        .line()
+        .item("copy", "Ctrl + C", Action::CopyPicture)
+        .item("code", "Ctrl + U", Action::Code)
+        .keys("reset-row", "Ctrl + R", [Action::ResetRow])
+        .keys("next-field", "Tab", [])
+        .keys("leave", "Esc", [])
+}
+
+fn view() -> Section {
+    let (show, change) = (Action::Show, Action::ChangeLook);
+    Section::new("view")
+        .item(
+            "controls",
+            "F4",
+            show(|appearance| &mut appearance.controls),
+        )
+        .item("views", "F5", show(|appearance| &mut appearance.views))
+        .item("stages", "F6", show(|appearance| &mut appearance.stages))
+        .item("next-view", "C", change(next_view))
+        .line()
+        .item(
+            "vectors",
+            "V",
+            show(|appearance| &mut appearance.overlay.vectors),
+        )
+        .item(
+            "angles",
+            "",
+            show(|appearance| &mut appearance.overlay.angles),
+        )
+        .item(
+            "construction",
+            "",
+            show(|appearance| &mut appearance.overlay.construction),
+        )
+        .item(
+            "side-view",
+            "",
+            show(|appearance| &mut appearance.overlay.side_view),
+        )
+        .item("lobe", "B", show(|appearance| &mut appearance.overlay.lobe))
+        .item(
+            "half-vector",
+            "",
+            show(|appearance| &mut appearance.overlay.half_vector),
+        )
+        .item(
+            "handles",
+            "L",
+            show(|appearance| &mut appearance.overlay.handles),
+        )
+        .item("normals", "M", change(Appearance::switch_normals))
+        .item(
+            "face-normals",
+            "",
+            show(|appearance| &mut appearance.overlay.face_normals),
+        )
+        .item(
+            "vertex-normals",
+            "",
+            show(|appearance| &mut appearance.overlay.vertex_normals),
+        )
+        .item("channels", "", show(|appearance| &mut appearance.channels))
+        .item(
+            "smooth-edges",
+            "",
+            show(|appearance| &mut appearance.smooth_edges),
+        )
+        .line()
+        .item("picture-alone", "F11", Action::PictureAlone)
+        .item("projector", "F9", change(Appearance::projector))
+        .item("link-code", "Q", Action::ShowCode)
+        .item("larger", "Ctrl + +", change(Appearance::larger))
+        .item("smaller", "Ctrl + −", change(Appearance::smaller))
+        .item(
+            "ordinary-size",
+            "Ctrl + 0",
+            change(Appearance::ordinary_size),
+        )
+}
+
+fn compare() -> Section {
+    Section::new("compare")
+        .item("next-comparison", "K", Action::NextComparison)
+        .item("next-pane", "N", Action::NextPane)
+        .line()
+        .item("all-modes", "", Action::AllModes)
+        .item("panes", "", Action::View(ViewName::Compare))
+        .item("defects", "", Action::View(ViewName::Defects))
+}
+
+fn scene() -> Section {
+    let shade = |mode, renormalise| Action::Shade { mode, renormalise };
+    Section::new("scene")
+        .item("flat", "1", shade(ShadingMode::Flat, true))
+        .item("interpolated", "2", shade(ShadingMode::Interpolated, true))
+        .item("gouraud", "3", shade(ShadingMode::Gouraud, true))
+        .item("phong", "4", shade(ShadingMode::Phong, true))
+        .item("exact", "5", shade(ShadingMode::Exact, true))
+        .item("unnormalised", "6", shade(ShadingMode::Phong, false))
+        .line()
+        .item("add-light", "", Action::AddLight(Light::default()))
+        .item("reset-camera", "0", Action::ResetCamera)
+}
+
+fn probe() -> Section {
+    let stride = ARROWS.map(|way| Action::MoveProbe(way.map(|pixels| 10 * pixels)));
+    Section::new("probe")
+        .keys("take-probe", "F3", [Action::TakeProbe])
+        .keys("probe-pixel", "← → ↑ ↓", ARROWS.map(Action::MoveProbe))
+        .keys("probe-stride", "Shift + ← → ↑ ↓", stride)
+        .gesture("probe-here")
+}
+
+fn camera() -> Section {
+    let orbit = WAYS.map(|way| Action::Orbit(way.map(|part| TURN * part)));
+    let pan = WAYS.map(|way| Action::Pan(way.map(|part| SHIFTED * part)));
+    Section::new("camera")
+        .keys("orbit", "A D W S", orbit)
+        .keys("pan", "Shift + A D W S", pan)
+        .keys("zoom", "+ −", [NEARER, 1.0 / NEARER].map(Action::Zoom))
+        .gesture("drag")
+        .gesture("deep-drag")
+        .gesture("wheel")
+}
+
+fn scan() -> Section {
+    let ends = [Walk::First, Walk::Last].map(Action::Scan);
+    Section::new("scan")
+        .keys("scan-pixel", ", .", walk(ScanLevel::Pixel))
+        .keys("scan-edge", "[ ]", walk(ScanLevel::Edge))
+        .keys("scan-line", "PageUp PageDown", walk(ScanLevel::Line))
+        .keys("scan-ends", "Home End", ends)
+        .keys("scan-play", "Space", [Action::Scan(Walk::Play)])
+}
+
+fn course() -> Section {
+    Section::new("course").gesture("course-step")
+}
+
+fn help() -> Section {
+    Section::new("help")
+        .item("keys", "F1", Action::Keys)
+        .keys("menus", "F10", [Action::Menus])
+        .item("about", "", Action::About)
+}
+
+/// The next view of the rail; the curves where the panel is closed.
+fn next_view(appearance: &mut Appearance) {
+    appearance.view = if appearance.views {
+        after(appearance.view)
+    } else {
+        ViewName::Curves
+    };
+    appearance.views = true;
+}
+
+/// Turns the keys pressed in this frame into actions. What has the focus keeps its keys, digits as well, unless it is the
+/// picture: they may be meant for a field. Function keys and those with Ctrl are always the window's, but for those that
+/// fields know too.
+pub fn listen(ctx: &Context, window: &WindowState, course: &Course, requests: &mut Requests) {
+    let free = ctx.memory(|memory| {
+        memory
+            .focused()
+            .is_none_or(|focused| focused == focus::picture_id())
+    });
+    let editing = ctx.text_edit_focused();
+    let scanning = window.shows(ViewName::ScanLine);
+    let lesson = course.open.is_some();
+    ctx.input_mut(|input| {
+        input.events.retain(|event| {
+            let action = match event {
+                // The window's back end turns Ctrl + C into this.
+                Event::Copy if !editing => Some(Action::CopyPicture),
+                Event::Paste(text) if !editing && is_link(text) => {
+                    Some(Action::OpenLink(text.clone()))
+                }
+                Event::Key {
+                    key,
+                    pressed: true,
+                    modifiers,
+                    ..
+                } if lesson
+                    && modifiers.is_none()
+                    && matches!(key, Key::PageUp | Key::PageDown) =>
+                {
+                    // A presenter's remote, from anywhere in the window.
+                    let by = if *key == Key::PageDown { 1 } else { -1 };
+                    Some(Action::Course(Turn::Step(by)))
+                }
+                Event::Key {
+                    key,
+                    pressed: true,
+                    modifiers,
+                    ..
+                } => {
+                    let wanted =
+                        find(*key, *modifiers).filter(|_| allowed(*key, *modifiers, free, editing));
+                    wanted.filter(|action| scanning || !matches!(action, Action::Scan(_)))
+                }
+                _ => None,
+            };
+            let taken = action.is_some();
+            requests.extend(action);
+            !taken
+        });
+    });
+    if window.picture_alone && ctx.input(|input| input.key_pressed(Key::Escape)) {
+        requests.ask(Action::PictureAlone);
+    }
+}
+
+fn find(key: Key, modifiers: Modifiers) -> Option<Action> {
+    // Plus is a shifted key on many keyboards, often that of the equals sign.
+    let key = if key == Key::Equals { Key::Plus } else { key };
+    let shift = modifiers.shift && !matches!(key, Key::Plus | Key::Minus);
+    let modifiers = Modifiers { shift, ..modifiers };
+    let mut all = SECTIONS
+        .iter()
+        .flat_map(|section| &section.commands)
+        .flat_map(Command::bindings);
+    let (.., action) = all.find(|(wanted, k, _)| *k == key && modifiers.matches_exact(*wanted))?;
+    Some(action.clone())
+}
+
+fn allowed(key: Key, modifiers: Modifiers, free: bool, editing: bool) -> bool {
+    let function = matches!(
+        key,
+        Key::F1 | Key::F2 | Key::F3 | Key::F4 | Key::F5 | Key::F6 | Key::F9 | Key::F10 | Key::F11
+    );
+    let field_wants = editing && matches!(key, Key::Z | Key::Y | Key::C | Key::U);
+    function || (modifiers.command && !field_wants) || free
+}
+
+impl AppState {
+    /// Does what concerns the state alone; returns what needs the window, files or the clipboard.
+    ///
+    /// `size` is the picture's, in pixels.
+    pub fn perform(&mut self, action: Action, size: [u32; 2]) -> Option<Action> {
+        // A place that is to be marked must not move away.
+        let moves = matches!(
+            action,
+            Action::ResetCamera | Action::Orbit(_) | Action::Pan(_) | Action::Zoom(_)
+        );
+        if moves && self.course.asks_point() {
+            self.session.notice = Some(text!("course-camera-still").to_owned());
+            return None;
+        }
+        let camera = &mut self.session.shown.scene.camera;
+        match action {
+            Action::MoveProbe(by) if self.course.asks_point() => {
+                let mark = ProbePoint(self.course.mark().unwrap_or_default());
+                self.course.put_mark(mark.moved(by, size).0);
+            }
+            Action::Undo => {
+                self.session.undo();
+                self.follow_document();
+            }
+            Action::Redo => {
+                self.session.redo();
+                self.follow_document();
+            }
+            Action::ResetCamera => {
+                let opened = self.session.opened().clone();
+                orbit::reset(&mut self.session.shown, &opened, size);
+            }
+            Action::Shade { mode, renormalise } => {
+                self.session.shown.scene.shading.mode = mode;
+                self.session.shown.scene.shading.renormalise = renormalise;
+            }
+            Action::Compare(view) => self.session.compare(view),
+            Action::NextComparison => self.session.compare(self.session.next_comparison()),
+            Action::Activate(pane) => self.session.activate(pane),
+            Action::NextPane => {
+                let shown = self.session.document().scene.shown_panes();
+                let place = shown
+                    .iter()
+                    .position(|pane| *pane == self.session.panes.active)
+                    .unwrap_or(0);
+                self.session.activate(shown[(place + 1) % shown.len()]);
+            }
+            Action::AllModes => self.session.rearrange(0, |scene| {
+                scene.compare_all_modes();
+                Ok(())
+            }),
+            Action::MovePane(from, to) => self
+                .session
+                .rearrange(to, |scene| scene.move_pane(from, to)),
+            Action::RemovePane(pane) => {
+                let active = self.session.panes.active;
+                let active = active - usize::from(active >= pane && active > 0);
+                self.session
+                    .rearrange(active, |scene| scene.remove_pane(pane));
+            }
+            Action::Reference(pane) => self.session.edit(|scene, _| scene.set_reference(pane)),
+            Action::AddLight(light) => self.add_light(light, size),
+            Action::MoveProbe(by) => self.window.probe = self.window.probe.moved(by, size),
+            Action::Orbit([right, up]) => orbit::orbit(camera, right, up),
+            Action::Pan([right, up]) => orbit::pan(camera, right, up),
+            Action::Zoom(factor) => orbit::zoom(camera, factor),
+            Action::Show(switch) => {
+                let shown = switch(&mut self.window.appearance);
+                *shown = !*shown;
+            }
+            Action::ChangeLook(change) => change(&mut self.window.appearance),
+            Action::Scan(walk) => self
+                .window
+                .own
+                .change(|view: &mut ScanView| view.walk(walk)),
+            Action::View(view) => self.window.show_view(view),
+            Action::Course(turn) => self.turn(turn),
+            Action::ShowAnswer => self.show_answer(),
+            Action::SetTarget => self.set_as_target(),
+            other => return Some(other),
+        }
+        None
+    }
+
+    /// Adds a light like this one where it is seen and no other is.
+    fn add_light(&mut self, light: Light, size: [u32; 2]) {
+        let scene = &mut self.session.shown.scene;
+        if scene.lights.len() >= Scene::MAX_LIGHTS {
+            self.session.notice = Some(text!("controls-most-lights", most = Scene::MAX_LIGHTS));
+            return;
+        }
+        let light = handles::apart(light, scene, size);
+        scene.lights.push(light);
+        self.session.light = scene.lights.len() - 1;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::text::{Language, has, in_language};
+
+    #[test]
+    fn every_command_is_called_something_in_every_language() {
+        for (language, section) in Language::ALL
+            .into_iter()
+            .flat_map(|language| SECTIONS.iter().map(move |section| (language, section)))
+        {
+            let named = |key: &str| in_language(language, || assert!(has(key), "{key}"));
+            named(&format!("controls-group-{}", section.key));
+            for command in section
+                .commands
+                .iter()
+                .filter(|command| !command.key.is_empty())
+            {
+                let key = format!("controls-command-{}", command.key);
+                if command.in_menu {
+                    named(&key);
+                }
+                if command.does().is_some() {
+                    named(&format!("{key}.does"));
+                }
+                if command.actions.is_empty() && command.keys.is_empty() {
+                    named(&format!("{key}.gesture"));
+                }
+            }
+        }
+        assert!(
+            MENUS
+                .iter()
+                .all(|menu| SECTIONS.iter().any(|section| section.key == *menu))
+        );
+    }
+
+    #[test]
+    fn every_action_has_a_key_and_no_key_is_given_twice() {
+        let mut seen: Vec<(Modifiers, Key)> = Vec::new();
+        for command in SECTIONS
+            .iter()
+            .flat_map(|section| &section.commands)
+            .filter(|command| !command.keys.is_empty())
+        {
+            assert_eq!(
+                command.bindings().count(),
+                command.actions.len(),
+                "{}",
+                command.keys
+            );
+            for (modifiers, key, _) in command.bindings() {
+                assert!(!seen.contains(&(modifiers, key)), "{modifiers:?} {key:?}");
+                seen.push((modifiers, key));
+            }
+        }
+        assert!(matches!(
+            find(Key::Equals, Modifiers::SHIFT),
+            Some(Action::Zoom(NEARER))
+        ));
+    }
+
+    #[test]
+    fn what_has_the_focus_keeps_its_keys() {
+        let plain = |key, free, editing| allowed(key, Modifiers::NONE, free, editing);
+        assert!(plain(Key::Num3, true, false) && plain(Key::F11, false, true));
+        for (key, editing) in [
+            (Key::V, true),
+            (Key::ArrowLeft, false),
+            (Key::Num3, false),
+            (Key::Num3, true),
+        ] {
+            assert!(!plain(key, false, editing), "{key:?}");
+        }
+        assert!(!allowed(Key::Z, Modifiers::COMMAND, false, true));
+    }
+}

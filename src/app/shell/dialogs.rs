@@ -1,0 +1,405 @@
+//! The dialogs of the window, and what becomes of their answers.
+
+use super::code::{self, Writer, code_ui};
+use super::commands::SECTIONS;
+use super::dialog::{Dialog, ExportForm, FileTask};
+use super::files::Files;
+use super::film::film_ui;
+use super::links;
+use crate::app::controls::scenes::{Gallery, scenes_ui};
+use crate::app::session::action::Action;
+use crate::app::shell::state::AppState;
+use crate::app::shell::state::Leaving;
+use crate::app::system;
+use crate::app::views::report;
+use crate::app::widgets::dialog::{Choice, both, buttons_ui, path_ui, question_ui};
+use crate::app::widgets::focus::{keep_in_sight, named};
+use crate::app::widgets::theme::text_field;
+use crate::lesson::MAX_NAME;
+use crate::scene::Image;
+use crate::text::{has, text};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{
+    Context, DragValue, Grid, Id, Key, Label, Modal, ProgressBar, RichText, ScrollArea, Ui,
+};
+use std::path::{Path, PathBuf};
+
+/// Shows the dialog, if any, and how far work on a file has come.
+pub fn dialog_ui(ctx: &Context, state: &mut AppState, files: &mut Files) {
+    let browsing = state.dialog.is_some();
+    if let Some((what, fraction)) = files.progress() {
+        let shown = Modal::new(Id::unique("progress")).show(ctx, |ui| {
+            ui.set_width(420_f32.min(ctx.content_rect().width() - 48.0).max(0.0));
+            ui.label(what);
+            ui.add(ProgressBar::new(fraction).show_percentage());
+            ui.add_space(6.0);
+            ui.button(text!("cancel")).clicked()
+        });
+        let escape = !browsing && ctx.input(|input| input.key_pressed(Key::Escape));
+        if shown.inner || escape {
+            files.cancel();
+        }
+        if !browsing {
+            return;
+        }
+    }
+    let Some(mut dialog) = state.dialog.take() else {
+        return;
+    };
+    if let Dialog::LinkCode(code) = &dialog {
+        if links::code_ui(ctx, code) {
+            state.dialog = Some(dialog);
+        }
+        return;
+    }
+    let shown = Modal::new(Id::unique("dialog")).show(ctx, |ui| {
+        let width: f32 = match dialog {
+            Dialog::Keys => 620.0,
+            Dialog::Scenes => (ctx.content_rect().width() - 64.0).min(1020.0),
+            Dialog::Code(_) => code::width(ui),
+            _ => 480.0,
+        };
+        ui.set_width(width.min(ctx.content_rect().width() - 48.0).max(0.0));
+        // In a low window a dialog scrolls.
+        let most = ctx.content_rect().height() - 64.0;
+        ScrollArea::vertical()
+            .max_height(most)
+            .min_scrolled_height(most)
+            .auto_shrink([false, true])
+            .show(ui, |ui| {
+                let choice = contents_ui(ui, &mut dialog, state);
+                keep_in_sight(ui);
+                choice
+            })
+            .inner
+    });
+    let leave = shown.should_close();
+    match shown.inner {
+        Choice::Browse => {
+            files.pick(ctx, &mut dialog);
+            state.dialog = Some(dialog);
+        }
+        Choice::Accept => accept(ctx, state, files, dialog),
+        Choice::Back => {
+            dialog.step_back();
+            state.dialog = Some(dialog);
+        }
+        Choice::Stay if !leave || dialog.step_back() => state.dialog = Some(dialog),
+        leaving => {
+            if leaving == Choice::Discard {
+                let unsaved = matches!(dialog, Dialog::Unsaved);
+                state.requests.ask(if unsaved {
+                    Action::CloseUnsaved
+                } else {
+                    Action::DeleteLeft
+                });
+            }
+            state.window.own.put(Writer::default());
+            state.window.own.change(Gallery::leave);
+            state.leaving = Leaving::No;
+            ctx.request_repaint();
+        }
+    }
+}
+
+/// Does what a dialog asks for, once it is clear that no file is lost by it.
+fn accept(ctx: &Context, state: &mut AppState, files: &mut Files, mut dialog: Dialog) {
+    dialog.complete();
+    let agreed = state.agreed.take();
+    let targets = match &dialog {
+        Dialog::File {
+            task: FileTask::Open,
+            ..
+        } => vec![],
+        Dialog::File { path, .. } => vec![PathBuf::from(path)],
+        Dialog::Code(form) => code::targets(&state.window, form),
+        _ => vec![],
+    };
+    let lost = |path: &&PathBuf| {
+        path.is_file() && !state.session.document().is_from(path) && agreed.as_ref() != Some(path)
+    };
+    let names = targets
+        .iter()
+        .filter(lost)
+        .map(|path| path.display().to_string())
+        .reduce(both);
+    match names {
+        None => perform(ctx, state, files, dialog),
+        Some(names) => {
+            let then = Box::new(dialog);
+            state.dialog = Some(Dialog::Replace { names, then });
+        }
+    }
+    ctx.request_repaint();
+}
+
+/// Does what a dialog asks for.
+pub fn perform(ctx: &Context, state: &mut AppState, files: &mut Files, dialog: Dialog) {
+    match dialog {
+        Dialog::File { task, path } => match task {
+            FileTask::Open if system::PAGE => _ = system::pick(true, &FileTask::Open.file_kind()),
+            FileTask::Open => state
+                .requests
+                .ask(Action::OpenFile(PathBuf::from(path.trim()))),
+            FileTask::SaveScene => state
+                .requests
+                .ask(Action::SaveTo(PathBuf::from(path.trim()))),
+            FileTask::HandIn(name) => {
+                let (document, course) = (state.session.document(), &mut state.course);
+                files.hand_in(ctx, document, course, name, PathBuf::from(path));
+            }
+            FileTask::Export(mut form) => {
+                let (session, window, file) = (&state.session, &state.window, PathBuf::from(&path));
+                if let Err(why) = files.export(ctx, session, window, &form, file) {
+                    form.wrong = Some(why);
+                    let task = FileTask::Export(form);
+                    state.dialog = Some(Dialog::File { task, path });
+                }
+            }
+            FileTask::SaveAnswer(_) => {
+                if let Err(text) =
+                    report::save(&mut state.session, &state.window, Path::new(path.trim()))
+                {
+                    state.dialog = Some(Dialog::message(text!("analysis-not-saved"), text));
+                }
+            }
+        },
+        Dialog::Code(form) => state.dialog = Some(code::save(&state.window, form)),
+        Dialog::Replace { then, .. } => perform(ctx, state, files, *then),
+        Dialog::Unsaved => {
+            state.leaving = Leaving::OnceSaved;
+            state.requests.ask(Action::Save);
+        }
+        Dialog::Restore { .. } => state.requests.ask(Action::Restore),
+        Dialog::Page(form) => state.set_page(form),
+        Dialog::Message { .. }
+        | Dialog::LinkCode(_)
+        | Dialog::Scenes
+        | Dialog::Keys
+        | Dialog::About => {}
+    }
+}
+
+fn contents_ui(ui: &mut Ui, dialog: &mut Dialog, state: &mut AppState) -> Choice {
+    match dialog {
+        Dialog::Message { title, text } => {
+            question_ui(ui, title, text, &[(text!("close"), Choice::Leave)])
+        }
+        Dialog::File { task, path } => file_ui(ui, task, path, state),
+        Dialog::Code(form) => {
+            let mut writer = state.window.own.take();
+            let choice = code_ui(
+                ui,
+                form,
+                &mut writer,
+                (state.session.document(), state.no_dialog),
+            );
+            state.window.own.put(writer);
+            choice
+        }
+        Dialog::Replace { names, .. } => {
+            let text = text!("replace-lost", names = names.as_str());
+            question_ui(
+                ui,
+                text!("replace-file"),
+                &text,
+                &[
+                    (text!("replace"), Choice::Accept),
+                    (text!("back"), Choice::Back),
+                ],
+            )
+        }
+        Dialog::Unsaved => {
+            let title = text!("unsaved", name = state.session.document().origin.name());
+            let text = text!("unsaved-lost");
+            let answers = [
+                (text!("save"), Choice::Accept),
+                (text!("close-unsaved"), Choice::Discard),
+                (text!("cancel"), Choice::Leave),
+            ];
+            question_ui(ui, &title, text, &answers)
+        }
+        Dialog::Restore { name } => {
+            let text = text!("restore-kept", name = name.as_str());
+            let answers = [
+                (text!("restore"), Choice::Accept),
+                (text!("delete"), Choice::Discard),
+                (text!("later"), Choice::Leave),
+            ];
+            question_ui(ui, text!("restore-work"), &text, &answers)
+        }
+        Dialog::Page(form) => links::page_ui(ui, form),
+        Dialog::LinkCode(_) => Choice::Leave,
+        Dialog::Scenes => scenes_ui(ui, &mut state.window, &mut state.requests),
+        Dialog::Keys => keys_ui(ui),
+        Dialog::About => question_ui(
+            ui,
+            concat!("shading-lab ", env!("CARGO_PKG_VERSION")),
+            text!("about"),
+            &[(text!("close"), Choice::Leave)],
+        ),
+    }
+}
+
+fn file_ui(ui: &mut Ui, task: &mut FileTask, path: &mut String, state: &AppState) -> Choice {
+    let kind = task.file_kind();
+    ui.heading(kind.title);
+    if let FileTask::Export(form) = task {
+        export_ui(ui, form, state.window.room);
+        ui.add_space(8.0);
+        film_ui(ui, &mut form.film, &state.session.document().scene, path);
+        if let Some(wrong) = &form.wrong {
+            ui.add_space(8.0);
+            ui.colored_label(ui.visuals().error_fg_color, wrong);
+        }
+    }
+    if let FileTask::HandIn(name) = task {
+        ui.label(RichText::new(text!("course-hand-in.sentence")).weak());
+        ui.add_space(8.0);
+        ui.horizontal(|ui| {
+            ui.label(text!("course-hand-in-name"));
+            let field = text_field(name)
+                .char_limit(MAX_NAME)
+                .desired_width(f32::INFINITY);
+            let field = named(ui.add(field), Role::TextInput, text!("course-hand-in-name"));
+            // The name comes first, where none is known.
+            if name.is_empty()
+                && !field.has_focus()
+                && ui.memory(|memory| memory.focused().is_none())
+            {
+                field.request_focus();
+            }
+        });
+    }
+    ui.add_space(8.0);
+    let entered = if !system::PAGE {
+        path_ui(ui, path, kind.example, state.no_dialog)
+    } else if ui.memory(|memory| memory.focused().is_none())
+        && ui.input(|input| input.key_pressed(Key::Enter))
+    {
+        Choice::Accept
+    } else {
+        Choice::Stay
+    };
+    ui.add_space(12.0);
+    buttons_ui(
+        ui,
+        kind.verb,
+        (text!("cancel"), Choice::Leave),
+        !path.trim().is_empty(),
+        entered,
+    )
+}
+
+/// Sizes of pictures that are often wanted, pixels; the first is the window's.
+const PRESETS: [(&str, [u32; 2]); 4] = [
+    ("preset-window", [0, 0]),
+    ("1080p", [1920, 1080]),
+    ("4K", [3840, 2160]),
+    ("preset-square", [1024, 1024]),
+];
+
+fn export_ui(ui: &mut Ui, form: &mut ExportForm, window: [u32; 2]) {
+    ui.label(RichText::new(text!("export-scene")).weak());
+    ui.add_space(8.0);
+    let number_ui = |ui: &mut Ui, name: &str, value: &mut u32, most: u32| {
+        named(
+            ui.add(DragValue::new(value).range(1..=most)),
+            Role::SpinButton,
+            name,
+        )
+        .changed()
+    };
+    let most = Image::MAX_SIDE / 2;
+    ui.horizontal_wrapped(|ui| {
+        for (name, size) in PRESETS {
+            let size = if size == [0, 0] { window } else { size };
+            let name = if has(name) { text!(name) } else { name };
+            let tip = format!("{} × {}", size[0], size[1]);
+            let button = ui.selectable_label(form.size == size, name);
+            if button.on_hover_text(tip).clicked() {
+                form.size = size;
+                form.shape = form.shape.and(Some(shape(size)));
+            }
+        }
+    });
+    ui.add_space(4.0);
+    Grid::new("export")
+        .num_columns(2)
+        .spacing([16.0, 8.0])
+        .show(ui, |ui| {
+            ui.label(text!("size"));
+            ui.horizontal(|ui| {
+                let [width, height] = &mut form.size;
+                let wider = number_ui(ui, text!("width"), width, most);
+                ui.label("×");
+                let higher = number_ui(ui, text!("height"), height, most);
+                ui.label(text!("pixels"));
+                let fitting = |side: f64| (side.round() as u32).clamp(1, most);
+                if let Some(shape) = form.shape {
+                    if wider {
+                        *height = fitting(f64::from(*width) / shape);
+                    } else if higher {
+                        *width = fitting(f64::from(*height) * shape);
+                    }
+                }
+            });
+            ui.end_row();
+            ui.label("");
+            let mut kept = form.shape.is_some();
+            if ui.checkbox(&mut kept, text!("keep-shape")).changed() {
+                form.shape = kept.then(|| shape(form.size));
+            }
+            ui.end_row();
+            ui.label(text!("samples"))
+                .on_hover_text(text!("samples-tip"));
+            number_ui(ui, text!("samples"), &mut form.samples, 1024);
+            ui.end_row();
+            ui.label(text!("vectors"));
+            ui.checkbox(&mut form.overlay, text!("vectors-shown"));
+            ui.end_row();
+        });
+}
+
+/// Width over height.
+fn shape([width, height]: [u32; 2]) -> f64 {
+    f64::from(width) / f64::from(height.max(1))
+}
+
+fn keys_ui(ui: &mut Ui) -> Choice {
+    ui.heading(text!("keys"));
+    ui.add_space(8.0);
+    let height = ui.ctx().content_rect().height() - 140.0;
+    ScrollArea::vertical()
+        .max_height(height.clamp(80.0, 440.0))
+        .auto_shrink([false, true])
+        .show(ui, |ui| {
+            // Where there is no room for two columns, what a key does stands below it.
+            let narrow = ui.available_width() < 480.0;
+            Grid::new("keys")
+                .num_columns(if narrow { 1 } else { 2 })
+                .spacing([24.0, 6.0])
+                .striped(!narrow)
+                .show(ui, |ui| {
+                    for section in &*SECTIONS {
+                        ui.label(RichText::new(section.title()).strong());
+                        ui.end_row();
+                        for command in &section.commands {
+                            let Some(does) = command.does() else { continue };
+                            ui.label(RichText::new(command.keys()).monospace());
+                            if narrow {
+                                ui.end_row();
+                            }
+                            ui.add(Label::new(does).wrap());
+                            ui.end_row();
+                        }
+                    }
+                });
+        });
+    ui.add_space(12.0);
+    if ui.button(text!("close")).clicked() {
+        Choice::Leave
+    } else {
+        Choice::Stay
+    }
+}

@@ -1,0 +1,86 @@
+//! The window within another page, as a figure: the picture, and below it the controls that the link names.
+
+use crate::app::App;
+use crate::app::controls::named::{Named, rows_ui};
+use crate::app::course::Course;
+use crate::app::engine::Engine;
+use crate::app::picture::{self, Room};
+use crate::app::session::Session;
+use crate::app::session::action::Action;
+use crate::app::session::action::Requests;
+use crate::app::session::appearance::Appearance;
+use crate::app::session::window::WindowState;
+use crate::app::widgets::focus::keep_in_sight;
+use crate::scene::Choice as _;
+use crate::text::text;
+use eframe::egui::{CentralPanel, Frame, Panel, RichText, ScrollArea, Ui};
+
+/// The picture keeps at least this share of the height.
+const PICTURE: f32 = 0.45;
+
+impl App {
+    /// The same window as a figure in another page: with the look of a new one, which is not remembered.
+    #[must_use]
+    pub fn embedded(mut self, controls: &[String]) -> Self {
+        let Appearance {
+            theme, language, ..
+        } = self.state.window.appearance;
+        self.state.window.appearance = Appearance {
+            theme,
+            language,
+            welcomed: true,
+            ..Appearance::default()
+        };
+        self.state.window.welcome = false;
+        self.state.window.embedded = Some(controls.to_vec());
+        self
+    }
+}
+
+/// Shows the picture and the controls below it.
+pub fn embedded_ui(
+    ui: &mut Ui,
+    session: &mut Session,
+    window: &mut WindowState,
+    course: &mut Course,
+    requests: &mut Requests,
+    engine: &mut Engine,
+) -> Room {
+    let words = window.embedded.clone().unwrap_or_default();
+    let controls: Vec<Named> = words.iter().filter_map(|word| Named::find(word)).collect();
+    let footer = ui.spacing().interact_size.y + 16.0;
+    let most = (1.0 - PICTURE) * ui.available_height() - footer;
+    Panel::bottom("embedded").show(ui, |ui| {
+        ui.add_space(4.0);
+        if !controls.is_empty() {
+            ScrollArea::vertical()
+                .max_height(most)
+                .min_scrolled_height(0.0)
+                .auto_shrink([false, true])
+                .show(ui, |ui| {
+                    rows_ui(ui, session, &controls);
+                    keep_in_sight(ui);
+                });
+        }
+        for word in words.iter().filter(|word| Named::find(word).is_none()) {
+            let words = text!("embed-unknown", name = word.as_str());
+            ui.label(RichText::new(words).color(ui.visuals().error_fg_color));
+        }
+        ui.horizontal(|ui| {
+            ui.label(RichText::new(session.shown.scene.shading.mode.label()).weak());
+            if ui
+                .link(text!("embed-open"))
+                .on_hover_text(text!("embed-open.tip"))
+                .clicked()
+            {
+                requests.ask(Action::OpenPage);
+            }
+        });
+        ui.add_space(2.0);
+    });
+    session.commit();
+    let shown = CentralPanel::default().frame(Frame::NONE).show(ui, |ui| {
+        picture::picture_ui(ui, session, window, course, requests, engine)
+    });
+    shown.inner
+}

@@ -1,0 +1,53 @@
+//! The equation on top of the controls. Its symbols are the table of contents: pointing at one lights up what controls
+//! it, clicking it brings that into view.
+
+use crate::analysis::{Letters, equation_letters};
+use crate::app::session::Session;
+use crate::app::widgets::palette::tone_text;
+use crate::app::widgets::typeset::{Piece, Place, formula, run_ui};
+use crate::text::text;
+use eframe::egui::{Ui, Visuals, vec2};
+
+/// Size of the equation's letters, points.
+const SIZE: f32 = 18.0;
+
+/// The equation as `state`'s scene has it; what it leaves out is pale.
+pub fn equation_ui(ui: &mut Ui, session: &Session) {
+    let parts = equation_letters(&session.shown.scene);
+    let width = ui.available_width();
+    ui.scope(|ui| {
+        ui.spacing_mut().item_spacing = vec2(0.0, 2.0);
+        ui.set_max_width(width);
+        ui.horizontal_wrapped(|ui| {
+            for (number, part) in parts.iter().enumerate() {
+                let run: Vec<Piece> = part
+                    .iter()
+                    .flat_map(|letters| pieces(ui.visuals(), letters))
+                    .collect();
+                let id = ui.scope_id().with(("symbol", number));
+                run_ui(
+                    ui,
+                    &run,
+                    SIZE,
+                    Place {
+                        id,
+                        name: text!("in-equation"),
+                    },
+                );
+            }
+        });
+    });
+}
+
+fn pieces(visuals: &Visuals, (letters, tone, absent): &Letters) -> Vec<Piece> {
+    let mut pieces = formula(visuals, letters, tone_text(visuals, *tone), |_| {
+        String::new()
+    });
+    for piece in pieces
+        .iter_mut()
+        .filter(|piece| *absent && piece.symbol.is_some())
+    {
+        piece.colour = visuals.weak_text_color().gamma_multiply(0.55);
+    }
+    pieces
+}

@@ -1,0 +1,337 @@
+//! Where everything stands, by the size of the window.
+//!
+//! ```text
+//!   wide                                        tall          flat
+//!   ┌──────────── menus, modes ────────────┐    ┌─ menus ─┐   ┌──── menus ────────┬────┐
+//!   │ equation                             │    │ equation│   │ equation          │    │
+//!   ├─────────┬──── title ────┬───────┬────┤    │ title   │   ├────────────┬──────┤rail│
+//!   │controls │    picture    │ view  │rail│    │ picture │   │ picture    │drawer│    │
+//!   │         ├───────────────┤       │    │    ├─────────┤   │            │      │    │
+//!   │         │ a wide view   │       │    │    │ drawer  │   │               │      │
+//!   └─────────┴───────────────┴───────┴────┘    └─ rail ──┘   └────────────┴──────┴────┘
+//! ```
+//!
+//! The picture keeps half of the window's width: where there is no room for both panels, the one opened last is shown. The drawer
+//! of a narrow window holds the controls or a view.
+
+use super::bars;
+use crate::app::controls;
+use crate::app::course::Course;
+use crate::app::engine::Engine;
+use crate::app::picture::{self, Room};
+use crate::app::session::appearance::ViewName;
+use crate::app::session::window::WindowState;
+use crate::app::shell::state::AppState;
+use crate::app::views::{self, RAIL};
+use crate::app::widgets::symbol;
+use eframe::egui::{
+    Align2, Area, CentralPanel, Frame as Margins, Id, Margin, Order, Panel, Rect, Ui, Vec2, vec2,
+};
+
+/// Below this width, points, panels become a drawer.
+pub const NARROW: f32 = 900.0;
+/// The narrowest that a panel can be, points.
+const PANEL: f32 = 288.0;
+/// The least side of the picture in a narrow window, points.
+const PICTURE: f32 = 300.0;
+/// The same beside a lesson, whose text and question need the room, and the lesson's own width.
+const LEAST: f32 = 200.0;
+const LESSON: f32 = 250.0;
+/// How a wide view shares the height with the picture.
+const BELOW: f32 = 0.4;
+/// Below this height, points, only what is needed stands over the picture.
+const LOW: f32 = 520.0;
+/// Below this height not even the equation: half of a phone's screen may be a keyboard.
+const LOWEST: f32 = 380.0;
+
+/// What the layout remembers.
+#[derive(Debug, Default)]
+pub struct Layout {
+    /// Whether controls and a view were open in the last frame.
+    open: [bool; 2],
+    /// Whether the window is higher than wide, or was before a phone's keyboard made it lower: what is typed in keeps its place.
+    tall: bool,
+    /// Where the picture was, points.
+    pub picture: Option<Rect>,
+}
+
+impl Layout {
+    /// Shows everything but dialogs; returns the room that the picture has, if it is in sight.
+    pub fn ui(&mut self, ui: &mut Ui, state: &mut AppState, engine: &mut Engine) -> Option<Room> {
+        let size = ui.available_size();
+        state.window.appearance.controls |= symbol::opens_controls(ui.ctx());
+        if state.window.picture_alone {
+            return Some(self.picture_ui(ui, state, engine));
+        }
+        let narrow = size.x < NARROW;
+        let low = size.y < LOW;
+        if !ui.ctx().text_edit_focused() {
+            self.tall = size.y > size.x;
+        }
+        Panel::top("menus").show(ui, |ui| {
+            bars::menus_ui(
+                ui,
+                &state.session,
+                &mut state.window,
+                &state.course,
+                &mut state.requests,
+                low,
+            );
+        });
+        if state.window.enlarged && state.window.appearance.views {
+            CentralPanel::default().show(ui, |ui| {
+                views::view_ui(
+                    ui,
+                    &mut state.session,
+                    &mut state.window,
+                    &mut state.course,
+                    &mut state.requests,
+                    engine,
+                    narrow,
+                );
+            });
+            state.session.commit();
+            return None;
+        }
+        state.window.enlarged = false;
+        self.make_room(&mut state.window, &state.course, size);
+        // A narrow window with a lesson has room for picture and question only.
+        if state.window.appearance.equation
+            && size.y >= LOWEST
+            && !(narrow && reads_lesson(&state.window, &state.course))
+        {
+            Panel::top("equation").show(ui, |ui| {
+                bars::equation_ui(ui, &mut state.session, &mut state.window);
+            });
+        }
+        state.window.appearance.controls |= symbol::opens_controls(ui.ctx());
+        // A card over the picture leaves no room for a drawer.
+        if narrow && state.window.welcome {
+            (
+                state.window.appearance.controls,
+                state.window.appearance.views,
+            ) = (false, false);
+        }
+        if narrow {
+            drawer_ui(ui, state, engine, size, self.tall);
+        } else {
+            panels_ui(ui, state, engine, size);
+        }
+        // Nothing is drawn of a scene that a scene file would refuse.
+        state.session.commit();
+        // A lesson says what its scenes show; what they show elsewhere would mislead.
+        if !(low
+            || narrow && reads_lesson(&state.window, &state.course)
+            || state.course.shows_step())
+        {
+            Panel::top("title").show(ui, |ui| {
+                bars::title_ui(
+                    ui,
+                    &state.session,
+                    &state.window,
+                    &state.course,
+                    &mut state.requests,
+                );
+            });
+        }
+        Some(self.picture_ui(ui, state, engine))
+    }
+
+    fn picture_ui(&mut self, ui: &mut Ui, state: &mut AppState, engine: &mut Engine) -> Room {
+        let AppState {
+            session,
+            window,
+            course,
+            requests,
+            ..
+        } = state;
+        let shown = CentralPanel::default().frame(Margins::NONE).show(ui, |ui| {
+            picture::picture_ui(ui, session, window, course, requests, engine)
+        });
+        self.picture = Some(shown.response.rect);
+        shown.inner
+    }
+
+    /// Closes a panel where there is no room for both: the one that was opened first, or at once the controls beside a lesson or
+    /// answers that were handed in.
+    fn make_room(&mut self, window: &mut WindowState, course: &Course, size: Vec2) {
+        let open = [window.appearance.controls, window.appearance.views];
+        let beside = size.x < NARROW || !views::stands_below(window);
+        if open == [true, true] && beside && panel_room(size) < 2.0 * PANEL {
+            let reads = window.shows(ViewName::Course) && course.heading().is_some();
+            let controls_first = match self.open {
+                [true, false] => true,
+                [false, true] => false,
+                _ => reads,
+            };
+            (window.appearance.controls, window.appearance.views) =
+                (!controls_first, controls_first);
+        }
+        self.open = [window.appearance.controls, window.appearance.views];
+    }
+}
+
+/// Whether a lesson is open and in sight.
+fn reads_lesson(window: &WindowState, course: &Course) -> bool {
+    window.shows(ViewName::Course) && course.open.is_some()
+}
+
+/// The width that panels may take, points: the picture has half of the window. In a narrow one there is one panel.
+fn panel_room(size: Vec2) -> f32 {
+    if size.x < NARROW {
+        PANEL
+    } else {
+        0.5 * size.x - RAIL
+    }
+}
+
+/// Controls at the left, the view at the right or below the picture, the rail.
+fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, size: Vec2) {
+    let AppState {
+        session,
+        window,
+        course,
+        requests,
+        ..
+    } = state;
+
+    if window.appearance.stages {
+        Panel::bottom("stages").show(ui, |ui| {
+            bars::stages_ui(ui, session, window, course, engine);
+        });
+    }
+    Panel::right("rail")
+        .resizable(false)
+        .exact_size(RAIL)
+        .show(ui, |ui| {
+            ui.add_space(4.0);
+            let size = views::wide_size(ui.available_height());
+            views::rail_ui(ui, window, false, size);
+        });
+    let room = panel_room(size);
+    let below = window.appearance.views && views::stands_below(window);
+    let beside = window.appearance.views && !below;
+    let mut left = room;
+    if window.appearance.controls {
+        let most = if beside { room - PANEL } else { room };
+        let panel = Panel::left("controls")
+            .resizable(true)
+            .default_size(PANEL.max(0.26 * size.x).min(360.0))
+            .size_range(PANEL..=most.clamp(PANEL, 560.0));
+        let shown = panel.show(ui, |ui| {
+            controls::controls_ui(ui, session, window, requests, engine);
+        });
+        left -= shown.response.rect.width();
+        session.commit();
+    }
+    if beside {
+        // A lesson is read, and has questions to be answered.
+        let lesson = window.appearance.view == ViewName::Course;
+        let (name, share, most) = if lesson {
+            ("course", 0.34, 520.0)
+        } else {
+            ("view", 0.26, 380.0)
+        };
+        Panel::right(name)
+            .resizable(true)
+            .default_size(PANEL.max(share * size.x).min(most))
+            .size_range(PANEL..=left.clamp(PANEL, 720.0))
+            .show(ui, |ui| {
+                views::view_ui(ui, session, window, course, requests, engine, false);
+            });
+    }
+    if below {
+        let height = ui.available_height();
+        Panel::bottom("wide-view")
+            .resizable(true)
+            .default_size(BELOW * height)
+            .size_range(140.0..=(height - PICTURE).max(140.0))
+            .show(ui, |ui| {
+                views::view_ui(ui, session, window, course, requests, engine, false);
+            });
+    }
+}
+
+/// The rail at the bottom, and a drawer for what it opens: below a tall window's picture, beside or over a flat one's.
+fn drawer_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, size: Vec2, tall: bool) {
+    let AppState {
+        session,
+        window,
+        course,
+        requests,
+        ..
+    } = state;
+
+    if tall {
+        Panel::bottom("rail-below").show(ui, |ui| {
+            ui.horizontal(|ui| views::rail_ui(ui, window, true, views::narrow_size(size.x)));
+        });
+    } else {
+        Panel::right("rail")
+            .resizable(false)
+            .exact_size(RAIL)
+            .show(ui, |ui| {
+                let size = views::wide_size(ui.available_height());
+                views::rail_ui(ui, window, true, size);
+            });
+    }
+    let controls = window.appearance.controls;
+    if !controls && !window.appearance.views {
+        return;
+    }
+    let lesson = !controls && reads_lesson(window, course);
+    let mut show = |ui: &mut Ui| {
+        if controls {
+            controls::controls_ui(ui, session, window, requests, engine);
+        } else {
+            views::view_ui(ui, session, window, course, requests, engine, true);
+        }
+    };
+    let height = ui.available_height();
+    // A lesson is about the whole picture, however small.
+    let (panel, least) = if lesson {
+        (LESSON, LEAST)
+    } else {
+        (PANEL, PICTURE.max(0.5 * size.x))
+    };
+    if tall {
+        let (name, share, picture) = if lesson {
+            ("lesson", 0.6, LEAST)
+        } else {
+            ("drawer", 0.45, PICTURE)
+        };
+        Panel::bottom(name)
+            .resizable(true)
+            .default_size(share * height)
+            .size_range(160.0..=(height - picture).max(160.0))
+            .show(ui, show);
+    } else if ui.available_width() - panel >= least {
+        let (name, share) = if lesson {
+            ("lesson-beside", 0.5)
+        } else {
+            ("drawer-beside", 0.45)
+        };
+        Panel::right(name)
+            .resizable(true)
+            .default_size(share * size.x)
+            .size_range(panel..=(ui.available_width() - least))
+            .show(ui, show);
+    } else {
+        let room = ui.available_rect_before_wrap();
+        let width = PANEL.min(room.width());
+        Area::new(Id::unique("drawer-over"))
+            .order(Order::Middle)
+            .pivot(Align2::RIGHT_TOP)
+            .fixed_pos(room.right_top())
+            .show(ui.ctx(), |ui| {
+                Margins::side_top_panel(ui.style())
+                    .inner_margin(Margin::symmetric(8, 2))
+                    .show(ui, |ui| {
+                        let size = vec2(width - 16.0, room.height() - 4.0).max(Vec2::ZERO);
+                        ui.set_min_size(size);
+                        ui.set_max_size(size);
+                        show(ui);
+                    });
+            });
+    }
+}

@@ -1,0 +1,346 @@
+//! Links: copying that of what is seen, opening one, and showing it to a room as a QR code.
+
+use super::dialog::{Dialog, LinkCode, PageForm};
+use crate::app::session::action::{Action, Turn};
+use crate::app::session::appearance::ViewName;
+use crate::app::session::document::{Document, Origin};
+use crate::app::session::place::{ProbePoint, ProfileLine};
+use crate::app::shell::state::AppState;
+use crate::app::system;
+use crate::app::widgets::dialog::Choice;
+use crate::app::widgets::focus::named;
+use crate::app::widgets::theme::text_field;
+use crate::figure::QrCode;
+use crate::lesson::may_open;
+use crate::link::{Link, Shown, VIEWS, WriteError, Written, page, read, write};
+use crate::text::text;
+use eframe::egui::accesskit::Role;
+use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
+use eframe::egui::{
+    Align, Area, Button, Color32, Context, Event, FontId, Galley, Id, Key, Mesh, OpenUrl, Order,
+    OutputCommand, Painter, Rect, RichText, Sense, Shape, Ui, pos2,
+};
+use std::sync::Arc;
+
+/// By what the window's height and its width are divided for the letters below a QR code, and bounds for their size, points.
+const LINES: f32 = 30.0;
+const COLUMNS: f32 = 24.0;
+const LETTERS: [f32; 2] = [12.0, 32.0];
+/// Most lines of a link below its code; a longer one is cut.
+const ROWS: usize = 3;
+/// Between the code, its text and the window's edge, points.
+const GAP: f32 = 10.0;
+/// The text below a code: its contrast with white is 7:1.
+const GREY: Color32 = Color32::from_gray(88);
+
+impl AppState {
+    /// What a link says of the window.
+    fn shown_in_links(&self) -> Shown {
+        let name = serde_json::to_value(self.window.appearance.view);
+        let is_open = |view: &&str| name.as_ref().is_ok_and(|name| name == view);
+        let view = VIEWS.into_iter().find(|view| is_open(view));
+        // A lecturer's own lesson is a file, which does not travel.
+        let lesson = self.course.open.as_ref().filter(|open| open.built_in);
+        let lesson = lesson.filter(|open| open.in_view && self.window.shows(ViewName::Course));
+        Shown {
+            view: view.filter(|_| self.window.appearance.views),
+            probe: Some(self.window.probe.0),
+            line: self
+                .window
+                .shows(ViewName::Profile)
+                .then_some(self.window.line.0),
+            lesson: lesson.map(|open| open.lesson.name.clone()),
+            step: lesson.map(|open| open.step as u32 + 1),
+            ..Shown::default()
+        }
+    }
+
+    /// The link of what is seen.
+    pub fn link(&self) -> Result<Written, WriteError> {
+        let origin = match &self.session.document().origin {
+            Origin::BuiltIn(name) => Some(name.as_str()),
+            Origin::New | Origin::File(_) => None,
+        };
+        write(
+            &self.window.appearance.page,
+            &self.session.document().scene,
+            origin,
+            &self.shown_in_links(),
+        )
+    }
+
+    /// Shows what a link says.
+    pub fn show(&mut self, shown: &Shown) {
+        if let Some(Ok(view)) = shown.view.map(|view| serde_json::from_value(view.into())) {
+            self.window.show_view(view);
+        }
+        self.window.probe = shown.probe.map_or(self.window.probe, ProbePoint);
+        self.window.line = shown.line.map_or(self.window.line, ProfileLine);
+        if let Some(lesson) = &shown.lesson {
+            match crate::lesson::find(lesson) {
+                Some(found) => {
+                    let step = shown.step.unwrap_or(1).saturating_sub(1);
+                    self.turn(Turn::OpenAt(found.name.to_owned(), step as usize));
+                }
+                None => {
+                    let words = text!("link-no-lesson", name = lesson.as_str());
+                    self.dialog = Some(Dialog::message(text!("link-not-opened"), words));
+                }
+            }
+        }
+    }
+
+    /// Opens a link; one that is wrong is told, and what is open stays.
+    pub fn open_link(&mut self, text: &str) {
+        match read(text) {
+            Ok(Link { scene, name, shown }) => {
+                let document = Document {
+                    scene,
+                    origin: Origin::BuiltIn(name),
+                    ..Document::default()
+                };
+                if self.open(document) {
+                    self.window.seek_highlight = shown.probe.is_none();
+                    self.show(&shown);
+                    self.session.notice = Some(text!("link-opened").to_owned());
+                }
+            }
+            Err(error) => {
+                self.dialog = Some(Dialog::message(text!("link-not-opened"), error.to_string()));
+            }
+        }
+    }
+
+    /// Puts the link of what is seen on the clipboard, and says what it leaves out.
+    pub fn copy_link(&mut self, ctx: &Context) {
+        match self.link() {
+            Ok(Written { link, left_out }) => {
+                ctx.copy_text(link);
+                self.session.notice = Some(match left_out {
+                    None => text!("link-copied").to_owned(),
+                    Some(path) => text!("link-copied-model", path = name_of(&path)),
+                });
+            }
+            Err(error) => self.no_link(&error.to_string()),
+        }
+    }
+
+    /// Opens what is seen in a page of its own.
+    pub fn open_page(&mut self, ctx: &Context) {
+        match self.link() {
+            Ok(Written { link, .. }) => ctx.open_url(OpenUrl::new_tab(link)),
+            Err(error) => self.no_link(&error.to_string()),
+        }
+    }
+
+    /// Shows the link as a QR code; asks for the page that phones will open where none is known.
+    pub fn show_code(&mut self) {
+        if self.window.appearance.page.is_empty() {
+            return self.ask_page(true);
+        }
+        let Written { link, left_out } = match self.link() {
+            Ok(written) => written,
+            Err(error) => return self.no_link(&error.to_string()),
+        };
+        match QrCode::new(&link) {
+            Some(code) => {
+                let left_out = left_out.map(|path| name_of(&path));
+                self.dialog = Some(Dialog::LinkCode(LinkCode {
+                    link,
+                    code,
+                    left_out,
+                }));
+            }
+            None => self.no_link(&text!("link-too-long-for-code", length = link.len())),
+        }
+    }
+
+    /// Asks for the address of the page that links begin with.
+    pub fn ask_page(&mut self, then_code: bool) {
+        self.dialog = Some(Dialog::Page(PageForm {
+            address: self.window.appearance.page.clone(),
+            wrong: None,
+            then_code,
+        }));
+    }
+
+    /// Takes the address over, or says what is wrong with it.
+    pub fn set_page(&mut self, form: PageForm) {
+        let address = match form.address.trim() {
+            // Links that begin with their question mark.
+            "" if !form.then_code => Ok(String::new()),
+            address => page(address),
+        };
+        match address {
+            Ok(address) => {
+                self.window.appearance.page = address;
+                if form.then_code {
+                    self.requests.ask(Action::ShowCode);
+                }
+            }
+            Err(wrong) => {
+                let wrong = Some(wrong);
+                self.dialog = Some(Dialog::Page(PageForm { wrong, ..form }));
+            }
+        }
+    }
+
+    fn no_link(&mut self, why: &str) {
+        self.dialog = Some(Dialog::message(text!("link-not-made"), why.to_owned()));
+    }
+}
+
+/// Opens the addresses that this frame asks for, those that [`may_open`] allows. Every widget's request goes through here, so that no text
+/// of a lesson reaches the desktop or the browser by another way.
+pub fn open_addresses(ctx: &Context) {
+    let mut addresses = Vec::new();
+    ctx.output_mut(|output| {
+        output.commands.retain(|command| match command {
+            OutputCommand::OpenUrl(open) => {
+                addresses.push(open.url.clone());
+                false
+            }
+            _ => true,
+        });
+    });
+    for address in addresses.iter().filter(|address| may_open(address)) {
+        system::open_address(ctx, address);
+    }
+}
+
+fn name_of(path: &std::path::Path) -> String {
+    let name = path.file_name().unwrap_or(path.as_os_str());
+    name.to_string_lossy().into_owned()
+}
+
+/// The question for the page's address.
+pub fn page_ui(ui: &mut Ui, form: &mut PageForm) -> Choice {
+    let mut choice = Choice::Stay;
+    ui.heading(text!("link-page"));
+    ui.add_space(8.0);
+    ui.label(text!("link-page.sentence"));
+    ui.add_space(8.0);
+    let field = text_field(&mut form.address)
+        .hint_text("https://example.org/shading-lab/")
+        .desired_width(f32::INFINITY);
+    let field = named(ui.add(field), Role::TextInput, text!("link-page"));
+    if field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter)) {
+        choice = Choice::Accept;
+    } else if !field.has_focus() && ui.memory(|memory| memory.focused().is_none()) {
+        field.request_focus();
+    }
+    // The line is there before there is an error, so that nothing moves.
+    let wrong = form.wrong.as_deref().unwrap_or(" ");
+    ui.label(RichText::new(wrong).color(ui.visuals().error_fg_color));
+    ui.add_space(12.0);
+    ui.horizontal(|ui| {
+        let verb = if form.then_code {
+            text!("link-show-code")
+        } else {
+            text!("save")
+        };
+        if ui.add(Button::new(verb)).clicked() {
+            choice = Choice::Accept;
+        }
+        if ui.button(text!("cancel")).clicked() {
+            choice = Choice::Leave;
+        }
+    });
+    choice
+}
+
+/// A QR code over the whole window, black on white in either theme, since readers and projectors want that; whether it stays.
+/// Any key or click closes it.
+pub fn code_ui(ctx: &Context, shown: &LinkCode) -> bool {
+    let room = ctx.content_rect();
+    Area::new(Id::unique("link-code"))
+        .order(Order::Foreground)
+        .fixed_pos(room.min)
+        .show(ctx, |ui| {
+            let response = ui.allocate_rect(room, Sense::click());
+            let name = text!("link-code-of", link = shown.link.as_str());
+            named(response, Role::Image, &name);
+            paint(ui.painter(), room, ctx.pixels_per_point(), shown);
+        });
+    let closes = |event: &Event| match event {
+        Event::Key {
+            pressed, repeat, ..
+        } => *pressed && !repeat,
+        Event::PointerButton { pressed, .. } => *pressed,
+        _ => false,
+    };
+    !ctx.input(|input| input.events.iter().any(closes))
+}
+
+fn paint(painter: &Painter, room: Rect, pixels_per_point: f32, shown: &LinkCode) {
+    painter.rect_filled(room, 0.0, Color32::WHITE);
+    let inner = room.shrink(GAP);
+    let letters = (room.height() / LINES).min(room.width() / COLUMNS);
+    let letters = letters.clamp(LETTERS[0], LETTERS[1]);
+    let text = |text: String, size: f32, colour: Color32, rows: usize| {
+        lines(painter, text, size, colour, rows, inner.width())
+    };
+    let short = shown
+        .link
+        .split_once("://")
+        .map_or(&*shown.link, |(_, rest)| rest);
+    let mut texts = vec![text(short.to_owned(), letters, Color32::BLACK, ROWS)];
+    let small = (0.7 * letters).max(LETTERS[0]);
+    if let Some(path) = &shown.left_out {
+        texts.push(text(
+            text!("link-model-stays", path = path.as_str()),
+            small,
+            GREY,
+            ROWS,
+        ));
+    }
+    texts.push(text(text!("link-code-closes").to_owned(), small, GREY, 1));
+    let below: f32 = texts.iter().map(|text| text.size().y + 0.5 * GAP).sum();
+    // Whole pixels for each module, so that no edge is blurred.
+    let side = inner.width().min(inner.height() - below) * pixels_per_point;
+    let modules = shown.code.side() as f32;
+    let module = (side / modules).floor().max(1.0);
+    let size = module * modules / pixels_per_point;
+    let left = inner.center().x - 0.5 * size;
+    let top = inner.top() + 0.5 * (inner.height() - below - size).max(0.0);
+    let whole = |points: f32| (points * pixels_per_point).round();
+    let corner = |x: usize, y: usize| {
+        let at = |start: f32, modules: usize| {
+            (whole(start) + module * modules as f32) / pixels_per_point
+        };
+        pos2(at(left, x), at(top, y))
+    };
+    let mut mesh = Mesh::default();
+    for [x, y, count] in shown.code.runs() {
+        let rect = Rect::from_min_max(corner(x, y), corner(x + count, y + 1));
+        mesh.add_colored_rect(rect, Color32::BLACK);
+    }
+    painter.add(Shape::mesh(mesh));
+    let mut y = top + size;
+    for text in texts {
+        let (height, colour) = (text.size().y, Color32::BLACK);
+        painter.galley(pos2(inner.center().x, y), text, colour);
+        y += height + 0.5 * GAP;
+    }
+}
+
+/// Centred lines; what has no room is cut.
+fn lines(
+    painter: &Painter,
+    text: String,
+    size: f32,
+    colour: Color32,
+    rows: usize,
+    width: f32,
+) -> Arc<Galley> {
+    let format = TextFormat::simple(FontId::proportional(size), colour);
+    let mut job = LayoutJob::single_section(text, format);
+    job.wrap = TextWrapping {
+        max_width: width.max(size),
+        max_rows: rows,
+        break_anywhere: true,
+        ..TextWrapping::default()
+    };
+    job.halign = Align::Center;
+    painter.layout_job(job)
+}

@@ -1,0 +1,106 @@
+//! The commands of a menu, each with its key; a tick stands before what is on.
+
+use super::commands::{Command, SECTIONS};
+use crate::app::session::Session;
+use crate::app::session::action::Action;
+use crate::app::session::action::Requests;
+use crate::app::session::window::WindowState;
+use crate::app::widgets::focus::{named, switch_named};
+use crate::app::widgets::sign::tick;
+use crate::scene::ShadingMode;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Atom, Button, IdSalt, Rect, Ui, vec2};
+
+/// Width of a menu, points.
+const WIDTH: f32 = 264.0;
+/// Width kept for ticks, points.
+const TICK: f32 = 16.0;
+
+/// The items of the menu of this key.
+pub fn commands_ui(
+    ui: &mut Ui,
+    session: &Session,
+    window: &mut WindowState,
+    requests: &mut Requests,
+    menu: &str,
+) {
+    let Some(section) = SECTIONS.iter().find(|section| section.key == menu) else {
+        return;
+    };
+    ui.set_min_width(WIDTH);
+    let commands = &section.commands;
+    let ticked = commands
+        .iter()
+        .any(|command| is_on(command, session, window).is_some());
+    for command in commands {
+        if command.is_line() {
+            ui.separator();
+        } else if command.in_menu {
+            item_ui(ui, session, window, requests, command, ticked);
+        }
+    }
+}
+
+fn item_ui(
+    ui: &mut Ui,
+    session: &Session,
+    window: &mut WindowState,
+    requests: &mut Requests,
+    command: &Command,
+    ticked: bool,
+) {
+    let Some(action) = command.actions.first() else {
+        return;
+    };
+    // What would be undone and redone is named.
+    let change = match action {
+        Action::Undo => Some(session.history().undoable()),
+        Action::Redo => Some(session.history().redoable()),
+        _ => None,
+    };
+    let idle = change == Some(None);
+    let name = format!(
+        "{} {}",
+        command.name(),
+        change.flatten().unwrap_or_default()
+    );
+    let name = name.trim_end();
+    let button = if ticked {
+        let room = Atom::custom(IdSalt::new("tick"), vec2(TICK, TICK));
+        Button::new((room, name))
+    } else {
+        Button::new(name)
+    };
+    let response = ui.add_enabled(!idle, button.shortcut_text(command.keys()));
+    let on = is_on(command, session, window);
+    if on == Some(true) {
+        let left = response.rect.left_center() + vec2(ui.spacing().button_padding.x, 0.0);
+        let room = Rect::from_center_size(left + vec2(TICK / 2.0, 0.0), vec2(TICK, TICK));
+        ui.painter()
+            .add(tick(room, ui.visuals().strong_text_color()));
+    }
+    let response = match on {
+        Some(on) => switch_named(response, Role::CheckBox, on, name),
+        None => named(response, Role::Button, name),
+    };
+    if response.clicked() {
+        requests.ask(action.clone());
+        if on.is_none() {
+            ui.close();
+        }
+    }
+}
+
+/// Whether what a command switches is on; none where it does something else.
+fn is_on(command: &Command, session: &Session, window: &mut WindowState) -> Option<bool> {
+    let shading = &session.shown.scene.shading;
+    match command.actions.first()? {
+        Action::Show(switch) => Some(*switch(&mut window.appearance)),
+        Action::Shade { mode, renormalise } => {
+            let kept = *mode != ShadingMode::Phong || shading.renormalise == *renormalise;
+            Some(shading.mode == *mode && kept)
+        }
+        Action::PictureAlone => Some(window.picture_alone),
+        _ => None,
+    }
+}

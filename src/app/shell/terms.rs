@@ -1,0 +1,81 @@
+//! Switches for the terms of the equation: a lecture builds the sum up term by term. A term is off while its coefficient is 0;
+//! what it was is kept for when it is switched on again.
+
+use crate::analysis::{Tone, specular_vector};
+use crate::app::session::Session;
+use crate::app::session::window::WindowState;
+use crate::app::widgets::palette::tone_text;
+use crate::figure::palette::Vector;
+use crate::scene::{Material, Rgb, Scene};
+use crate::text::text;
+use eframe::egui::{RichText, Ui};
+
+/// The coefficients of the terms that are off.
+#[derive(Debug, Default)]
+struct SwitchedOff([Option<Rgb>; 3]);
+
+fn coefficients(material: &mut Material) -> [&mut Rgb; 3] {
+    [&mut material.ka, &mut material.kd, &mut material.ks]
+}
+
+/// Switches the term of this number off or on again.
+pub fn switch(session: &mut Session, window: &mut WindowState, term: usize) {
+    let opened = coefficients(&mut session.opened().material.clone()).map(|value| *value)[term];
+    let usual = coefficients(&mut Material::default()).map(|value| *value)[term];
+    let mut kept: SwitchedOff = window.own.take();
+    let value = &mut coefficients(&mut session.shown.scene.material)[term];
+    if **value == Rgb::ZERO {
+        let known = kept.0[term]
+            .take()
+            .or(Some(opened).filter(|value| *value != Rgb::ZERO));
+        **value = known.unwrap_or(usual);
+    } else {
+        kept.0[term] = Some(**value);
+        **value = Rgb::ZERO;
+    }
+    window.own.put(kept);
+}
+
+/// A switch for each term, in the term's colour; in a `wide` window from the right to the left, with their full names.
+pub fn switches_ui(ui: &mut Ui, session: &mut Session, window: &mut WindowState, wide: bool) {
+    let Scene {
+        material,
+        reflection,
+        ..
+    } = &session.shown.scene;
+    let mut terms = [
+        (
+            0,
+            ["term-ambient", "term-ambient.short"],
+            Tone::Plain,
+            material.ka,
+        ),
+        (
+            1,
+            ["term-diffuse", "term-diffuse.short"],
+            Tone::Of(Vector::L),
+            material.kd,
+        ),
+        (
+            2,
+            ["term-specular", "term-specular.short"],
+            Tone::Of(specular_vector(reflection.model)),
+            material.ks,
+        ),
+    ];
+    if wide {
+        terms.reverse();
+    }
+    for (term, name, tone, value) in terms {
+        let mut on = value != Rgb::ZERO;
+        let name = text!(name[usize::from(!wide)]);
+        let name = RichText::new(name).color(tone_text(ui.visuals(), tone));
+        if ui
+            .checkbox(&mut on, name)
+            .on_hover_text(text!("term-tip"))
+            .clicked()
+        {
+            switch(session, window, term);
+        }
+    }
+}

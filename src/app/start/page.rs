@@ -1,0 +1,133 @@
+//! Opening the window as a web page.
+
+use crate::analysis::{
+    BenchQuestion, DefectsQuestion, ProfileQuestion, StabilityQuestion, StudyQuestion,
+};
+use crate::app::controls::materials::Spheres;
+use crate::app::controls::sampling::AreaLight;
+use crate::app::controls::scenes::Thumbnails;
+use crate::app::course::{Likeness, Marking, Prepare, Target};
+use crate::app::engine::Supersampled;
+use crate::app::shell::dialog::Dialog;
+use crate::app::shell::files::{Exported, Filmed};
+use crate::app::views::profile::Perceived;
+use crate::app::{App, system};
+use crate::document::{Loaded, load};
+use crate::jobs::{Request, Served, serve, served};
+use crate::link;
+use crate::render::check_mesh_memory;
+use crate::scene::presets;
+use crate::text::text;
+use eframe::egui::Context;
+use std::panic;
+use std::path::Path;
+use wasm_bindgen::JsCast;
+use wasm_bindgen_futures::spawn_local;
+use web_sys::HtmlCanvasElement;
+
+/// The canvas of the page.
+const CANVAS: &str = "shading-lab";
+
+/// Opens the window on the page's canvas; what goes wrong stands in the console, and the page says that something did.
+pub fn run() {
+    if serve(workers()) {
+        console_error_panic_hook::set_once();
+        return;
+    }
+    panic::set_hook(Box::new(|info| {
+        console_error_panic_hook::hook(info);
+        system::show("stopped");
+    }));
+    let canvas = web_sys::window()
+        .and_then(|window| window.document())
+        .and_then(|document| document.get_element_by_id(CANVAS));
+    let Some(canvas) = canvas else { return };
+    spawn_local(start(canvas.unchecked_into()));
+}
+
+async fn start(canvas: HtmlCanvasElement) {
+    let open = |cc: &eframe::CreationContext<'_>| -> Box<dyn eframe::App> {
+        let (page, link) = address();
+        let open = |link: &str| -> Result<Loaded, String> {
+            let loaded = load(Path::new(link)).map_err(|error| error.to_string())?;
+            let small = check_mesh_memory(&loaded.scene, loaded.model.as_deref());
+            small.map(|()| loaded).map_err(|error| error.to_string())
+        };
+        let linked = link::is_link(&link).then(|| open(&link));
+        let (loaded, problem) = match linked {
+            Some(Ok(loaded)) => (Some(loaded), None),
+            Some(Err(error)) => (None, Some(error)),
+            None => (None, None),
+        };
+        let loaded =
+            loaded.unwrap_or_else(|| load(Path::new(presets::DEFAULT)).expect("a built-in scene"));
+        let shown = loaded.shown.clone();
+        let mut app = App::new(cc, loaded).with_welcome().with_page(Some(page));
+        if shown.embed {
+            app = app.embedded(&shown.controls);
+        }
+        reduce_motion(&cc.egui_ctx);
+        if let Some(problem) = problem {
+            app.state.dialog = Some(Dialog::message(text!("link-not-opened"), problem));
+            return Box::new(app);
+        }
+        if shown.embed {
+            return Box::new(app);
+        }
+        Box::new(app.with_recovery(Path::new("")))
+    };
+    let runner = eframe::WebRunner::new();
+    let options = eframe::WebOptions::default();
+    if let Err(error) = runner
+        .start(canvas, options, Box::new(move |cc| Ok(open(cc))))
+        .await
+    {
+        system::show("stopped");
+        wasm_bindgen::throw_val(error);
+    }
+}
+
+/// What workers do.
+fn workers() -> Vec<Served> {
+    vec![
+        served::<Request<AreaLight>>(),
+        served::<Request<BenchQuestion>>(),
+        served::<Request<DefectsQuestion>>(),
+        served::<Request<ProfileQuestion>>(),
+        served::<Request<StabilityQuestion>>(),
+        served::<Request<StudyQuestion>>(),
+        served::<Exported>(),
+        served::<Filmed>(),
+        served::<Likeness>(),
+        served::<Perceived>(),
+        served::<Prepare>(),
+        served::<Marking>(),
+        served::<Spheres>(),
+        served::<Supersampled>(),
+        served::<Target>(),
+        served::<Thumbnails>(),
+    ]
+}
+
+/// The page's address, and the link in it.
+fn address() -> (String, String) {
+    let location = || {
+        let location = web_sys::window()?.location();
+        let page = location.origin().ok()? + &location.pathname().ok()?;
+        Some((page, location.search().ok()? + &location.hash().ok()?))
+    };
+    location().unwrap_or_default()
+}
+
+/// Moves nothing of itself where the reader wants it so.
+fn reduce_motion(ctx: &Context) {
+    let wanted = web_sys::window().and_then(|window| {
+        window
+            .document()?
+            .document_element()?
+            .get_attribute("data-motion")
+    });
+    if wanted.is_some_and(|motion| motion == "reduce") {
+        ctx.all_styles_mut(|style| style.animation_time = 0.0);
+    }
+}

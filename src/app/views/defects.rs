@@ -1,0 +1,407 @@
+//! The tab of the five defects of interpolated shading: what each is, how large it is in this scene, and a scene to try it in;
+//! and where they are in the picture.
+
+use super::report::{Pending, export_ui};
+use crate::analysis::{
+    CONDITIONS, ConditionsQuestion, DEFECTS, Defect, DefectMark, DefectsQuestion, NormalsQuestion,
+    PlotKind, defect_marks,
+};
+use crate::app::engine::Engine;
+use crate::app::session::Session;
+use crate::app::session::action::Action;
+use crate::app::session::action::Requests;
+use crate::app::session::appearance::ViewName;
+use crate::app::session::document::Origin;
+use crate::app::session::place::Place;
+use crate::app::session::window::WindowState;
+use crate::app::widgets::background::progress_ui;
+use crate::app::widgets::focus;
+use crate::app::widgets::letter::letter;
+use crate::app::widgets::lines;
+use crate::app::widgets::palette::vector_text;
+use crate::figure::palette::Vector;
+use crate::scene::{
+    Light, LightKind, NormalSource, Object, ObjectKind, Projection, Scene, ShadingMode, Viewer,
+};
+use crate::text;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{
+    Align2, CollapsingHeader, Color32, FontId, Id, Label, Painter, RichText, Sense, Shape, Stroke,
+    Ui, UiBuilder, vec2,
+};
+use glam::DVec3;
+
+/// A card of the tab is about as wide, points.
+const CARD: f32 = 380.0;
+
+/// What the tab has measured, and what of it is shown in the picture.
+#[derive(Default)]
+pub struct DefectsView {
+    measured: Pending<DefectsQuestion>,
+    normal: Pending<NormalsQuestion>,
+    conditions: Pending<ConditionsQuestion>,
+    /// The defect that is marked, chosen while this scene was open.
+    marked: Option<(Origin, &'static str)>,
+    /// What the buttons of the conditions have changed, to go back to.
+    before: Before,
+}
+
+/// Lights and object before they were changed to meet a condition.
+#[derive(Default)]
+struct Before {
+    lights: Vec<Light>,
+    object: Option<Object>,
+}
+
+/// The tab.
+pub fn defects_ui(
+    ui: &mut Ui,
+    view: &mut DefectsView,
+    session: &mut Session,
+    window: &mut WindowState,
+    requests: &mut Requests,
+    engine: &Engine,
+) {
+    let size = engine.size;
+    if size.contains(&0) {
+        return;
+    }
+    view.measured.ask(
+        ui.ctx(),
+        &session.shown,
+        size,
+        &DefectsQuestion {
+            pixel: Some(window.probe.pixel(size)),
+        },
+    );
+    ui.label(text!("picture-defects-about"));
+    let work = &view.measured.work;
+    ui.vertical(|ui| {
+        if !progress_ui(ui, work, text!("picture-defects-stop")) && work.stopped() {
+            ui.label(RichText::new(text!("picture-defects-stopped")).weak());
+        }
+    });
+    export_ui(ui, session, window, requests, "defects", || {
+        view.measured.latest()
+    });
+    ui.add_space(4.0);
+    // What the scene is about comes first.
+    let mut order: Vec<(usize, &Defect)> = DEFECTS.iter().enumerate().collect();
+    order.sort_by_key(|(_, defect)| !is_open(session, defect));
+    let columns = ((ui.available_width() / CARD) as usize).clamp(1, 3);
+    ui.columns(columns, |columns| {
+        let count = columns.len();
+        for (place, (index, defect)) in order.into_iter().enumerate() {
+            columns[place % count]
+                .vertical(|ui| card_ui(ui, view, session, requests, index, defect));
+        }
+    });
+    ui.separator();
+    let flat = session.shown.scene.shading.mode == ShadingMode::Flat;
+    let title = text!("picture-conditions");
+    CollapsingHeader::new(title)
+        .default_open(flat)
+        .show(ui, |ui| {
+            conditions_ui(ui, view, session, window, requests, size);
+        });
+    ui.collapsing(text!("picture-vertex-normal"), |ui| {
+        normal_ui(ui, &mut view.normal, session, window, requests, size);
+    });
+}
+
+/// A defect: what it is, how large, and where to see it.
+fn card_ui(
+    ui: &mut Ui,
+    view: &mut DefectsView,
+    session: &Session,
+    requests: &mut Requests,
+    index: usize,
+    defect: &'static Defect,
+) {
+    ui.separator();
+    // As one, so that what follows stays the same widgets when the answer comes.
+    ui.vertical(|ui| {
+        if view.measured.view.is_empty() {
+            ui.label(RichText::new(defect.title()).strong());
+            ui.label("…");
+        }
+        view.measured.view.section_ui(ui, index);
+    });
+    if MARKED.contains(&defect.scene) {
+        let mut on = is_marked(Some(view), session, defect);
+        if ui
+            .checkbox(&mut on, text!("picture-mark"))
+            .on_hover_text(text!("picture-mark.tip"))
+            .changed()
+        {
+            let chosen = if on { defect.scene } else { "" };
+            view.marked = Some((session.document().origin.clone(), chosen));
+        }
+    }
+    if is_open(session, defect) {
+        ui.label(text!("picture-try", what = defect.try_this()));
+    } else {
+        let name = text!("picture-example-of", name = defect.title());
+        let button = ui.button(text!("picture-example"));
+        let button = focus::named(button, Role::Button, &name);
+        if button.on_hover_text(defect.try_this()).clicked() {
+            requests.ask(Action::OpenBuiltIn(defect.scene.to_owned()));
+        }
+    }
+    ui.add_space(6.0);
+}
+
+/// Defects that have a place in the picture, by their scenes.
+const MARKED: [&str; 3] = ["silhouette", "orientation", "shared-vertices"];
+
+/// Whether a defect is marked in the picture: the one that was chosen, or else the one that the scene is about.
+fn is_marked(view: Option<&DefectsView>, session: &Session, defect: &Defect) -> bool {
+    let chosen = view.and_then(|view| view.marked.as_ref());
+    match chosen.filter(|(origin, _)| *origin == session.document().origin) {
+        Some((_, scene)) => *scene == defect.scene,
+        None => is_open(session, defect),
+    }
+}
+
+/// Whether the ring by which the picture is turned is shown.
+pub fn shows_ring(session: &Session, window: &WindowState) -> bool {
+    let orientation = DEFECTS
+        .iter()
+        .find(|defect| defect.plot == Some(PlotKind::Orientation));
+    window.shows(ViewName::Defects)
+        && orientation.is_some_and(|defect| is_marked(window.own.get(), session, defect))
+}
+
+/// The three conditions under which flat shading is exact, each with its figures and a button that meets or breaks it.
+fn conditions_ui(
+    ui: &mut Ui,
+    view: &mut DefectsView,
+    session: &mut Session,
+    window: &mut WindowState,
+    requests: &mut Requests,
+    size: [u32; 2],
+) {
+    let DefectsView {
+        conditions, before, ..
+    } = view;
+    conditions.ask(ui.ctx(), &session.shown, size, &ConditionsQuestion);
+    ui.label(text!("picture-conditions.about"));
+    ui.add_space(4.0);
+    let Some(found) = conditions.work.answer().cloned() else {
+        ui.label("…");
+        return;
+    };
+    for (index, (_, holds)) in CONDITIONS.iter().enumerate() {
+        let holds = holds(&found);
+        condition_ui(ui, holds, found.title(index), &found.figures(index));
+        let [meet, spoil] = match index {
+            0 => [
+                "picture-condition-light.meet",
+                "picture-condition-light.break",
+            ],
+            1 => [
+                "picture-condition-viewer.meet",
+                "picture-condition-viewer.break",
+            ],
+            _ if found.has_surface => [
+                "picture-condition-surface.meet",
+                "picture-condition-surface.break",
+            ],
+            _ => [
+                "picture-condition-polygons.meet",
+                "picture-condition-polygons.break",
+            ],
+        };
+        // The button stays the same one when what stands above it comes and goes, so that no click is lost.
+        let own = UiBuilder::new().scope_id(Id::unique(("condition", index)));
+        let button = ui.scope_builder(own, |ui| ui.button(text!(if holds { spoil } else { meet })));
+        if button.inner.clicked() {
+            let scene = &mut session.shown.scene;
+            match index {
+                0 => before.turn_lights(scene, holds),
+                1 => turn_viewer(scene, holds),
+                _ => before.turn_object(scene, holds),
+            }
+        }
+        ui.add_space(6.0);
+    }
+    let further = found.further.is_empty();
+    condition_ui(
+        ui,
+        further,
+        text!("picture-further"),
+        &found.further_words(),
+    );
+    ui.add_space(6.0);
+    // The section of the pictures, after those of what is said above.
+    conditions.view.section_ui(ui, CONDITIONS.len() + 1);
+    export_ui(ui, session, window, requests, "conditions", || {
+        conditions.latest()
+    });
+    ui.add_space(6.0);
+}
+
+/// A condition: whether it holds, and what was found.
+fn condition_ui(ui: &mut Ui, holds: bool, title: &str, found: &str) {
+    ui.horizontal(|ui| {
+        verdict_ui(ui, holds);
+        ui.add(Label::new(RichText::new(title).strong()).wrap());
+    });
+    ui.label(found);
+}
+
+/// A tick or a cross.
+fn verdict_ui(ui: &mut Ui, holds: bool) {
+    let (rect, response) = ui.allocate_exact_size(vec2(16.0, 16.0), Sense::hover());
+    let (words, colour, lines) = if holds {
+        let tick = [[0.15, 0.55], [0.4, 0.8], [0.85, 0.25]];
+        (text!("picture-holds"), Vector::V, vec![tick.to_vec()])
+    } else {
+        let cross = [[[0.2, 0.2], [0.8, 0.8]], [[0.2, 0.8], [0.8, 0.2]]];
+        (
+            text!("picture-fails"),
+            Vector::R,
+            cross.map(|line| line.to_vec()).to_vec(),
+        )
+    };
+    let colour = vector_text(ui.visuals(), colour);
+    for line in lines {
+        let at = |[x, y]: [f32; 2]| rect.min + vec2(x, y) * rect.size();
+        let points = line.into_iter().map(at).collect();
+        ui.painter()
+            .add(Shape::line(points, Stroke::new(2.5, colour)));
+    }
+    focus::named(response, Role::Label, words).on_hover_text(words);
+}
+
+impl Before {
+    /// Moves the lights to infinity, or back to where they were.
+    fn turn_lights(&mut self, scene: &mut Scene, far: bool) {
+        if !far {
+            self.lights = scene.lights.clone();
+            for light in scene
+                .lights
+                .iter_mut()
+                .filter(|light| light.kind.has_position())
+            {
+                light.kind = LightKind::Directional;
+                // Shapes stand about the origin.
+                if light.position != DVec3::ZERO {
+                    light.direction = -light.position;
+                }
+            }
+        } else if self.lights.len() == scene.lights.len() {
+            scene.lights = std::mem::take(&mut self.lights);
+        } else {
+            for light in &mut scene.lights {
+                light.kind = LightKind::Point;
+            }
+        }
+    }
+
+    /// Draws a cube, whose polygons are its surface, or the object that was there; of an object that is only polygons the
+    /// normals change.
+    fn turn_object(&mut self, scene: &mut Scene, flat: bool) {
+        let object = &mut scene.object;
+        let surface = object.kind.has_surface();
+        if !flat {
+            self.object = Some(object.clone());
+            if surface {
+                object.kind = ObjectKind::Cube;
+            } else {
+                object.normals = NormalSource::Facet;
+            }
+            return;
+        }
+        match self.object.take() {
+            Some(before) if surface => object.kind = before.kind,
+            Some(before) => object.normals = before.normals,
+            None if surface => object.kind = ObjectKind::Sphere,
+            None => object.normals = NormalSource::Averaged,
+        }
+    }
+}
+
+/// Moves the equation's viewer to infinity, or to the eye.
+fn turn_viewer(scene: &mut Scene, far: bool) {
+    let camera = &mut scene.camera;
+    camera.viewer = if far {
+        // V is constant in parallel projection anyway.
+        camera.projection = Projection::Perspective;
+        Viewer::Local
+    } else {
+        Viewer::Infinite
+    };
+}
+
+/// The normal of the vertex that is lit up, or of the one next to the probe, with its faces and their weights.
+fn normal_ui(
+    ui: &mut Ui,
+    normal: &mut Pending<NormalsQuestion>,
+    session: &mut Session,
+    window: &mut WindowState,
+    requests: &mut Requests,
+    size: [u32; 2],
+) {
+    let question = NormalsQuestion {
+        vertex: window.pointed.lit,
+        pixel: Some(window.probe.pixel(size)),
+    };
+    normal.ask(ui.ctx(), &session.shown, size, &question);
+    match normal.work.known() {
+        None => _ = ui.label("…"),
+        Some(Err(why)) => _ = ui.label(why),
+        Some(Ok(_)) => normal.view.ui(ui),
+    }
+    export_ui(ui, session, window, requests, "normals", || normal.latest());
+}
+
+/// Whether the built-in scene about a defect is open.
+fn is_open(session: &Session, defect: &Defect) -> bool {
+    matches!(&session.document().origin, Origin::BuiltIn(name) if name == defect.scene)
+}
+
+/// Marks what was last measured in the active picture.
+pub fn paint(
+    painter: &Painter,
+    session: &Session,
+    window: &WindowState,
+    place: Place,
+    font: &FontId,
+) {
+    let measured = window
+        .own
+        .get::<DefectsView>()
+        .filter(|_| window.shows(ViewName::Defects));
+    let Some(found) = measured.and_then(|view| view.measured.work.answer()) else {
+        return;
+    };
+    let em = f64::from(font.size * place.pixels_per_point);
+    let marked = |mark: &DefectMark| {
+        let defect = DEFECTS.iter().find(|defect| defect.scene == mark.scene);
+        defect.is_some_and(|defect| is_marked(measured, session, defect))
+    };
+    for mark in defect_marks(&found.defects, em).into_iter().filter(marked) {
+        for stroke in [
+            Stroke::new(4.0, Color32::from_black_alpha(160)),
+            Stroke::new(1.8, Color32::WHITE),
+        ] {
+            for line in &mark.lines {
+                lines::line(
+                    painter,
+                    line.iter().map(|point| place.exact_point(*point)),
+                    stroke,
+                    &[],
+                );
+            }
+        }
+        letter(
+            painter,
+            place.point(mark.label_at),
+            Align2::CENTER_CENTER,
+            &mark.label,
+            font,
+            Color32::WHITE,
+        );
+    }
+}

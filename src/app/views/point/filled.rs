@@ -1,0 +1,573 @@
+//! The equation, filled in: what the analysis says of the pixel, as lines that add up, some of which unfold.
+
+use crate::analysis::{
+    FilledLine, FilledPart, Here, LineValue, Product, Share, channels, digits, digits_below,
+    percent,
+};
+use crate::app::session::Session;
+use crate::app::widgets::letter::set;
+use crate::app::widgets::palette::tone_text as colour;
+use crate::app::widgets::symbol;
+use crate::app::widgets::typeset::{Piece, Place, Run, formula, run_ui, spoken};
+use crate::text::text;
+use eframe::egui::accesskit::Role;
+use eframe::egui::collapsing_header::{CollapsingState, paint_default_icon};
+use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
+use eframe::egui::{
+    Align, Color32, CornerRadius, FontId, Galley, Id, Layout, Rect, RichText, Sense, Stroke,
+    StrokeKind, Ui, WidgetInfo, pos2, vec2,
+};
+use std::sync::Arc;
+
+/// Height of a line, and of the bar, points.
+const LINE: f32 = 24.0;
+const BAR: f32 = 22.0;
+/// Size of names and numbers, of letters that stand for a name, and of formulas, points.
+const TEXT: f32 = 14.0;
+const LETTERS: f32 = 16.0;
+const FORMULA: f32 = 15.0;
+/// Width of a channel's column, and of the space before it, points.
+const COLUMN: f32 = 51.0;
+const SPACE: f32 = 7.0;
+/// Where names begin: behind the sign and the triangle, and behind the sign alone, points.
+const INDENT: f32 = 34.0;
+const FLAT_INDENT: f32 = 14.0;
+/// Space between two parts of the bar, points: terms of one kind have one colour.
+const GAP: f32 = 1.5;
+/// Formulas shrink no further than this to fit a narrow panel.
+const LEAST_SCALE: f32 = 0.7;
+
+/// Height of a line of numbers, and of the letters above them, points.
+const ROW: f32 = 20.0;
+const HEAD: f32 = LETTERS * 1.6;
+/// Width of the channel's letter in front of a line, points.
+const MARK: f32 = 16.0;
+/// Space between two columns for the sign there, points: as much as there is, between these.
+const COLUMN_GAPS: [f32; 2] = [9.0, 16.0];
+
+/// What letters are at the pixel, by their names.
+pub type Values = [(&'static str, String)];
+
+/// The whole formula at the probe.
+pub fn filled_ui(ui: &mut Ui, session: &mut Session, here: Here<'_>) {
+    let chosen = newly_chosen(ui, session.light);
+    ui.scope(|ui| {
+        ui.spacing_mut().item_spacing = vec2(8.0, 2.0);
+        bar_ui(ui, &here.shares());
+        channels_ui(ui);
+        for part in here.filled() {
+            match &part {
+                FilledPart::Line(line) if !line.parts.is_empty() => {
+                    fold_ui(ui, session, here, line, chosen);
+                }
+                part => part_ui(ui, part, &[], Id::NULL),
+            }
+        }
+    });
+}
+
+/// Whether another light is chosen than in the frame before. Its terms unfold then, and the others fold.
+fn newly_chosen(ui: &Ui, light: usize) -> bool {
+    let id = ui.scope_id().with("chosen-light");
+    ui.data_mut(|data| {
+        let before = data.get_temp::<usize>(id);
+        data.insert_temp(id, light);
+        before != Some(light)
+    })
+}
+
+fn part_ui(ui: &mut Ui, part: &FilledPart, values: &Values, id: Id) {
+    match part {
+        FilledPart::Note(text) => _ = ui.label(RichText::new(text).weak()),
+        FilledPart::Evaluated(over) => {
+            ui.label(RichText::new(text!("point-evaluated-mean", over = &over[..])).weak());
+        }
+        FilledPart::Formula(formula) => formula_ui(ui, formula, values, id),
+        FilledPart::Heading { name, tone, share } => {
+            ui.horizontal(|ui| {
+                ui.label(RichText::new(*name).color(colour(ui.visuals(), *tone)));
+                ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                    ui.label(RichText::new(share.as_deref().unwrap_or_default()).weak());
+                });
+            });
+        }
+        FilledPart::Product {
+            name,
+            product,
+            letters,
+            value,
+        } => {
+            let visuals = ui.visuals();
+            let heads = product.columns.iter().map(|column| {
+                let tip =
+                    |letter: &str| format!("{}{}", here_words(values, letter), column.words());
+                formula(visuals, &column.formula(), colour(visuals, *letters), tip)
+            });
+            let (heads, colour) = (heads.collect(), colour(visuals, *value));
+            Table {
+                name,
+                product,
+                heads,
+                colour,
+            }
+            .ui(
+                ui,
+                Place {
+                    id,
+                    name: text!("point-at-probe"),
+                },
+            );
+        }
+        FilledPart::Line(line) => flat_ui(ui, line),
+        FilledPart::Rule => {
+            let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), 5.0), Sense::hover());
+            let stroke = Stroke::new(1.0, ui.visuals().weak_text_color());
+            ui.painter().hline(
+                channel_edge(rect, 0) - COLUMN..=rect.max.x,
+                rect.center().y,
+                stroke,
+            );
+        }
+    }
+}
+
+/// What a letter is at the pixel, in a line of its own; nothing where it is not known.
+fn here_words(values: &Values, letter: &str) -> String {
+    let value = values.iter().find(|(name, _)| *name == letter);
+    value.map_or_else(String::new, |(_, value)| {
+        text!("point-here", values = &value[..]) + "\n"
+    })
+}
+
+/// A typeset formula that shrinks to fit the panel.
+pub fn formula_ui(ui: &mut Ui, text: &str, values: &Values, id: Id) {
+    let visuals = ui.visuals();
+    let pieces = formula(visuals, text, visuals.text_color(), |letter| {
+        here_words(values, letter)
+    });
+    ui.scope(|ui| {
+        ui.spacing_mut().item_spacing.y = 0.0;
+        let width = Run::new(ui, &pieces, FORMULA).width();
+        let size = FORMULA * (ui.available_width() / width).clamp(LEAST_SCALE, 1.0);
+        let run = run_ui(
+            ui,
+            &pieces,
+            size,
+            Place {
+                id,
+                name: text!("point-at-probe"),
+            },
+        );
+        run.widget_info(|| WidgetInfo::labeled(Role::Label, true, spoken(&pieces)));
+    });
+}
+
+/// The names of the channels over their columns.
+fn channels_ui(ui: &mut Ui) {
+    let weak = ui.visuals().weak_text_color();
+    let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), LINE - 4.0), Sense::hover());
+    for (index, channel) in channels().into_iter().enumerate() {
+        let galley =
+            ui.painter()
+                .layout_no_wrap(channel.to_owned(), FontId::proportional(TEXT), weak);
+        paint_right(ui, galley, channel_edge(rect, index), rect, weak);
+    }
+}
+
+/// A line that does not unfold; letters in place of its name light up their control.
+fn flat_ui(ui: &mut Ui, line: &FilledLine) {
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), LINE), Sense::hover());
+    response.widget_info(|| {
+        WidgetInfo::labeled(
+            Role::Label,
+            true,
+            format!("{} {}", line.name, line.value.words()),
+        )
+    });
+    paint(ui, line, rect);
+    if !line.letters.is_empty() {
+        let visuals = ui.visuals();
+        let letters = formula(visuals, line.letters, colour(visuals, line.tone), |_| {
+            String::new()
+        });
+        let place = Place {
+            id: ui.scope_id().with(("line", &line.name)),
+            name: text!("point-at-probe"),
+        };
+        let left = pos2(rect.min.x + FLAT_INDENT, rect.center().y);
+        Run::new(ui, &letters, LETTERS).paint(ui, left, place);
+    }
+}
+
+/// A line that unfolds to its parts, by a click, Enter or the space bar. That of a light unfolds, too, when its light has
+/// been `chosen`, and the others fold.
+fn fold_ui(ui: &mut Ui, session: &mut Session, here: Here<'_>, line: &FilledLine, chosen: bool) {
+    let id = ui.make_persistent_id(
+        line.light
+            .map_or_else(|| line.name.clone(), |index| format!("light {index}")),
+    );
+    let own = line.light.is_none_or(|index| index == session.light);
+    let mut fold = CollapsingState::load_with_default_open(ui.ctx(), id, own);
+    let (_, rect) = ui.allocate_space(vec2(ui.available_width(), LINE));
+    let response = ui.interact(rect, id, Sense::click());
+    let unfolds = if chosen && line.light.is_some() {
+        own != fold.is_open()
+    } else {
+        response.clicked()
+    };
+    if unfolds {
+        fold.toggle(ui);
+    }
+    let name = text!(
+        "point-line-at-probe",
+        name = &line.name[..],
+        value = line.value.words()
+    );
+    response.widget_info(|| WidgetInfo::labeled(Role::DisclosureTriangle, ui.is_enabled(), &name));
+    ui.ctx()
+        .accesskit_node_builder(id, |node| node.set_expanded(fold.is_open()));
+    if response.hovered() || response.has_focus() {
+        let fill = ui.visuals().widgets.hovered.bg_fill.gamma_multiply(0.55);
+        let stroke = if response.has_focus() {
+            ui.visuals().widgets.active.bg_stroke
+        } else {
+            Stroke::NONE
+        };
+        ui.painter().rect(
+            rect.expand2(vec2(2.0, 0.0)),
+            5.0,
+            fill,
+            stroke,
+            StrokeKind::Inside,
+        );
+    }
+    let icon = Rect::from_center_size(pos2(rect.min.x + 22.0, rect.center().y), vec2(10.0, 10.0));
+    let openness = fold.openness(ui.ctx());
+    paint_default_icon(ui, openness, &response.with_new_rect(icon));
+    paint(ui, line, rect);
+    let light = line.light.and_then(|index| here.lights().nth(index));
+    let values = light.map_or_else(Vec::new, |light| light.values());
+    let sought = symbol::sought(ui.ctx());
+    fold.show_body_unindented(ui, |ui| {
+        for (number, part) in line.parts.iter().enumerate() {
+            part_ui(ui, part, &values, id.with(("part", number)));
+        }
+        ui.add_space(6.0);
+    });
+    if let Some(index) = line.light.filter(|_| symbol::sought(ui.ctx()) != sought) {
+        // A symbol of this light was clicked: its controls are this light's.
+        session.light = index;
+    }
+}
+
+/// The sign, the name and the value of a line.
+fn paint(ui: &Ui, line: &FilledLine, rect: Rect) {
+    let (weak, colour) = (
+        ui.visuals().weak_text_color(),
+        colour(ui.visuals(), line.tone),
+    );
+    paint_text(ui, line.sign, rect.min.x, rect, weak, INDENT);
+    let left = rect.min.x
+        + if line.parts.is_empty() {
+            FLAT_INDENT
+        } else {
+            INDENT
+        };
+    let mut free = rect.max.x;
+    match &line.value {
+        LineValue::Channels(values) => {
+            for (index, value) in values.iter().enumerate() {
+                let job = set(value, FontId::monospace(TEXT), colour);
+                let galley = ui.painter().layout_job(job);
+                let edge = channel_edge(rect, index);
+                free = free.min(edge - galley.size().x.max(COLUMN));
+                paint_right(ui, galley, edge, rect, colour);
+            }
+        }
+        LineValue::Words(words) => {
+            let galley =
+                ui.painter()
+                    .layout_no_wrap(words.clone(), FontId::proportional(TEXT), weak);
+            free -= galley.size().x;
+            paint_right(ui, galley, rect.max.x, rect, weak);
+        }
+    }
+    if line.letters.is_empty() {
+        paint_text(ui, &line.name, left, rect, colour, free - SPACE - left);
+    }
+}
+
+/// The right edge of a channel's column.
+fn channel_edge(rect: Rect, index: usize) -> f32 {
+    rect.max.x - (COLUMN + SPACE) * (2 - index) as f32
+}
+
+/// Paints words, cut short where they have no room.
+fn paint_text(ui: &Ui, words: &str, x: f32, rect: Rect, colour: Color32, room: f32) {
+    let format = TextFormat {
+        font_id: FontId::proportional(TEXT),
+        color: colour,
+        ..TextFormat::default()
+    };
+    let mut job = LayoutJob::single_section(words.to_owned(), format);
+    job.wrap = TextWrapping::truncate_at_width(room.max(0.0));
+    place_at(ui, ui.painter().layout_job(job), x, rect.center().y, colour);
+}
+
+fn paint_right(ui: &Ui, galley: Arc<Galley>, edge: f32, rect: Rect, colour: Color32) {
+    let left = edge - galley.size().x;
+    place_at(ui, galley, left, rect.center().y, colour);
+}
+
+/// Paints a galley with its left side at `x` and its middle at `y`.
+fn place_at(ui: &Ui, galley: Arc<Galley>, x: f32, y: f32, colour: Color32) {
+    let top = y - galley.size().y / 2.0;
+    ui.painter().galley(pos2(x, top), galley, colour);
+}
+
+/// What each term has in the pixel's brightness, as one bar. Each part is as long as its term is bright.
+fn bar_ui(ui: &mut Ui, shares: &[Share]) {
+    let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), BAR), Sense::hover());
+    let whole: f64 = shares.iter().map(|share| share.weight).sum();
+    let seen: Vec<_> = shares.iter().filter(|share| share.weight > 0.0).collect();
+    if seen.is_empty() {
+        ui.painter().rect_stroke(
+            rect,
+            4.0,
+            Stroke::new(1.0, ui.visuals().weak_text_color()),
+            StrokeKind::Inside,
+        );
+        return;
+    }
+    let mut x = rect.min.x;
+    for (index, share) in seen.iter().enumerate() {
+        let width = (share.weight / whole) as f32 * rect.width();
+        let space = if index + 1 < seen.len() {
+            GAP.min(width * 0.5)
+        } else {
+            0.0
+        };
+        let place = Rect::from_min_max(pos2(x, rect.min.y), pos2(x + width - space, rect.max.y));
+        share_ui(ui, share, place, whole);
+        x += width;
+    }
+}
+
+fn share_ui(ui: &Ui, share: &Share, place: Rect, whole: f64) {
+    let text = format!(
+        "{}: {}",
+        share.name,
+        percent(share.weight, whole).unwrap_or_default()
+    );
+    let response = ui.interact(
+        place,
+        ui.scope_id().with(("share", &share.name)),
+        Sense::hover(),
+    );
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &text));
+    ui.painter().rect_filled(
+        place,
+        CornerRadius::same(3),
+        colour(ui.visuals(), share.tone),
+    );
+    let dark = ui.visuals().panel_fill;
+    let names = [&share.name, &share.short];
+    let galleys = names.map(|name| {
+        ui.painter()
+            .layout_no_wrap(name.clone(), FontId::proportional(13.0), dark)
+    });
+    if let Some(galley) = galleys
+        .into_iter()
+        .find(|galley| galley.size().x + 6.0 <= place.width())
+    {
+        ui.painter()
+            .galley(place.center() - galley.size() / 2.0, galley, dark);
+    }
+    if response.hovered() {
+        let stroke = Stroke::new(2.0, ui.visuals().strong_text_color());
+        ui.painter()
+            .rect_stroke(place, CornerRadius::same(3), stroke, StrokeKind::Inside);
+    }
+    response.on_hover_text(text!("point-share-tip", share = text));
+}
+
+/// A term with the letters of its columns.
+struct Table<'a> {
+    /// What the term is called, for a screen reader.
+    name: &'a str,
+    product: &'a Product,
+    heads: Vec<Vec<Piece>>,
+    /// The colour of its value.
+    colour: Color32,
+}
+
+/// A column laid out.
+struct Laid<'a> {
+    head: Run<'a>,
+    numbers: [Arc<Galley>; 3],
+    digits: f32,
+    width: f32,
+    sign: &'static str,
+    mean: bool,
+}
+
+impl Table<'_> {
+    fn ui(&self, ui: &mut Ui, place: Place<'_>) {
+        let gaps = self.heads.len() as f32;
+        let room = (ui.available_width() - MARK).max(0.0);
+        let natural = self.lay_out(ui, 1.0);
+        let scale = ((room - gaps * COLUMN_GAPS[0]) / total(&natural)).clamp(LEAST_SCALE, 1.0);
+        let laid = if scale < 1.0 {
+            self.lay_out(ui, scale)
+        } else {
+            natural
+        };
+        let gap = ((room - total(&laid)) / gaps).clamp(COLUMN_GAPS[0], COLUMN_GAPS[1]);
+        let (rect, _) =
+            ui.allocate_exact_size(vec2(ui.available_width(), HEAD + 3.0 * ROW), Sense::hover());
+        self.paint(ui, &laid, rect, gap, place);
+        self.describe(ui, rect, place);
+    }
+
+    /// What stands between a column and the one before it.
+    fn sign(&self, index: usize) -> &'static str {
+        match self.product.columns.get(index) {
+            Some(_) if index == 0 => "",
+            Some(column) if column.added => "+",
+            Some(_) => "·",
+            None => "=",
+        }
+    }
+
+    fn lay_out(&self, ui: &Ui, scale: f32) -> Vec<Laid<'_>> {
+        let plain = ui.visuals().text_color();
+        let laid = |index, head, size, numbers: [String; 3], colour, mean| {
+            let numbers = numbers.map(|number| {
+                let font = FontId::monospace(TEXT * scale);
+                ui.painter().layout_job(set(&number, font, colour))
+            });
+            let digits = numbers
+                .iter()
+                .map(|number| number.size().x)
+                .fold(0.0, f32::max);
+            let head = Run::new(ui, head, size);
+            Laid {
+                width: digits.max(head.width()),
+                head,
+                numbers,
+                digits,
+                sign: self.sign(index),
+                mean,
+            }
+        };
+        let columns = self.product.columns.iter().zip(&self.heads).enumerate();
+        let mut all: Vec<_> = columns
+            .map(|(index, (column, head))| {
+                laid(
+                    index,
+                    head,
+                    LETTERS * scale.max(0.85),
+                    digits_below(column.values),
+                    plain,
+                    column.mean,
+                )
+            })
+            .collect();
+        let value = self.product.value.to_array().map(digits);
+        all.push(laid(
+            self.heads.len(),
+            &[],
+            LETTERS,
+            value,
+            self.colour,
+            false,
+        ));
+        all
+    }
+
+    fn paint(&self, ui: &Ui, laid: &[Laid<'_>], rect: Rect, gap: f32, place: Place<'_>) {
+        let (plain, weak) = (ui.visuals().text_color(), ui.visuals().weak_text_color());
+        let line = |channel: usize| rect.min.y + HEAD + ROW * (channel as f32 + 0.5);
+        let text =
+            |ui: &Ui, text: &str, font| ui.painter().layout_no_wrap(text.to_owned(), font, weak);
+        for (channel, name) in channels().into_iter().enumerate() {
+            let first = name.chars().next().map_or_else(String::new, String::from);
+            // A Chinese character is as wide as the room for it.
+            let size = if first.is_ascii() { TEXT } else { MARK - 4.0 };
+            let first = text(ui, &first, FontId::proportional(size));
+            place_at(ui, first, rect.min.x, line(channel), weak);
+        }
+        let mut x = rect.min.x + MARK;
+        for (index, column) in laid.iter().enumerate() {
+            if index + 1 == laid.len() {
+                // Values stand below each other, whatever number of factors they have.
+                x = x.max(rect.max.x - column.width - gap);
+            }
+            if index > 0 {
+                for channel in 0..3 {
+                    let sign = text(ui, column.sign, FontId::monospace(TEXT));
+                    let left = x + (gap - sign.size().x) / 2.0;
+                    place_at(ui, sign, left, line(channel), weak);
+                }
+                x += gap;
+            }
+            let left = x + (column.width - column.head.width()) / 2.0;
+            let middle = rect.min.y + HEAD / 2.0;
+            column.head.paint(
+                ui,
+                pos2(left, middle),
+                Place {
+                    id: place.id.with(index),
+                    ..place
+                },
+            );
+            if column.mean {
+                // The line that the textbooks draw over a mean.
+                let top = middle - LETTERS * 0.66;
+                ui.painter()
+                    .hline(left..=left + column.head.width(), top, (1.0, plain));
+            }
+            let right = x + (column.width + column.digits) / 2.0;
+            for (channel, number) in column.numbers.iter().enumerate() {
+                place_at(
+                    ui,
+                    Arc::clone(number),
+                    right - number.size().x,
+                    line(channel),
+                    plain,
+                );
+            }
+            x += column.width;
+        }
+    }
+
+    /// The lines of numbers as sentences.
+    fn describe(&self, ui: &Ui, rect: Rect, place: Place<'_>) {
+        let columns: Vec<_> = self
+            .product
+            .columns
+            .iter()
+            .map(|column| digits_below(column.values))
+            .collect();
+        for (channel, name) in channels().into_iter().enumerate() {
+            let mut text = format!("{} {name}: ", self.name);
+            for (index, numbers) in columns.iter().enumerate() {
+                let sign = if index == 0 {
+                    String::new()
+                } else {
+                    format!(" {} ", self.sign(index))
+                };
+                text += &format!("{sign}{}", numbers[channel]);
+            }
+            text += &format!(" = {}", digits(self.product.value[channel]));
+            let top = rect.min.y + HEAD + ROW * channel as f32;
+            let line = Rect::from_min_size(pos2(rect.min.x, top), vec2(rect.width(), ROW));
+            let response = ui.interact(line, place.id.with(("line", channel)), Sense::hover());
+            response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &text));
+        }
+    }
+}
+
+fn total(laid: &[Laid<'_>]) -> f32 {
+    laid.iter().map(|column| column.width).sum()
+}

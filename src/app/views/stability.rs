@@ -1,0 +1,255 @@
+//! The view of stiff and extreme cases: what a naive renderer, the engine and a reference make of each, and by how much they
+//! differ.
+
+use super::report::{Offer, Pending, Picked, WIDE, export_ui, words_ui};
+use crate::analysis::{
+    CaseResult, HALF_A_CODE_VALUE, Section, StabilityQuestion, case_pictures, stability_cases,
+};
+use crate::app::session::Session;
+use crate::app::session::action::Requests;
+use crate::app::session::window::WindowState;
+use crate::app::widgets::background::wake;
+use crate::jobs::Request;
+use crate::scene::Scene;
+use crate::text::text;
+use eframe::egui::{
+    Align, Button, ColorImage, Context, Image, Label, Layout, RichText, ScrollArea, TextureHandle,
+    TextureOptions, Ui, Vec2, vec2,
+};
+use std::fmt;
+use std::sync::Arc;
+
+/// The view's state.
+#[derive(Default)]
+pub struct StabilityView {
+    asking: Pending<StabilityQuestion>,
+    /// The case that is shown.
+    chosen: usize,
+    /// Whether it was chosen in the frame before, so that it is to be brought into sight.
+    new: bool,
+    /// The pictures of the case that is shown.
+    shown: Option<[TextureHandle; 3]>,
+}
+
+impl fmt::Debug for StabilityView {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("StabilityView")
+            .field("work", &self.asking.work)
+            .field("chosen", &self.chosen)
+            .finish()
+    }
+}
+
+impl StabilityView {
+    fn start(&mut self, ctx: &Context) {
+        let (question, scene) = (StabilityQuestion::default(), Scene::default());
+        let asked = Request::new(question, &scene, None, [1, 1]);
+        self.asking.work.start(asked, wake(ctx));
+    }
+
+    fn result(&self) -> Option<Arc<CaseResult>> {
+        let results = &self.asking.work.answer()?.results;
+        results.get(self.chosen).map(Arc::clone)
+    }
+
+    fn choose(&mut self, picked: Option<Picked>) {
+        if let Some(Picked::Row(row)) = picked {
+            (self.chosen, self.shown, self.new) = (row, None, true);
+        }
+    }
+}
+
+/// Between the pictures.
+const GAP: f32 = 6.0;
+/// The share of the width that the list has beside a case.
+const LIST: f32 = 0.46;
+/// Least height of the list beside a case, points.
+const LEAST_HEIGHT: f32 = 320.0;
+
+/// The view. The cases are drawn once, when it is first seen.
+pub fn stability_ui(
+    ui: &mut Ui,
+    view: &mut StabilityView,
+    session: &mut Session,
+    window: &mut WindowState,
+    requests: &mut Requests,
+) {
+    let work = &view.asking.work;
+    if work.known().is_none() && work.progress().is_none() {
+        view.start(ui.ctx());
+    }
+    view.asking.receive();
+    ui.label(text!("engine-stability-intro"));
+    ui.add_space(4.0);
+    let complete = view
+        .asking
+        .work
+        .answer()
+        .is_some_and(|found| found.results.len() == stability_cases().count());
+    if !complete {
+        let offer = Offer {
+            about: "",
+            start: text!("engine-draw-cases"),
+            problem: None,
+            stale: false,
+        };
+        if view.asking.state_ui(ui, &offer) {
+            view.start(ui.ctx());
+        }
+    }
+    export_ui(ui, session, window, requests, "stability", || {
+        view.asking.latest()
+    });
+    ui.add_space(6.0);
+    let opened = if ui.available_width() >= WIDE {
+        beside_ui(ui, view)
+    } else {
+        below_ui(ui, view)
+    };
+    if let Some(mut scene) = opened {
+        // The window has its own size, and the picture is looked at in it.
+        scene.image.size = session.document().scene.image.size;
+        session.put_scene(scene);
+    }
+}
+
+/// The list at the left, the case that is chosen at the right; returns the scene that is asked for.
+fn beside_ui(ui: &mut Ui, view: &mut StabilityView) -> Option<Scene> {
+    let height = (ui.clip_rect().bottom() - ui.cursor().top()).max(LEAST_HEIGHT);
+    let whole = ui.available_width();
+    let size = |share: f32| vec2(share * whole - GAP, height);
+    ui.horizontal_top(|ui| {
+        ui.allocate_ui_with_layout(size(LIST), Layout::top_down(Align::Min), |ui| {
+            ScrollArea::vertical()
+                .id_salt("cases")
+                .auto_shrink(false)
+                .show(ui, |ui| {
+                    ui.label(RichText::new(text!("engine-stability-title")).weak());
+                    let sections = view.asking.view.sections();
+                    let mut picked = None;
+                    for section in sections {
+                        picked = section_ui(ui, view, section).or(picked);
+                    }
+                    view.choose(picked);
+                });
+        });
+        ui.add_space(GAP);
+        ui.allocate_ui_with_layout(size(1.0 - LIST), Layout::top_down(Align::Min), |ui| {
+            ScrollArea::vertical()
+                .id_salt("case")
+                .auto_shrink(false)
+                .show(ui, |ui| case_ui(ui, view))
+                .inner
+        })
+        .inner
+    })
+    .inner
+}
+
+/// The list, with the case that is chosen below its topic.
+fn below_ui(ui: &mut Ui, view: &mut StabilityView) -> Option<Scene> {
+    ui.label(RichText::new(text!("engine-stability-title")).weak());
+    let (mut opened, mut picked) = (None, None);
+    for section in view.asking.view.sections() {
+        picked = section_ui(ui, view, section).or(picked);
+        let rows = |section| view.asking.view.rows_before(section);
+        if (rows(section)..rows(section + 1)).contains(&view.chosen) {
+            opened = case_ui(ui, view);
+            ui.add_space(8.0);
+        }
+    }
+    view.choose(picked);
+    opened
+}
+
+/// The cases of a topic.
+fn section_ui(ui: &mut Ui, view: &mut StabilityView, section: usize) -> Option<Picked> {
+    let chosen = Some(view.chosen);
+    let picked = view
+        .asking
+        .view
+        .sections_ui(ui, section..section + 1, chosen);
+    ui.add_space(8.0);
+    picked
+}
+
+/// The case that is chosen, with its pictures; returns it as a scene where that is asked for.
+fn case_ui(ui: &mut Ui, view: &mut StabilityView) -> Option<Scene> {
+    let result = view.result()?;
+    let pictures = view
+        .shown
+        .get_or_insert_with(|| textures(ui.ctx(), &result))
+        .clone();
+    let title = Label::new(RichText::new(result.case.title()).strong().size(16.0)).wrap();
+    let title = ui.add(title);
+    if std::mem::take(&mut view.new) && !ui.clip_rect().contains_rect(title.rect) {
+        title.scroll_to_me(Some(Align::Center));
+    }
+    ui.add_space(2.0);
+    pictures_ui(ui, &result, &pictures);
+    let mut section = Section::default();
+    result.describe(&mut section);
+    section.parts.iter().for_each(|part| words_ui(ui, part));
+    let open = Button::new(text!("engine-open-case"));
+    let asked = result.scene.is_some()
+        && ui
+            .add(open)
+            .on_hover_text(text!("engine-open-case.tip"))
+            .clicked();
+    result.scene.clone().filter(|_| asked)
+}
+
+/// The three pictures, each with its name and its error below.
+fn pictures_ui(ui: &mut Ui, result: &CaseResult, pictures: &[TextureHandle; 3]) {
+    let side = ((ui.available_width() - 2.0 * GAP) / 3.0).clamp(40.0, 258.0);
+    let errors = [Some(result.naive_error), Some(result.robust_error), None];
+    ui.horizontal_top(|ui| {
+        ui.spacing_mut().item_spacing.x = GAP;
+        for ((picture, name), error) in pictures.iter().zip(case_pictures()).zip(errors) {
+            let words = text!("engine-picture", case = result.case.title(), name = name);
+            cell_ui(ui, side, |ui| {
+                ui.spacing_mut().item_spacing.y = 1.0;
+                ui.add(
+                    Image::new(picture)
+                        .fit_to_exact_size(Vec2::splat(side))
+                        .alt_text(words),
+                );
+                ui.add(Label::new(name).wrap());
+                ui.label(match error {
+                    Some(error) => error_text(ui, error),
+                    None => RichText::new(text!("engine-bits")).weak(),
+                });
+            });
+        }
+    });
+    ui.add_space(4.0);
+}
+
+/// A cell of a width of its own, whatever is in it.
+fn cell_ui(ui: &mut Ui, width: f32, content: impl FnOnce(&mut Ui)) {
+    ui.allocate_ui_with_layout(vec2(width, 0.0), Layout::top_down(Align::Center), |ui| {
+        ui.set_width(width);
+        content(ui);
+    });
+}
+
+/// An error in code values, in the colour of a warning where it is seen.
+fn error_text(ui: &Ui, error: f64) -> RichText {
+    let decimals = if error >= 10.0 { 0 } else { 2 };
+    let error_in_digits = format!("{error:.decimals$}");
+    let text = RichText::new(text!("engine-off-by", error = error_in_digits));
+    if error > HALF_A_CODE_VALUE {
+        text.color(ui.visuals().warn_fg_color)
+    } else {
+        text.weak()
+    }
+}
+
+fn textures(ctx: &Context, result: &CaseResult) -> [TextureHandle; 3] {
+    [0, 1, 2].map(|index| {
+        let frame = &result.pictures[index];
+        let size = [frame.width as usize, frame.height as usize];
+        let image = ColorImage::from_rgba_premultiplied(size, frame.pixels.as_flattened());
+        ctx.load_texture(format!("stability {index}"), image, TextureOptions::NEAREST)
+    })
+}

@@ -1,0 +1,15 @@
+//! What every room draws with: letters, colours, signs, formulas, drawings, tables, and where the keyboard is.
+
+pub mod background;
+pub mod dialog;
+pub mod drawing;
+pub mod focus;
+pub mod heading;
+pub mod letter;
+pub mod lines;
+pub mod palette;
+pub mod sign;
+pub mod symbol;
+pub mod table;
+pub mod theme;
+pub mod typeset;
