@@ -5,6 +5,7 @@
 
 mod area;
 mod drawing;
+mod formula;
 mod labels;
 pub mod palette;
 mod pixels;
@@ -15,6 +16,7 @@ mod text;
 
 pub use area::{Area, Run, can_be_filled, clipped};
 pub use drawing::{Drawing, Shape, Text};
+pub use formula::{Base, Formula, Item, is_italic};
 pub use labels::{Label, Placer, Wish};
 pub use plot::{
     Axis, Curve, Dash, Direction, Ink, Mark, Paper, Plot, PlotKind, PlotStyle, Point, Tag, dashes,

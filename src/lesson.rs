@@ -3,6 +3,7 @@
 //! A lesson is a text file in CommonMark with TOML inside. The right answers are not in it: the engine computes them from the
 //! scene of the step, so that they stay right when a number is changed.
 
+mod axes;
 mod budget;
 mod builtin;
 mod check;
@@ -11,6 +12,7 @@ mod class_sheet;
 mod control;
 mod grade;
 mod hand_in;
+mod html;
 mod kinds;
 mod lab;
 mod links;
@@ -23,6 +25,7 @@ mod stage;
 mod words;
 mod worksheet;
 
+pub use axes::CurveAxes;
 pub use budget::{Budget, TooHeavy};
 #[cfg(target_arch = "wasm32")]
 pub use builtin::take_texts;

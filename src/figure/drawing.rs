@@ -1,5 +1,6 @@
 //! Drawings as plain geometry: lines, areas and texts with their positions, for any device.
 
+use super::area::{Area, clipped};
 use super::palette::Rgb8;
 use super::text::{Lettering, width_of};
 use glam::DVec2;
@@ -308,23 +309,62 @@ impl Drawing {
         halos.chain(self.shapes.iter().map(Cow::Borrowed))
     }
 
+    /// Draws a curve over the first plot, as far as it lies within its axes; a value that is not finite interrupts it. A single
+    /// point is a dot.
+    pub fn draw_curve(
+        &mut self,
+        points: impl IntoIterator<Item = [f64; 2]>,
+        width: f64,
+        colour: Rgb8,
+        opacity: f64,
+    ) {
+        let Some(scale @ Scale::Cartesian { min, max, .. }) = self.scales.first().copied() else {
+            return;
+        };
+        let area = Area { min, max };
+        let places = points.into_iter().map(|point| scale.place(point));
+        let places: Vec<DVec2> = places.collect();
+        for part in places.split(|place| !place.is_finite()) {
+            if let [only] = *part
+                && area.nearest(only) == only
+            {
+                self.shapes
+                    .push(Shape::disc(only, width, colour).faded(opacity));
+            }
+            for run in clipped(part.iter().copied(), &area) {
+                self.shapes
+                    .push(Shape::line(run.points, width, colour).faded(opacity));
+            }
+        }
+    }
+
     /// Returns x at a position inside the first plot.
     pub fn x_at(&self, place: DVec2) -> Option<f64> {
         match self.scales.first()? {
-            Scale::Cartesian {
-                min,
-                max,
-                x: [x0, x1],
-                ..
-            } => {
+            Scale::Cartesian { min, max, .. } => {
                 let inside = place.cmpge(*min).all() && place.cmple(*max).all();
-                inside.then(|| x0 + (place.x - min.x) / (max.x - min.x) * (x1 - x0))
+                self.value_near(place).filter(|_| inside).map(|[x, _]| x)
             }
             Scale::Polar { centre, radius, .. } => {
                 let way = place - *centre;
                 (way.length() <= *radius && way.y <= 0.0).then(|| way.x.atan2(-way.y).to_degrees())
             }
         }
+    }
+
+    /// Returns x and y at the point of the first plot that is nearest to `place`; none for a polar plot.
+    pub fn value_near(&self, place: DVec2) -> Option<[f64; 2]> {
+        let Scale::Cartesian {
+            min,
+            max,
+            x: [x0, x1],
+            y: [y0, y1],
+        } = self.scales.first()?
+        else {
+            return None;
+        };
+        let share = (place.clamp(*min, *max) - *min) / (*max - *min);
+        Some([x0 + share.x * (x1 - x0), y1 - share.y * (y1 - y0)])
     }
 
     /// Returns the position of a value of the first plot, and the line that marks its x there: from the axis to the

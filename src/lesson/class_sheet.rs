@@ -1,11 +1,11 @@
 //! A class on one page: who answered what, and how the answers to each question are spread.
 
 use super::class::{Class, Given, Group, spread};
+use super::html::{Element, Html, element};
 use super::kinds::kind::Predictions;
 use super::kinds::{short_answer, short_number};
-use super::page::{blocks, escaped, inline, page};
+use super::page::{blocks, inline, page};
 use crate::text::text;
-use std::fmt::Write as _;
 
 const STYLE: &str = "\
 .class td, .class th { text-align: center; white-space: nowrap; }
@@ -25,147 +25,130 @@ const STYLE: &str = "\
 
 /// Returns the page of a class as HTML.
 pub fn class_sheet(class: &Class) -> String {
-    let mut body = String::new();
-    for group in &class.groups {
-        group_part(group, &mut body);
-    }
+    let mut body: Html = class.groups.iter().map(group_part).collect();
     if !class.unreadable.is_empty() {
-        let _ = write!(
-            body,
-            "<section>\n<h2>{}</h2>\n<ul>\n",
-            escaped(text!("class-unreadable"))
-        );
-        for file in &class.unreadable {
-            let _ = writeln!(
-                body,
-                "<li><code>{}</code>: {}</li>",
-                escaped(&file.file),
-                escaped(&file.why)
-            );
-        }
-        body.push_str("</ul>\n</section>\n");
+        let files = class.unreadable.iter();
+        let list = files.fold(element("ul").broken(), |list, file| {
+            let name = element("code").with(&*file.file);
+            list.line(element("li").with(name).with(": ").with(&*file.why))
+        });
+        let section = element("section")
+            .broken()
+            .line(element("h2").with(text!("class-unreadable")))
+            .line(list);
+        body = body.line(section);
     }
     let title = match &class.groups[..] {
         [group] => group.lesson.title.clone(),
         _ => text!("class-sheet").to_owned(),
     };
-    page(&title, STYLE, &body)
+    page(&title, STYLE, body)
 }
 
-fn group_part(group: &Group, body: &mut String) {
+fn group_part(group: &Group) -> Html {
     let count = group.students.len();
-    let _ = write!(
-        body,
-        "<section>\n<h1>{}</h1>\n<p class=\"quiet\">{}</p>\n",
-        escaped(&group.lesson.title),
-        escaped(&text!("class-students", count = count))
-    );
-    let _ = write!(
-        body,
-        "<div class=\"scroll\"><table class=\"class\">\n<thead><tr><th>{}</th>",
-        escaped(text!("class-name"))
-    );
-    for number in 1..=group.questions.len() {
-        let _ = write!(body, "<th>{number}</th>");
-    }
-    let _ = write!(
-        body,
-        "<th>{}</th></tr></thead>\n<tbody>\n",
-        escaped(text!("class-right"))
-    );
-    for student in &group.students {
+    let table = element("div").class("scroll").with(group_table(group));
+    let section = element("section")
+        .broken()
+        .line(element("h1").with(&*group.lesson.title))
+        .line(quiet(text!("class-students", count = count)))
+        .line(table);
+    let questions = (0..group.questions.len()).filter_map(|index| question_part(group, index));
+    Html::new().line(questions.fold(section, Element::line))
+}
+
+/// Returns who answered what, and how many had each question right.
+fn group_table(group: &Group) -> Element {
+    let questions = group.questions.len();
+    let cell = |name: &'static str, words: &str| element(name).with(words);
+    let numbers = (1..=questions).map(|number| cell("th", &number.to_string()));
+    let head = numbers
+        .fold(
+            element("tr").with(cell("th", text!("class-name"))),
+            Element::with,
+        )
+        .with(cell("th", text!("class-right")));
+    let rows = group.students.iter().map(|student| {
         let name = if student.name.is_empty() {
             &student.file
         } else {
             &student.name
         };
-        let _ = write!(
-            body,
-            "<tr><td title=\"{}\">{}</td>",
-            escaped(&student.file),
-            escaped(name)
-        );
-        for given in &student.given {
-            body.push_str(&cell(given.as_ref()));
-        }
-        let _ = writeln!(
-            body,
-            "<td>{}/{}</td></tr>",
-            student.right(),
-            group.questions.len()
-        );
-    }
-    let _ = write!(
-        body,
-        "</tbody>\n<tfoot><tr><td>{}</td>",
-        escaped(text!("class-share-right"))
-    );
-    for index in 0..group.questions.len() {
-        let _ = write!(
-            body,
-            "<td>{:.0}&#160;%</td>",
-            100.0 * group.share_right(index)
-        );
-    }
-    body.push_str("<td></td></tr></tfoot>\n</table></div>\n");
-    for index in 0..group.questions.len() {
-        question_part(group, index, body);
-    }
-    body.push_str("</section>\n");
+        let name = cell("td", name).attribute("title", &student.file);
+        let given = student.given.iter().map(|given| given_cell(given.as_ref()));
+        let right = format!("{}/{questions}", student.right());
+        given
+            .fold(element("tr").with(name), Element::with)
+            .with(cell("td", &right))
+    });
+    let shares = (0..questions).map(|index| {
+        let share = 100.0 * group.share_right(index);
+        cell("td", &format!("{share:.0}\u{a0}%"))
+    });
+    let foot = shares
+        .fold(
+            element("tr").with(cell("td", text!("class-share-right"))),
+            Element::with,
+        )
+        .with(element("td"));
+    element("table")
+        .class("class")
+        .broken()
+        .line(element("thead").with(head))
+        .line(rows.fold(element("tbody").broken(), Element::line))
+        .line(element("tfoot").with(foot))
 }
 
-fn cell(given: Option<&Given>) -> String {
+fn quiet(words: String) -> Element {
+    element("p").class("quiet").with(words)
+}
+
+fn given_cell(given: Option<&Given>) -> Element {
     let Some(given) = given else {
-        return "<td>–</td>".to_owned();
+        return element("td").with("–");
     };
     let (class, sign) = match given.grade {
         Some(grade) if grade.right => ("right", "✓"),
         Some(_) => ("wrong", "✗"),
         None => ("", ""),
     };
-    let answer = escaped(&short_answer(&given.answered.answer));
-    let looked_up = match given.answered.looked_up {
-        0 => String::new(),
-        count => format!(
-            " title=\"{}\"",
-            escaped(&text!("class-looked-up", count = count))
-        ),
-    };
-    format!("<td class=\"{class}\"{looked_up}>{answer} {sign}</td>")
+    let mut cell = element("td").class(class);
+    let count = given.answered.looked_up;
+    if count > 0 {
+        cell = cell.attribute("title", text!("class-looked-up", count = count));
+    }
+    cell.with(format!("{} {sign}", short_answer(&given.answered.answer)))
 }
 
-fn question_part(group: &Group, index: usize, body: &mut String) {
+fn question_part(group: &Group, index: usize) -> Option<Element> {
     let asked = &group.questions[index];
-    let Some(question) = asked.question(&group.lesson) else {
-        return;
-    };
+    let question = asked.question(&group.lesson)?;
     let step = group
         .lesson
         .steps
         .get(asked.step)
         .map_or("", |step| &*step.title);
-    let _ = write!(
-        body,
-        "<section class=\"question\">\n<h2>{}. {}</h2>\n<p>{}</p>\n",
-        index + 1,
-        inline(step),
-        inline(&asked.ask)
-    );
+    let title = Html::from(format!("{}. ", index + 1)).with(inline(step));
+    let mut part = element("section")
+        .class("question")
+        .broken()
+        .line(element("h2").with(title))
+        .line(element("p").with(inline(&asked.ask)));
     if let Some(failure) = &asked.failure {
-        let _ = writeln!(body, "<p><strong>{}</strong></p>", escaped(failure));
+        part = part.line(element("p").with(element("strong").with(&**failure)));
     }
     let answered = group.given(index).count();
     let right = group.given(index).filter(|given| given.is_right()).count();
-    let _ = writeln!(
-        body,
-        "<p class=\"quiet\">{}</p>",
-        escaped(&text!("class-answered", answered = answered, right = right))
-    );
+    part = part.line(quiet(text!(
+        "class-answered",
+        answered = answered,
+        right = right
+    )));
     let given = group.given(index).map(|given| {
         let right = given.predicted.is_some_and(|grade| grade.right);
         (&given.answered.prediction, right)
     });
-    body.push_str(&question.kind.chart(&Predictions {
+    part = part.with(question.kind.chart(&Predictions {
         given: given.collect(),
         right: asked.solution.as_ref(),
         options: &asked.options,
@@ -186,20 +169,16 @@ fn question_part(group: &Group, index: usize, body: &mut String) {
             upper = upper,
             greatest = greatest
         );
-        let _ = writeln!(body, "<p>{}</p>", escaped(&words));
+        part = part.line(element("p").with(words));
     }
     if let Some(solution) = &asked.solution
         && !question.kind.asks().chart_tells()
     {
         let right = question.kind.short_solution(solution);
-        let _ = writeln!(
-            body,
-            "<p>{}</p>",
-            escaped(&text!("class-solution", right = right))
-        );
+        part = part.line(element("p").with(text!("class-solution", right = right)));
     }
     if !asked.why.is_empty() {
-        let _ = writeln!(body, "<div class=\"quiet\">{}</div>", blocks(&asked.why));
+        part = part.line(element("div").class("quiet").with(blocks(&asked.why)));
     }
-    body.push_str("</section>\n");
+    Some(part)
 }

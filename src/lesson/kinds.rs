@@ -23,6 +23,7 @@ pub use point::{Find, Point};
 pub use settings::{Goal, Settings};
 pub use value::Value;
 
+use super::html::Html;
 use super::read::keys::{KeyReader, Keys};
 use super::{Grade, LabPlace};
 use crate::render::Frame;
@@ -151,7 +152,7 @@ macro_rules! kinds {
                 &self,
                 printed: &Printed<'_>,
                 right: Option<&Solution>,
-            ) -> Result<String, String> {
+            ) -> Result<Html, String> {
                 match self {
                     $(Self::$name(kind) => match right {
                         Some(Solution::$name(right)) => kind.blank(printed, Some(right)),
@@ -161,7 +162,7 @@ macro_rules! kinds {
             }
 
             /// Returns the HTML of the right answer as a drawing, where that says more than words.
-            pub(super) fn drawing(&self, right: &Solution, picture: &Frame) -> Option<String> {
+            pub(super) fn drawing(&self, right: &Solution, picture: &Frame) -> Option<Html> {
                 match (self, right) {
                     $((Self::$name(kind), Solution::$name(right)) => kind.drawing(right, picture),)+
                     _ => None,
@@ -169,7 +170,7 @@ macro_rules! kinds {
             }
 
             /// Returns the HTML of the first answers of a class.
-            pub(super) fn chart(&self, class: &Predictions<'_, Answer, Solution>) -> String {
+            pub(super) fn chart(&self, class: &Predictions<'_, Answer, Solution>) -> Html {
                 match self {
                     $(Self::$name(kind) => kind.chart(&class.of_kind(
                         |given| match given {

@@ -1,24 +1,37 @@
-//! Parts of a page in HTML that stands alone: text, formulas, pictures and axes. Nothing of a lesson or a hand-in gets into it
+//! Parts of a page in HTML that stands alone: text, formulas and pictures. Nothing of a lesson or a hand-in gets into it
 //! unescaped, and the page loads nothing.
 
+use super::html::{Html, element};
 use super::links::may_open;
 use crate::document::picture_bytes;
-use crate::figure::{Axis, ticks};
+use crate::figure::{Base, Formula, Item, is_italic};
 use crate::link::base64;
 use crate::render::Frame;
 use crate::text::language;
 use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd, html};
-use std::fmt::Write as _;
 
-/// Returns a page; `title` is text, `style` and `body` are CSS and HTML.
-pub fn page(title: &str, style: &str, body: &str) -> String {
-    let (language, title) = (language().tag(), escaped(title));
-    format!(
-        "<!DOCTYPE html>\n<html lang=\"{language}\">\n<head>\n<meta charset=\"utf-8\"/>\n\
-         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n\
-         <meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'\"/>\n\
-         <title>{title}</title>\n<style>\n{COMMON}{style}</style>\n</head>\n<body>\n{body}</body>\n</html>\n"
-    )
+/// What a page may do: show its own styles and pictures, and nothing else.
+const POLICY: &str = "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'\"/>";
+
+/// Returns a page; `style` is CSS.
+pub fn page(title: &str, style: &str, body: Html) -> String {
+    let viewport = element("meta")
+        .attribute("name", "viewport")
+        .attribute("content", "width=device-width, initial-scale=1");
+    let style = format!("\n{COMMON}{style}");
+    let head = element("head")
+        .broken()
+        .line(element("meta").attribute("charset", "utf-8"))
+        .line(viewport)
+        .line(Html::made(POLICY.to_owned()))
+        .line(element("title").with(title))
+        .line(element("style").with(Html::made(style)));
+    let page = element("html")
+        .attribute("lang", language().tag())
+        .broken()
+        .line(head)
+        .line(element("body").broken().with(body));
+    format!("<!DOCTYPE html>\n{}\n", Html::from(page))
 }
 
 const COMMON: &str = "\
@@ -46,33 +59,19 @@ svg text { font-family: inherit; fill: #1a1a1a; }
 @media print { body { max-width: none; padding: 0; } }
 ";
 
-/// Returns text as HTML.
-pub fn escaped(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            '\'' => out.push_str("&#39;"),
-            // XML has no other control characters.
-            c if c.is_control() && !"\n\t".contains(c) => out.push('\u{fffd}'),
-            c => out.push(c),
-        }
-    }
-    out
+/// CommonMark with formulas as HTML.
+pub fn blocks(text: &str) -> Html {
+    made_of(events(text))
 }
 
-/// Returns CommonMark with formulas as HTML.
-pub fn blocks(text: &str) -> String {
+fn made_of(events: Vec<Event<'_>>) -> Html {
     let mut out = String::new();
-    html::push_html(&mut out, events(text).into_iter());
-    out
+    html::push_html(&mut out, events.into_iter());
+    Html::made(out)
 }
 
-/// Returns CommonMark of one paragraph as HTML without the paragraph; what is more than that is plain text.
-pub fn inline(text: &str) -> String {
+/// CommonMark of one paragraph, without the paragraph; what is more than that is plain text.
+pub fn inline(text: &str) -> Html {
     let mut events = events(text);
     let paragraph = |event: &Event<'_>| matches!(event, Event::Start(Tag::Paragraph));
     let only = |event: &Event<'_>| {
@@ -83,9 +82,7 @@ pub fn inline(text: &str) -> String {
         return with_formulas(text);
     }
     events.retain(|event| !paragraph(event) && !matches!(event, Event::End(TagEnd::Paragraph)));
-    let mut out = String::new();
-    html::push_html(&mut out, events.into_iter());
-    out
+    made_of(events)
 }
 
 /// Returns the parts of a text without raw HTML, pictures, and links that may not be opened.
@@ -98,14 +95,14 @@ fn events(text: &str) -> Vec<Event<'_>> {
             Event::Start(Tag::HtmlBlock) => Some(Event::Start(Tag::Paragraph)),
             Event::End(TagEnd::HtmlBlock) => Some(Event::End(TagEnd::Paragraph)),
             Event::InlineMath(inside) | Event::DisplayMath(inside) => {
-                Some(Event::InlineHtml(formula(&inside).into()))
+                Some(Event::InlineHtml(formula(&inside).to_string().into()))
             }
             Event::Code(inside) => Some(
                 match inside
                     .strip_prefix('$')
                     .and_then(|inside| inside.strip_suffix('$'))
                 {
-                    Some(inside) => Event::InlineHtml(formula(inside).into()),
+                    Some(inside) => Event::InlineHtml(formula(inside).to_string().into()),
                     None => Event::Code(inside),
                 },
             ),
@@ -131,83 +128,46 @@ fn events(text: &str) -> Vec<Event<'_>> {
 }
 
 /// Plain text in which only what stands between dollar signs is set.
-fn with_formulas(text: &str) -> String {
-    let mut out = String::new();
-    for (index, piece) in text.split('$').enumerate() {
-        if index % 2 == 1 {
-            out.push_str(&formula(piece));
-        } else {
-            out.push_str(&escaped(&piece.replace('`', "")));
-        }
-    }
-    out
+fn with_formulas(text: &str) -> Html {
+    let pieces = text.split('$').enumerate();
+    let set = |(index, piece): (usize, &str)| match index % 2 {
+        1 => formula(piece),
+        _ => piece.replace('`', "").into(),
+    };
+    pieces.map(set).collect()
 }
 
-/// A formula: `K_d` with its letter below the line, `(R·V)^n` with its exponent above it; single letters lean.
-pub fn formula(text: &str) -> String {
-    let mut out = "<span class=\"formula\">".to_owned();
-    let characters: Vec<char> = text.chars().collect();
-    set(&characters, &mut out, 0);
-    out.push_str("</span>");
-    out
+/// Returns a formula as HTML: `K_d` with its letter below the line, `(R·V)^n` with its exponent above it; single letters lean.
+fn formula(text: &str) -> Html {
+    let inside = set(&Formula::read_or_verbatim(text));
+    element("span").class("formula").with(inside).into()
 }
 
-/// Deepest subscript of a subscript.
-const DEPTH: usize = 4;
-
-fn set(characters: &[char], out: &mut String, depth: usize) {
-    let mut at = 0;
-    while let Some(&c) = characters.get(at) {
-        let rest = &characters[at..];
-        match c {
-            '_' | '^' if rest.len() > 1 && depth < DEPTH => {
-                let (inside, length) = argument(&rest[1..]);
-                let tag = if c == '_' { "sub" } else { "sup" };
-                let _ = write!(out, "<{tag}>");
-                set(inside, out, depth + 1);
-                let _ = write!(out, "</{tag}>");
-                at += 1 + length;
-            }
-            c if c.is_alphabetic() => {
-                let length = rest.iter().take_while(|c| c.is_alphabetic()).count();
-                let word: String = rest[..length].iter().collect();
-                // Of several letters: a function, or words.
-                if length == 1 && (c.is_ascii() || ('α'..='ω').contains(&c)) {
-                    let _ = write!(out, "<i>{word}</i>");
-                } else {
-                    out.push_str(&escaped(&word));
-                }
-                at += length;
-            }
-            c => {
-                out.push_str(&escaped(&c.to_string()));
-                at += 1;
-            }
-        }
-    }
+fn set(formula: &Formula) -> Html {
+    let items = formula.items.iter();
+    let set = |Item { base, low, high }: &Item| {
+        let base = match base {
+            Base::Name(name) if is_italic(name) => element("i").with(&**name).into(),
+            Base::Name(text) | Base::Signs(text) => Html::from(&**text),
+            Base::Group(inside) => set(inside),
+        };
+        let scripts = [("sub", low), ("sup", high)].into_iter();
+        let scripts = scripts.filter(|(_, script)| !script.is_empty());
+        scripts.fold(base, |html, (name, script)| {
+            html.with(element(name).with(set(script)))
+        })
+    };
+    items.map(set).collect()
 }
 
-/// What stands behind `_` or `^`: in braces, or a sign and a number, or one character. And how long it is.
-fn argument(rest: &[char]) -> (&[char], usize) {
-    if rest.first() == Some(&'{')
-        && let Some(end) = rest.iter().position(|c| *c == '}')
-    {
-        return (&rest[1..end], end + 1);
-    }
-    let sign = usize::from(matches!(rest.first(), Some('-' | '−')));
-    let digits = rest[sign..]
-        .iter()
-        .take_while(|c| c.is_ascii_digit())
-        .count();
-    let length = if digits > 0 { sign + digits } else { 1 };
-    (&rest[..length], length)
-}
-
-/// Returns a picture inside the page; `words` says what it shows.
-pub fn picture(frame: &Frame, words: &str) -> String {
-    let [width, height] = [frame.width, frame.height];
-    let (address, words) = (data(frame), escaped(words));
-    format!("<img src=\"{address}\" width=\"{width}\" height=\"{height}\" alt=\"{words}\"/>")
+/// A picture inside the page; `words` says what it shows.
+pub fn picture(frame: &Frame, words: &str) -> Html {
+    element("img")
+        .attribute("src", data(frame))
+        .attribute("width", frame.width)
+        .attribute("height", frame.height)
+        .attribute("alt", words)
+        .into()
 }
 
 /// Returns a white pixel, in place of a picture.
@@ -229,117 +189,54 @@ pub fn data(frame: &Frame) -> String {
     format!("data:image/png;base64,{text}")
 }
 
-/// Axes to draw curves over.
-pub struct Axes {
-    pub x: [f64; 2],
-    pub y: [f64; 2],
-    /// The name of the horizontal axis, as HTML.
-    pub x_name: String,
-    /// The name of the vertical axis, as HTML.
-    pub y_name: String,
-}
-
-/// Size of the axes' field, and what stands to the left and below.
-const FIELD: [f64; 2] = [520.0, 280.0];
-const LEFT: f64 = 62.0;
-const BELOW: f64 = 44.0;
-
-impl Axes {
-    /// Draws them with curves over them: their points and the attributes of their lines. The curves may leave the field; what is outside
-    /// is not seen.
-    pub fn svg(&self, curves: &[(Vec<[f64; 2]>, &str)]) -> String {
-        let [width, height] = FIELD;
-        let axis = |[low, high]: [f64; 2]| Axis {
-            name: String::new(),
-            low,
-            high,
-            degrees: false,
-            decades: false,
-        };
-        let mut svg = format!(
-            "<svg viewBox=\"{} -12 {} {}\" width=\"{}\" role=\"img\" fill=\"none\">\n",
-            -LEFT,
-            width + LEFT + 16.0,
-            height + BELOW + 16.0,
-            width + LEFT + 16.0,
-        );
-        for (value, words) in ticks(&axis(self.x), 10.0) {
-            let [x, _] = self.place([value, self.y[0]]);
-            let _ = writeln!(
-                svg,
-                "<path d=\"M{x:.1} 0V{height}\" stroke=\"#d8d8d8\"/><text x=\"{x:.1}\" y=\"{}\" font-size=\"13\" text-anchor=\"middle\">{}</text>",
-                height + 16.0,
-                escaped(&words)
-            );
-        }
-        for (value, words) in ticks(&axis(self.y), 6.0) {
-            let [_, y] = self.place([self.x[0], value]);
-            let _ = writeln!(
-                svg,
-                "<path d=\"M0 {y:.1}H{width}\" stroke=\"#d8d8d8\"/><text x=\"-6\" y=\"{:.1}\" font-size=\"13\" text-anchor=\"end\">{}</text>",
-                y + 4.5,
-                escaped(&words)
-            );
-        }
-        let _ = write!(
-            svg,
-            "<rect width=\"{width}\" height=\"{height}\" stroke=\"#555\"/>\n\
-             <text x=\"{}\" y=\"{}\" font-size=\"13\" text-anchor=\"middle\">{}</text>\n\
-             <text transform=\"translate(-46 {}) rotate(-90)\" font-size=\"13\" text-anchor=\"middle\">{}</text>\n",
-            width / 2.0,
-            height + 36.0,
-            self.x_name,
-            height / 2.0,
-            self.y_name
-        );
-        for (points, attributes) in curves {
-            let mut path = String::new();
-            let mut pen = 'M';
-            for point in points {
-                if point[1].is_nan() {
-                    pen = 'M';
-                    continue;
-                }
-                let [x, y] = self.place(*point);
-                let _ = write!(path, "{pen}{x:.1} {:.1}", y.clamp(-8.0, height + 8.0));
-                pen = 'L';
-            }
-            if !path.is_empty() {
-                let _ = writeln!(svg, "<path d=\"{path}\" {attributes}/>");
-            }
-        }
-        svg + "</svg>\n"
-    }
-
-    fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        let share = |value: f64, [low, high]: [f64; 2]| (value - low) / (high - low);
-        let [width, height] = FIELD;
-        [width * share(x, self.x), height * (1.0 - share(y, self.y))]
-    }
-}
-
-/// Returns the name beside an axis: SVG has no sub and sup, and shows formulas as plain text.
-pub fn axis_name(text: &str) -> String {
-    escaped(&text.replace(['$', '`'], ""))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::lesson::LESSONS;
+    use crate::text::Language;
 
     #[test]
     fn formulas_have_letters_above_and_below_the_line() {
-        let inside = |text| {
-            formula(text)
-                .replace("<span class=\"formula\">", "")
-                .replace("</span>", "")
-        };
-        assert_eq!(
-            inside("K_d·cos^2 θ"),
-            "<i>K</i><sub><i>d</i></sub>·cos<sup>2</sup> <i>θ</i>"
-        );
-        assert_eq!(inside("e^{-1/2}<"), "<i>e</i><sup>-1/2</sup>&lt;");
-        assert_eq!(inside("x^-12_"), "<i>x</i><sup>-12</sup>_");
+        for (text, expected) in [
+            (
+                "K_d·cos^2 θ",
+                "<i>K</i><sub><i>d</i></sub>·cos<sup>2</sup> <i>θ</i>",
+            ),
+            ("e^{-1/2}<", "<i>e</i><sup>−1/2</sup>&lt;"),
+            ("x^12", "<i>x</i><sup>1</sup>2"),
+            ("ΔI_P", "Δ<i>I</i><sub><i>P</i></sub>"),
+            ("<x_", "&lt;x_"),
+        ] {
+            assert_eq!(
+                formula(text).to_string(),
+                format!("<span class=\"formula\">{expected}</span>")
+            );
+        }
+    }
+
+    #[test]
+    fn every_formula_of_the_lessons_is_read_and_painted_whole() {
+        let mut count = 0;
+        for lesson in &LESSONS {
+            for source in Language::ALL.map(|language| lesson.source(language)) {
+                for text in source.split('$').skip(1).step_by(2) {
+                    let read =
+                        Formula::read(text).unwrap_or_else(|| panic!("{}: {text}", lesson.name));
+                    let painted = formula(text)
+                        .to_string()
+                        .replace("<sup>", "^")
+                        .replace("&lt;", "<")
+                        .replace("&#39;", "'");
+                    let mut plain = String::new();
+                    for piece in painted.split('<') {
+                        plain.push_str(piece.split_once('>').map_or(piece, |(_, words)| words));
+                    }
+                    assert_eq!(plain, read.to_string(), "{text}");
+                    count += 1;
+                }
+            }
+        }
+        assert!(count > 300, "{count} formulas");
     }
 
     #[test]
@@ -350,7 +247,7 @@ mod tests {
             "<!-- x -->",
             "<div onclick='x'>\n\n*a*",
         ] {
-            for html in [blocks(text), inline(text)] {
+            for html in [blocks(text), inline(text)].map(|html| html.to_string()) {
                 assert!(
                     !html.contains("<script")
                         && !html.contains("<img")
@@ -361,12 +258,12 @@ mod tests {
             }
         }
         assert_eq!(
-            inline("[a](javascript:alert(1)) [b](https://x.org/)"),
+            inline("[a](javascript:alert(1)) [b](https://x.org/)").to_string(),
             "a <a href=\"https://x.org/\">b</a>"
         );
-        assert_eq!(inline("![alt](https://x.org/x.png)"), "alt");
+        assert_eq!(inline("![alt](https://x.org/x.png)").to_string(), "alt");
         assert_eq!(
-            inline("`$N$` is *unit*: $|N| = 1$, `code`"),
+            inline("`$N$` is *unit*: $|N| = 1$, `code`").to_string(),
             "<span class=\"formula\"><i>N</i></span> is <em>unit</em>: <span class=\"formula\">|<i>N</i>| = 1</span>, <code>code</code>"
         );
     }

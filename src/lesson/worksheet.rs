@@ -2,8 +2,9 @@
 
 use super::builtin::topic_name;
 use super::class::ClassQuestion;
+use super::html::{Element, Html, element};
 use super::kinds::kind::Printed;
-use super::page::{blank_picture, blocks, escaped, inline, page, picture};
+use super::page::{blank_picture, blocks, inline, page, picture};
 use super::{Budget, Lab, Lesson, LessonError, Question, Stage, Staged, Step};
 use crate::analysis::comparison::{comparison_sheet, draw_panes, panes_on_sheet};
 use crate::analysis::normals::{NormalField, VertexNormal, draw_normals};
@@ -16,7 +17,6 @@ use crate::scene::{CompareView, Scene};
 use crate::text::text;
 use glam::DVec2;
 use std::convert::Infallible;
-use std::fmt::Write as _;
 use tiny_skia::PixmapMut;
 
 /// The contents of a worksheet.
@@ -63,9 +63,11 @@ figure img { width: 100%; height: auto; display: block; }
 .answer svg { max-width: 120mm; }
 ";
 
-/// Lines to write on.
-const RULES: &str =
-    "<div class=\"rules\"><div class=\"rule\"></div><div class=\"rule\"></div></div>\n";
+/// Returns lines to write on.
+fn rules() -> Element {
+    let rule = || element("div").class("rule");
+    element("div").class("rules").with(rule()).with(rule())
+}
 
 /// Returns the page as HTML; `progress` is told of each step that is done.
 ///
@@ -76,70 +78,64 @@ pub fn worksheet(
     sheet: Worksheet,
     progress: &mut dyn FnMut(),
 ) -> Result<String, LessonError> {
-    let title = inline(&lesson.title);
     let about = text!(
         "class-about",
         topic = topic_name(&lesson.topic),
         minutes = lesson.minutes
     );
-    let mut body = format!(
-        "<header>\n<h1>{title}</h1>\n<p class=\"quiet\">{}</p>\n",
-        escaped(&about)
-    );
+    let quiet = |name: &'static str, words: &str| element(name).class("quiet").with(words);
+    let mut header = element("header")
+        .broken()
+        .line(element("h1").with(inline(&lesson.title)))
+        .line(quiet("p", &about));
     if !lesson.about.is_empty() {
-        let _ = writeln!(body, "<p>{}</p>", inline(&lesson.about));
+        header = header.line(element("p").with(inline(&lesson.about)));
     }
-    let (name, date) = (escaped(text!("class-name")), escaped(text!("class-date")));
-    let _ = write!(
-        body,
-        "<div class=\"name\"><span class=\"quiet\">{name}</span><span class=\"quiet\">{date}</span></div>\n</header>\n"
-    );
-    let mut answers = String::new();
+    let name = element("div")
+        .class("name")
+        .with(quiet("span", text!("class-name")))
+        .with(quiet("span", text!("class-date")));
+    let mut body = Html::new().line(header.line(name));
+    let heading = text!("class-answers", title = &*lesson.title);
+    let mut answers = element("section")
+        .class("answers")
+        .broken()
+        .line(element("h1").with(heading));
     let mut number = 0;
     let budget = Budget::of_file();
     for (index, step) in lesson.steps.iter().enumerate() {
         let part = StepPart::new(lesson, (index, step), sheet, &budget)?;
-        body.push_str(&part.body);
+        let mut section = part.section;
         if let Some(question) = part.question {
             number += 1;
-            let _ = write!(
-                body,
-                "<div class=\"question\">\n<p><strong>{}</strong> {}</p>\n{}</div>\n",
-                escaped(&text!("class-question", number = number)),
-                question.ask,
-                question.blank
-            );
-            let _ = write!(
-                answers,
-                "<div class=\"answer\">\n<p><strong>{}</strong> {}</p>\n{}</div>\n",
-                escaped(&text!("class-question", number = number)),
-                question.ask,
-                question.answer
-            );
+            let heading = element("strong").with(text!("class-question", number = number));
+            let ask = Html::from(heading).with(" ").with(inline(&question.ask));
+            let asked = |class: &str, inside: Html| {
+                let ask = element("p").with(ask.clone());
+                element("div").class(class).broken().line(ask).with(inside)
+            };
+            section = section.line(asked("question", question.blank));
+            answers = answers.line(asked("answer", question.answer));
         }
-        body.push_str("</section>\n");
+        body = body.line(section);
         progress();
     }
     if sheet.answers && number > 0 {
-        let heading = escaped(&text!("class-answers", title = &*lesson.title));
-        let _ = write!(
-            body,
-            "<section class=\"answers\">\n<h1>{heading}</h1>\n{answers}</section>\n"
-        );
+        body = body.line(answers);
     }
-    Ok(page(&lesson.title, STYLE, &body))
+    Ok(page(&lesson.title, STYLE, body))
 }
 
 struct StepPart {
-    body: String,
+    section: Element,
     question: Option<QuestionPart>,
 }
 
-/// A question and its answer as HTML.
 struct QuestionPart {
+    /// In CommonMark.
     ask: String,
-    blank: String,
-    answer: String,
+    blank: Html,
+    answer: Html,
 }
 
 impl StepPart {
@@ -154,12 +150,12 @@ impl StepPart {
         let place = lab.place(&staged);
         let wrong = |(line, words): (u64, String)| LessonError::one(line, words);
         let text = step.text.filled(&place).map_err(wrong)?;
-        let title = inline(&step.title);
         let own_picture = |question: &Question| question.kind.asks().uses_picture();
-        let mut body = format!(
-            "<section class=\"step\">\n<h2>{}. {title}</h2>\n",
-            index + 1
-        );
+        let title = Html::from(format!("{}. ", index + 1)).with(inline(&step.title));
+        let mut section = element("section")
+            .class("step")
+            .broken()
+            .line(element("h2").with(title));
         let question = |words: String| {
             let line = step
                 .question
@@ -177,11 +173,10 @@ impl StepPart {
                 "picture wide"
             };
             let image = picture(&frame, &step.title);
-            let _ = writeln!(body, "<figure class=\"{class}\">{image}</figure>");
+            section = section.line(element("figure").class(class).with(image));
         }
-        body.push_str(&blocks(&text));
         let mut part = Self {
-            body,
+            section: section.with(blocks(&text)),
             question: None,
         };
         if let Some(asks) = &step.question {
@@ -202,9 +197,9 @@ impl StepPart {
             };
             let blank = asks.kind.blank(&printed, asked.solution.as_ref());
             part.question = Some(QuestionPart {
-                blank: blank.map_err(question)? + RULES,
+                blank: blank.map_err(question)?.line(rules()),
                 answer: answer(&asked, asks, &frame),
-                ask: inline(&asked.ask),
+                ask: asked.ask,
             });
         }
         Ok(part)
@@ -212,19 +207,19 @@ impl StepPart {
 }
 
 /// Returns the right answer, and why, as HTML.
-fn answer(asked: &ClassQuestion, question: &Question, picture: &Frame) -> String {
+fn answer(asked: &ClassQuestion, question: &Question, picture: &Frame) -> Html {
     let Some(right) = &asked.solution else {
-        return String::new();
+        return Html::new();
     };
     let drawing = question.kind.drawing(right, picture);
-    let mut out = drawing.unwrap_or_else(|| {
+    let out = drawing.unwrap_or_else(|| {
         let words = question.kind.solution_words(right, &asked.options);
-        format!("<p>{}</p>", inline(&words))
+        element("p").with(inline(&words)).into()
     });
-    if !asked.why.is_empty() {
-        let _ = write!(out, "<div>{}</div>", blocks(&asked.why));
+    if asked.why.is_empty() {
+        return out;
     }
-    out
+    out.with(element("div").with(blocks(&asked.why)))
 }
 
 /// Draws the picture of a step as the window shows it: with its panes, or with what is drawn over it. The profile's curve is left out

@@ -312,13 +312,13 @@ fn every_question_is_answered_by_mouse() {
 /// Draws a curve of heights from 0 to 1 over the share of the width.
 fn draw(harness: &mut Harness<'_, App>, height: impl Fn(f32) -> f32) {
     let area = harness.get_by_role(Role::Canvas).rect();
-    // The axes stand at the left and below.
-    let (left, right) = (area.min.x + 22.0, area.max.x - 8.0);
-    let (top, bottom) = (area.min.y + 20.0, area.max.y - 20.0);
+    // The axes stand at the left and below; that of y reaches beyond 1.
+    let (left, right) = (area.min.x + 25.0, area.max.x - 11.0);
+    let (top, bottom) = (area.min.y + 23.0, area.max.y - 38.0);
     let at = |share: f32| {
         pos2(
             left + share * (right - left),
-            bottom - height(share) * (bottom - top),
+            bottom - height(share) / 1.05 * (bottom - top),
         )
     };
     harness.drag_at(at(0.0));

@@ -50,8 +50,8 @@ pub fn equation_letters(scene: &Scene) -> Vec<Vec<Letters>> {
         " {W}(θ) "
     };
     let lobe = match reflection.model {
-        ReflectionModel::Phong => "({R}·{V}){n}]",
-        ReflectionModel::Blinn => "({N}·{H}){n}]",
+        ReflectionModel::Phong => "({R}·{V})^n]",
+        ReflectionModel::Blinn => "({N}·{H})^n]",
         ReflectionModel::CookTorrance => " π {D}{G}",
     };
     let specular = |formula: &str| {
@@ -102,9 +102,6 @@ pub fn plain_formula(formula: &str) -> String {
         .replace("}(θ) ", "(θ)}")
         .replace("} {", "}{")
         .replace("{Σ}", "Σ ")
-        .replace("}{n}", "}^n")
-        .replace("){n}", ")^n")
-        .replace("{^", "^")
         .replace("{=", "");
     text.replace("}{", "}·{")
         .replace("}(", "}·(")

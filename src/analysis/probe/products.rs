@@ -216,8 +216,8 @@ impl LightHere<'_> {
     /// Returns S in letters.
     pub fn lobe_letters(self) -> &'static str {
         match self.here.scene.reflection.model {
-            ReflectionModel::Phong => "({R}·{V}){n}",
-            ReflectionModel::Blinn => "({N}·{H}){n}",
+            ReflectionModel::Phong => "({R}·{V})^n",
+            ReflectionModel::Blinn => "({N}·{H})^n",
             ReflectionModel::CookTorrance => "{S}",
         }
     }

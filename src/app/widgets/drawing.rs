@@ -2,6 +2,7 @@
 
 use super::lines;
 use super::theme::TEXT;
+use crate::figure::palette::Rgb8;
 use crate::figure::{Drawing, Paper, Plot, PlotStyle, Set, Shape, Text, can_be_filled, short};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
@@ -24,7 +25,6 @@ const LINES: [f64; 2] = [7.5, 1.4];
 /// How plots are drawn in a panel.
 pub fn plot_style(ui: &Ui) -> PlotStyle {
     let visuals = ui.visuals();
-    let rgb = |colour: Color32| [colour.r(), colour.g(), colour.b()];
     let paper = Paper {
         ground: rgb(visuals.panel_fill),
         text: rgb(visuals.text_color()),
@@ -36,6 +36,11 @@ pub fn plot_style(ui: &Ui) -> PlotStyle {
         text: LETTERS * f64::from(TEXT),
         titled: false,
     }
+}
+
+/// The colour as drawings have it.
+pub fn rgb(colour: Color32) -> Rgb8 {
+    [colour.r(), colour.g(), colour.b()]
 }
 
 pub fn height(plot: &Plot, width: f64, letters: f64) -> f64 {
@@ -181,13 +186,18 @@ pub fn drawing_ui(
         return None;
     }
     let painter = ui.painter_at(rect.expand(1.0));
+    paint(&painter, drawing, rect.min);
+    Some((response, painter))
+}
+
+/// Paints a drawing from its top left corner.
+pub fn paint(painter: &Painter, drawing: &Drawing, origin: Pos2) {
     for shape in drawing.painted() {
-        paint_shape(&painter, &shape, rect.min);
+        paint_shape(painter, &shape, origin);
     }
     for text in &drawing.texts {
-        paint_text(&painter, text, rect.min);
+        paint_text(painter, text, origin);
     }
-    Some((response, painter))
 }
 
 fn screen(point: DVec2, origin: Pos2) -> Pos2 {

@@ -4,6 +4,7 @@ use super::letter::{append, lettered};
 use super::palette::vector_text;
 use super::symbol::{self, Symbol};
 use crate::figure::palette::Vector;
+use crate::figure::{Base, Formula, Item, is_italic};
 use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::text::{LayoutJob, TextFormat};
@@ -17,9 +18,18 @@ use std::sync::Arc;
 /// How far above the middle of a run the top of raised letters lies, in heights of the run.
 const RAISED: f32 = 0.42;
 
-/// The letters of formulas: their names there, how they are written, their symbols, and the key of what they stand for where it
-/// is not what their symbol does.
-const LETTERS: [(&str, &str, &str, Symbol, &str); 27] = [
+/// A letter of formulas: its name there, how it is written with what is lowered behind it, its symbol, and the key of what it
+/// stands for where it is not what its symbol does.
+type Letter = (
+    &'static str,
+    &'static str,
+    &'static str,
+    Symbol,
+    &'static str,
+);
+/// The exponent alone in its place above the line.
+const RAISED_EXPONENT: Letter = ("n", "", "", Symbol::Exponent, "");
+const LETTERS: [Letter; 27] = [
     ("I", "I", "", Symbol::Intensity, ""),
     (
         "Irefl",
@@ -64,43 +74,73 @@ pub fn formula(
     here: impl Fn(&str) -> String,
 ) -> Vec<Piece> {
     let mut pieces: Vec<Piece> = Vec::new();
-    for (index, part) in formula.split(['{', '}']).enumerate() {
-        let letter = LETTERS.iter().find(|(name, ..)| *name == part);
-        if index % 2 == 0 {
-            pieces.extend(
-                (!part.is_empty()).then(|| Piece::plain(part.to_owned(), visuals.text_color())),
-            );
-        } else if let Some(result) = part.strip_prefix('=') {
-            pieces.push(Piece::plain(result.to_owned(), visuals.strong_text_color()));
-        } else if let Some(raised) = part.strip_prefix('^') {
-            pieces
-                .iter_mut()
-                .last()
-                .into_iter()
-                .for_each(|piece| piece.high = raised.to_owned().into());
-        } else {
-            let exponent = ("n", "", "", Symbol::Exponent, "");
-            let (name, text, low, symbol, meaning) = *letter.unwrap_or(&exponent);
-            let vector = Vector::ALL
-                .into_iter()
-                .find(|vector| vector.letter() == name);
-            let colour = vector.map_or(colour, |vector| vector_text(visuals, vector));
-            let meaning = if meaning.is_empty() {
-                format!("{}; {}", symbol.meaning(), symbol.unit())
-            } else {
-                text!(meaning).to_owned()
-            };
-            let here = here(name);
-            let tip = (!here.is_empty()).then(|| format!("{meaning}.\n{here}"));
-            let high = Cow::Borrowed(if letter.is_none() { "n" } else { "" });
+    let mut plain = String::new();
+    for Item { base, high, .. } in Formula::read_or_verbatim(formula).items {
+        match base {
+            Base::Name(text) | Base::Signs(text) => plain.push_str(&text),
+            Base::Group(inside) => {
+                push_plain(visuals, &mut pieces, &mut plain);
+                pieces.push(grouped(visuals, &inside.to_string(), colour, &here));
+            }
+        }
+        if high.is_empty() {
+            continue;
+        }
+        push_plain(visuals, &mut pieces, &mut plain);
+        let high = high.to_string();
+        if high == RAISED_EXPONENT.0 {
             pieces.push(Piece {
-                high,
-                tip,
-                ..Piece::symbol(text, low, symbol, colour)
+                high: high.into(),
+                ..known(visuals, RAISED_EXPONENT, colour, &here)
             });
+        } else if let Some(last) = pieces.last_mut() {
+            last.high = high.into();
         }
     }
+    push_plain(visuals, &mut pieces, &mut plain);
     pieces
+}
+
+/// Ends the row of letters and signs that are no symbols.
+fn push_plain(visuals: &Visuals, pieces: &mut Vec<Piece>, plain: &mut String) {
+    if !plain.is_empty() {
+        pieces.push(Piece::plain(std::mem::take(plain), visuals.text_color()));
+    }
+}
+
+/// What stands in braces: a letter by its name, or a result behind `=`.
+fn grouped(visuals: &Visuals, name: &str, colour: Color32, here: impl Fn(&str) -> String) -> Piece {
+    if let Some(result) = name.strip_prefix('=') {
+        return Piece::plain(result.to_owned(), visuals.strong_text_color());
+    }
+    match LETTERS.iter().find(|(known, ..)| *known == name) {
+        Some(letter) => known(visuals, *letter, colour, here),
+        None => Piece::plain(name.to_owned(), visuals.text_color()),
+    }
+}
+
+/// A symbol with what it is at the pixel.
+fn known(
+    visuals: &Visuals,
+    (name, text, low, symbol, meaning): Letter,
+    colour: Color32,
+    here: impl Fn(&str) -> String,
+) -> Piece {
+    let vector = Vector::ALL
+        .into_iter()
+        .find(|vector| vector.letter() == name);
+    let colour = vector.map_or(colour, |vector| vector_text(visuals, vector));
+    let meaning = if meaning.is_empty() {
+        format!("{}; {}", symbol.meaning(), symbol.unit())
+    } else {
+        text!(meaning).to_owned()
+    };
+    let here = here(name);
+    let tip = (!here.is_empty()).then(|| format!("{meaning}.\n{here}"));
+    Piece {
+        tip,
+        ..Piece::symbol(text, low, symbol, colour)
+    }
 }
 
 /// A letter of the formulas by its name, such as `Ka` or `n`, in its own colour; none where it is not one of them.
@@ -173,16 +213,7 @@ impl Piece {
             valign,
             ..TextFormat::default()
         };
-        // Letters are slanted, words and the sign of a sum are not.
-        let mut letters = self.text.trim().chars();
-        let single = (letters.next(), letters.next());
-        let italics = match single {
-            (Some('Σ'), None) => false,
-            // A letter of a formula that the window does not know.
-            (Some('a'..='z' | 'A'..='Z' | '\u{3b1}'..='\u{3c9}'), None) => true,
-            (_, None) => self.symbol.is_some(),
-            _ => false,
-        };
+        let italics = is_italic(self.text.trim());
         append(&mut job, &self.text, &format(size, Align::Center, italics));
         if !self.low.is_empty() {
             job.append(&self.low, 0.0, format(size * 0.68, Align::BOTTOM, false));

@@ -28,6 +28,8 @@ pub enum PlotKind {
     SharedEdge,
     /// Error against run time.
     Study,
+    /// A curve that a lesson asks for.
+    Question,
 }
 
 impl PlotKind {

@@ -4,10 +4,10 @@ use super::extreme::{Extreme, too_near};
 use super::kind::{Asks, Predictions, Printed, QuestionKind};
 use super::lettered::{Bars, letter, lettered, lettered_html};
 use crate::expression::Expression;
+use crate::lesson::html::{Html, element};
 use crate::lesson::read::keys::{KeyReader, Keys, Most};
 use crate::lesson::{Grade, LabPlace, Prose};
 use crate::text::text;
-use std::fmt::Write as _;
 
 /// A choice among several options.
 #[derive(Clone, Debug, PartialEq)]
@@ -132,23 +132,26 @@ impl QuestionKind for Choice {
         lettered(*right, options)
     }
 
-    fn blank(&self, printed: &Printed<'_>, _: Option<&usize>) -> Result<String, String> {
-        let mut out = "<ul class=\"options\">\n".to_owned();
-        for (index, words) in printed.options.iter().enumerate() {
-            let option = lettered_html(index, words);
-            let _ = writeln!(out, "<li><span class=\"box\"></span>{option}</li>");
-        }
-        Ok(out + "</ul>\n")
+    fn blank(&self, printed: &Printed<'_>, _: Option<&usize>) -> Result<Html, String> {
+        let options = printed.options.iter().enumerate();
+        let list = options.fold(
+            element("ul").class("options").broken(),
+            |list, (index, words)| {
+                let row = element("li").with(element("span").class("box"));
+                list.line(row.with(lettered_html(index, words)))
+            },
+        );
+        Ok(Html::new().line(list))
     }
 
-    fn chart(&self, class: &Predictions<'_, usize, usize>) -> String {
-        let mut bars = Bars::new(class.given.len());
+    fn chart(&self, class: &Predictions<'_, usize, usize>) -> Html {
         let options = class.options.iter().enumerate();
-        for (option, words) in options.filter(|_| !class.given.is_empty()) {
+        let options = options.filter(|_| !class.given.is_empty());
+        let bars = options.fold(Bars::new(class.given.len()), |bars, (option, words)| {
             let chosen = class.given.iter().filter(|(given, _)| **given == option);
             let label = lettered_html(option, words);
-            bars.add(&label, chosen.count(), class.right == Some(&option));
-        }
+            bars.with(label, chosen.count(), class.right == Some(&option))
+        });
         bars.table()
     }
 }

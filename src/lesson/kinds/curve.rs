@@ -2,15 +2,22 @@
 
 use super::kind::{Asks, Predictions, Printed, QuestionKind};
 use crate::expression::Expression;
-use crate::lesson::page::{Axes, axis_name, escaped};
+use crate::figure::Drawing;
+use crate::figure::palette::Rgb8;
+use crate::lesson::html::{Html, element};
 use crate::lesson::read::keys::{KeyReader, Keys};
-use crate::lesson::{Grade, LabPlace, Prose};
+use crate::lesson::{CurveAxes, Grade, LabPlace, Prose};
 use crate::render::Frame;
 use crate::scene::ShadingMode;
 use crate::text::{fixed, text};
 
 /// The number of points of a curve that are compared.
 pub const CURVE_POINTS: usize = 65;
+
+/// The colours of curves on pages: of the right one, and of those of a class.
+const BLACK: Rgb8 = [0; 3];
+const RIGHT: Rgb8 = [0x2e, 0x7d, 0x43];
+const WRONG: Rgb8 = [0xc2, 0x3a, 0x22];
 
 /// A curve drawn over `x`.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,15 +58,13 @@ impl Curve {
         from + (to - from) * index as f64 / (CURVE_POINTS - 1) as f64
     }
 
-    /// Returns its axes as HTML with curves over them.
-    fn plot(&self, curves: &[(Vec<[f64; 2]>, &str)]) -> String {
-        let axes = Axes {
-            x: self.x,
-            y: self.y,
-            x_name: axis_name(&self.x_name.plain()),
-            y_name: axis_name(&self.y_name.plain()),
-        };
-        axes.svg(curves)
+    /// Returns its axes as HTML with what `draw` draws over them.
+    fn plot(&self, draw: impl FnOnce(&mut Drawing)) -> Html {
+        let names = [&self.x_name, &self.y_name].map(Prose::plain);
+        let axes = CurveAxes::new([self.x, self.y], [&names[0], &names[1]]);
+        let mut drawing = axes.on_page();
+        draw(&mut drawing);
+        Html::made(drawing.to_svg(&axes.words()))
     }
 
     /// Evaluates the right curve at its points.
@@ -191,33 +196,32 @@ impl QuestionKind for Curve {
         String::new()
     }
 
-    fn blank(&self, _: &Printed<'_>, _: Option<&Vec<[f64; 2]>>) -> Result<String, String> {
-        Ok(format!("<figure>{}</figure>\n", self.plot(&[])))
+    fn blank(&self, _: &Printed<'_>, _: Option<&Vec<[f64; 2]>>) -> Result<Html, String> {
+        let axes = element("figure").with(self.plot(|_| {}));
+        Ok(Html::new().line(axes))
     }
 
-    fn drawing(&self, right: &Vec<[f64; 2]>, _: &Frame) -> Option<String> {
-        let right = (right.clone(), "stroke=\"#000\" stroke-width=\"2.5\"");
-        Some(format!("<figure>{}</figure>", self.plot(&[right])))
+    fn drawing(&self, right: &Vec<[f64; 2]>, _: &Frame) -> Option<Html> {
+        let plot = self.plot(|drawing| {
+            drawing.draw_curve(right.iter().copied(), 2.5, BLACK, 1.0);
+        });
+        Some(element("figure").with(plot).into())
     }
 
     /// Returns every predicted curve, and over them the right one.
-    fn chart(&self, class: &Predictions<'_, Vec<Option<f64>>, Vec<[f64; 2]>>) -> String {
-        let mut lines = Vec::new();
-        for (given, is_right) in &class.given {
-            let points = given.iter().enumerate();
-            let points = points.map(|(index, y)| [self.abscissa(index), y.unwrap_or(f64::NAN)]);
-            let paint = if *is_right {
-                "stroke=\"#2e7d43\" stroke-width=\"1.4\" stroke-opacity=\"0.55\""
-            } else {
-                "stroke=\"#c23a22\" stroke-width=\"1.4\" stroke-opacity=\"0.55\""
-            };
-            lines.push((points.collect(), paint));
-        }
-        if let Some(right) = class.right {
-            lines.push((right.clone(), "stroke=\"#000\" stroke-width=\"3\""));
-        }
-        let words = escaped(text!("class-curves"));
-        let plot = self.plot(&lines);
-        format!("<figure>{plot}<figcaption>{words}</figcaption></figure>\n")
+    fn chart(&self, class: &Predictions<'_, Vec<Option<f64>>, Vec<[f64; 2]>>) -> Html {
+        let plot = self.plot(|drawing| {
+            for (given, is_right) in &class.given {
+                let points = given.iter().enumerate();
+                let points = points.map(|(index, y)| [self.abscissa(index), y.unwrap_or(f64::NAN)]);
+                let colour = if *is_right { RIGHT } else { WRONG };
+                drawing.draw_curve(points, 1.4, colour, 0.55);
+            }
+            if let Some(right) = class.right {
+                drawing.draw_curve(right.iter().copied(), 3.0, BLACK, 1.0);
+            }
+        });
+        let caption = element("figcaption").with(text!("class-curves"));
+        Html::new().line(element("figure").with(plot).with(caption))
     }
 }

@@ -1,5 +1,6 @@
 //! A kind of question: all that a lesson, its worksheet and a class ask of one.
 
+use crate::lesson::html::Html;
 use crate::lesson::page::blank_picture;
 use crate::lesson::read::keys::{KeyReader, Keys};
 use crate::lesson::{Grade, LabPlace, Prose};
@@ -120,19 +121,15 @@ pub trait QuestionKind: Asks + Sized {
     fn solution_words(&self, right: &Self::Solution, options: &[String]) -> String;
 
     /// Returns the HTML in which the student answers on a worksheet; with the right answer, where that is known.
-    fn blank(
-        &self,
-        printed: &Printed<'_>,
-        right: Option<&Self::Solution>,
-    ) -> Result<String, String>;
+    fn blank(&self, printed: &Printed<'_>, right: Option<&Self::Solution>) -> Result<Html, String>;
 
     /// Returns the HTML of the right answer as a drawing, where that says more than words.
-    fn drawing(&self, _right: &Self::Solution, _picture: &Frame) -> Option<String> {
+    fn drawing(&self, _right: &Self::Solution, _picture: &Frame) -> Option<Html> {
         None
     }
 
     /// Returns the HTML of the first answers of a class.
-    fn chart(&self, class: &Predictions<'_, Self::Answer, Self::Solution>) -> String;
+    fn chart(&self, class: &Predictions<'_, Self::Answer, Self::Solution>) -> Html;
 }
 
 /// A question as it is printed on a worksheet.

@@ -1,5 +1,6 @@
 //! Options and items: their letters, and how often each was chosen.
 
+use crate::lesson::html::{Element, Html, element};
 use crate::lesson::page::inline;
 
 /// Returns the letter of an option or an item.
@@ -14,14 +15,14 @@ pub fn lettered(index: usize, options: &[String]) -> String {
 }
 
 /// Returns the HTML of an option or an item with its letter.
-pub fn lettered_html(index: usize, words: &str) -> String {
-    format!("{} {}", letter(index), inline(words))
+pub fn lettered_html(index: usize, words: &str) -> Html {
+    Html::from(format!("{} ", letter(index))).with(inline(words))
 }
 
 /// The bars of a table, which say how often each answer was given.
 pub struct Bars {
     total: usize,
-    rows: String,
+    table: Element,
 }
 
 impl Bars {
@@ -29,25 +30,31 @@ impl Bars {
     pub fn new(total: usize) -> Self {
         Self {
             total: total.max(1),
-            rows: String::new(),
+            table: element("table").class("bars").broken(),
         }
     }
 
-    /// Adds an answer; `label` is HTML.
-    pub fn add(&mut self, label: &str, count: usize, is_right: bool) {
-        let (class, sign) = if is_right {
-            (" class=\"is-right\"", " ✓")
+    /// Returns the bars with those of an answer below them.
+    pub fn with(self, label: impl Into<Html>, count: usize, is_right: bool) -> Self {
+        let (row, sign) = if is_right {
+            (element("tr").class("is-right"), " ✓")
         } else {
-            ("", "")
+            (element("tr"), "")
         };
         let share = 100.0 * count as f64 / self.total as f64;
-        self.rows += &format!(
-            "<tr{class}><td>{label}{sign}</td><td class=\"bar\"><div style=\"width:{share:.1}%\"></div></td><td>{count}</td></tr>\n"
-        );
+        let bar = element("div").attribute("style", format!("width:{share:.1}%"));
+        let row = row
+            .with(element("td").with(label).with(sign))
+            .with(element("td").class("bar").with(bar))
+            .with(element("td").with(count.to_string()));
+        Self {
+            table: self.table.line(row),
+            ..self
+        }
     }
 
     /// Returns the table as HTML.
-    pub fn table(&self) -> String {
-        format!("<table class=\"bars\">\n{}</table>\n", self.rows)
+    pub fn table(self) -> Html {
+        Html::new().line(self.table)
     }
 }

@@ -1,16 +1,16 @@
 //! A match: settings that make a picture like another one.
 
 use super::kind::{Asks, Predictions, Printed, QuestionKind};
-use super::number::{BLANK, short_number};
+use super::number::{control_line, short_number};
 use crate::analysis::comparison::{LinearPicture, error_figures};
 use crate::figure::short;
 use crate::lesson::control::{along, control_name, long_control_name, slider, value_of};
-use crate::lesson::page::{escaped, picture};
+use crate::lesson::html::{Html, element};
+use crate::lesson::page::picture;
 use crate::lesson::read::keys::{KeyReader, Keys};
 use crate::lesson::{Grade, LabPlace};
 use crate::render::Frame;
 use crate::text::{fixed, text};
-use std::fmt::Write as _;
 
 /// Settings that make a picture like another one.
 #[derive(Clone, Debug, PartialEq)]
@@ -151,29 +151,25 @@ impl QuestionKind for Match {
         self.listed(right, long_control_name, |value| fixed(value, 2))
     }
 
-    fn blank(&self, printed: &Printed<'_>, right: Option<&Vec<f64>>) -> Result<String, String> {
+    fn blank(&self, printed: &Printed<'_>, right: Option<&Vec<f64>>) -> Result<Html, String> {
         let figure = |frame: &Frame, words: &str| {
-            let (image, words) = (picture(frame, ""), escaped(words));
-            format!("<figure>{image}<figcaption>{words}</figcaption></figure>")
+            let caption = element("figcaption").with(words);
+            element("figure").with(picture(frame, "")).with(caption)
         };
-        let mut out = "<div class=\"pair\">".to_owned();
-        out += &figure(printed.picture, text!("class-start"));
+        let start = figure(printed.picture, text!("class-start"));
+        let mut pair = element("div").class("pair").with(start);
         if let Some(right) = right {
             let place = printed.place.under(printed.set)?;
             let target = place.under(&self.settings(right))?.counted_picture()?;
             let words = text!("class-target", seed = printed.seed.to_string());
-            out += &figure(&target, &words);
+            pair = pair.with(figure(&target, &words));
         }
-        out.push_str("</div>\n");
-        for control in &self.controls {
-            let name = escaped(&long_control_name(control));
-            let _ = writeln!(out, "<p>{name} = {BLANK}</p>");
-        }
-        Ok(out)
+        let lines: Html = self.controls.iter().map(|key| control_line(key)).collect();
+        Ok(Html::new().line(pair).with(lines))
     }
 
-    fn chart(&self, _: &Predictions<'_, Vec<f64>, Vec<f64>>) -> String {
-        String::new()
+    fn chart(&self, _: &Predictions<'_, Vec<f64>, Vec<f64>>) -> Html {
+        Html::new()
     }
 }
 

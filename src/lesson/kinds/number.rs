@@ -1,12 +1,20 @@
 //! Answers that are numbers: in a few characters, and those of a class over their axis.
 
 use super::kind::Predictions;
-use crate::lesson::page::escaped;
+use crate::lesson::control::long_control_name;
+use crate::lesson::html::{Element, Html, element};
 use crate::text::{fixed, text};
-use std::fmt::Write as _;
 
-/// The line that a student writes a number on.
-pub const BLANK: &str = "<span class=\"blank\"></span>";
+/// Returns the line that a student writes a number on.
+pub fn blank_line() -> Element {
+    element("span").class("blank")
+}
+
+/// Returns the line for the value of a control.
+pub fn control_line(key: &str) -> Html {
+    let name = element("p").with(long_control_name(key)).with(" = ");
+    Html::new().line(name.with(blank_line()))
+}
 
 /// Returns a number in a few characters.
 pub fn short_number(value: f64) -> String {
@@ -28,7 +36,7 @@ pub fn number_chart(
     class: &Predictions<'_, f64, f64>,
     range: Option<[f64; 2]>,
     tolerance: f64,
-) -> String {
+) -> Html {
     const COLUMNS: usize = 60;
     const DOT: f64 = 4.0;
     let mut predicted: Vec<f64> = class.given.iter().map(|(given, _)| **given).collect();
@@ -38,7 +46,7 @@ pub fn number_chart(
     let least = all().fold(f64::INFINITY, f64::min);
     let greatest = all().fold(f64::NEG_INFINITY, f64::max);
     if !(least.is_finite() && greatest.is_finite()) {
-        return String::new();
+        return Html::new();
     }
     let margin = 0.05 * (greatest - least).max(2.0 * tolerance);
     let x = range.unwrap_or([least - margin, greatest + margin]);
@@ -57,10 +65,11 @@ pub fn number_chart(
     // Large classes get smaller steps, not a higher drawing.
     let step = (2.0 * DOT).min(200.0 / highest.max(1) as f64);
     let height = (highest.max(4) as f64 * 2.0 * DOT + 6.0).min(210.0);
-    let mut svg = format!(
-        "<figure><svg viewBox=\"-30 -4 580 {:.0}\" width=\"580\" role=\"img\">\n",
-        height + 28.0
-    );
+    let mut svg = element("svg")
+        .attribute("viewBox", format!("-30 -4 580 {:.0}", height + 28.0))
+        .attribute("width", 580)
+        .attribute("role", "img")
+        .broken();
     if let Some(right) = right {
         let at = |value: f64| along(value) * width;
         let band = if range.is_some() {
@@ -68,36 +77,40 @@ pub fn number_chart(
         } else {
             [at(right); 2]
         };
-        let _ = writeln!(
-            svg,
-            "<rect x=\"{:.1}\" width=\"{:.1}\" height=\"{height:.1}\" fill=\"#dcefdc\"/><path d=\"M{:.1} 0V{height:.1}\" stroke=\"#2e7d43\" stroke-width=\"2\"/>",
-            band[0],
-            band[1] - band[0],
-            at(right)
-        );
+        let band = element("rect")
+            .length("x", band[0])
+            .length("width", band[1] - band[0])
+            .length("height", height)
+            .attribute("fill", "#dcefdc");
+        let line = element("path")
+            .attribute("d", format!("M{:.1} 0V{height:.1}", at(right)))
+            .attribute("stroke", "#2e7d43")
+            .attribute("stroke-width", 2);
+        svg = svg.with(band).line(line);
     }
-    let _ = writeln!(svg, "<path d=\"M0 {height:.1}H{width}\" stroke=\"#555\"/>");
+    let axis = format!("M0 {height:.1}H{width}");
+    svg = svg.line(
+        element("path")
+            .attribute("d", axis)
+            .attribute("stroke", "#555"),
+    );
     for index in 0..=4 {
         let value = x[0] + (x[1] - x[0]) * f64::from(index) / 4.0;
-        let _ = writeln!(
-            svg,
-            "<text x=\"{:.1}\" y=\"{:.1}\" font-size=\"13\" text-anchor=\"middle\">{}</text>",
-            along(value) * width,
-            height + 18.0,
-            escaped(&short_number(value))
-        );
+        let number = element("text")
+            .length("x", along(value) * width)
+            .length("y", height + 18.0)
+            .attribute("font-size", 13)
+            .attribute("text-anchor", "middle");
+        svg = svg.line(number.with(short_number(value)));
     }
     for (column, row) in places {
-        let cx = (column as f64 + 0.5) / COLUMNS as f64 * width;
-        let cy = height - (row as f64 - 0.5) * step;
-        let _ = writeln!(
-            svg,
-            "<circle cx=\"{cx:.1}\" cy=\"{cy:.1}\" r=\"{:.1}\" fill=\"#3d73a8\"/>",
-            DOT.min(step)
-        );
+        let dot = element("circle")
+            .length("cx", (column as f64 + 0.5) / COLUMNS as f64 * width)
+            .length("cy", height - (row as f64 - 0.5) * step)
+            .length("r", DOT.min(step))
+            .attribute("fill", "#3d73a8");
+        svg = svg.line(dot);
     }
-    svg + &format!(
-        "</svg>\n<figcaption>{}</figcaption></figure>\n",
-        escaped(text!("class-numbers"))
-    )
+    let caption = element("figcaption").with(text!("class-numbers"));
+    Html::new().line(element("figure").line(svg).with(caption))
 }

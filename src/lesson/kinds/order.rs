@@ -4,12 +4,12 @@ use super::extreme::too_near;
 use super::kind::{Asks, Predictions, Printed, QuestionKind};
 use super::lettered::{Bars, letter, lettered, lettered_html};
 use crate::expression::Expression;
-use crate::lesson::page::{escaped, picture};
+use crate::lesson::html::{Html, element};
+use crate::lesson::page::picture;
 use crate::lesson::read::keys::{KeyReader, Keys};
 use crate::lesson::{Grade, LabPlace, Prose};
 use crate::render::Frame;
 use crate::text::text;
-use std::fmt::Write as _;
 
 /// Most orders in the chart of a class.
 const CHARTED: usize = 12;
@@ -118,35 +118,41 @@ impl QuestionKind for Order {
         items.join(" < ")
     }
 
-    fn blank(&self, printed: &Printed<'_>, _: Option<&Vec<usize>>) -> Result<String, String> {
-        let mut out = "<div class=\"items\">\n".to_owned();
+    fn blank(&self, printed: &Printed<'_>, _: Option<&Vec<usize>>) -> Result<Html, String> {
+        let mut list = element("div").class("items").broken();
         for (index, (item, words)) in self.items.iter().zip(printed.options).enumerate() {
-            let image = if item.set.is_empty() {
-                String::new()
-            } else {
-                picture(&thumbnail(&printed.picture_under(&item.set)?), words)
-            };
-            let item = lettered_html(index, words);
-            let _ = writeln!(out, "<figure>{image}<p>{item}</p></figure>");
+            let mut figure = element("figure");
+            if !item.set.is_empty() {
+                let small = thumbnail(&printed.picture_under(&item.set)?);
+                figure = figure.with(picture(&small, words));
+            }
+            list = list.line(figure.with(element("p").with(lettered_html(index, words))));
         }
-        let blanks = vec!["<span class=\"blank short\"></span>"; self.items.len()].join(" &lt; ");
-        let _ = writeln!(out, "</div>\n<p>{blanks}</p>");
-        Ok(out)
+        let blank = || element("span").class("blank short").into();
+        let blanks = separated(self.items.iter().map(|_| blank()), " < ");
+        Ok(Html::new().line(list).line(element("p").with(blanks)))
     }
 
-    fn chart(&self, class: &Predictions<'_, Vec<usize>, Vec<usize>>) -> String {
-        let mut bars = Bars::new(class.given.len());
-        for (order, count) in class.counted().into_iter().take(CHARTED) {
-            let label = escaped(&Self::short(order));
-            bars.add(&label, count, class.right == Some(order));
-        }
+    fn chart(&self, class: &Predictions<'_, Vec<usize>, Vec<usize>>) -> Html {
+        let orders = class.counted().into_iter().take(CHARTED);
+        let bars = orders.fold(Bars::new(class.given.len()), |bars, (order, count)| {
+            bars.with(Self::short(order), count, class.right == Some(order))
+        });
         let items = class.options.iter().enumerate();
-        let items: Vec<String> = items
-            .map(|(item, words)| lettered_html(item, words))
-            .collect();
-        let items = items.join(" · ");
-        format!("{}<p class=\"quiet\">{items}</p>\n", bars.table())
+        let items = items.map(|(item, words)| lettered_html(item, words));
+        let items = element("p").class("quiet").with(separated(items, " · "));
+        bars.table().line(items)
     }
+}
+
+/// Returns pieces with a sign between them.
+fn separated(pieces: impl Iterator<Item = Html>, sign: &str) -> Html {
+    let pieces = pieces.enumerate();
+    let behind = |(index, piece): (usize, Html)| {
+        let before = if index == 0 { "" } else { sign };
+        Html::from(before).with(piece)
+    };
+    pieces.map(behind).collect()
 }
 
 /// Returns every other pixel of every other row.

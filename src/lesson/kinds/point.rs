@@ -5,14 +5,14 @@ use super::kind::{Asks, Predictions, Printed, QuestionKind};
 use super::number::short_number;
 use crate::analysis::perception::luminance;
 use crate::expression::Expression;
-use crate::lesson::page::{data, escaped, picture};
+use crate::lesson::html::{Element, Html, element};
+use crate::lesson::page::{data, picture};
 use crate::lesson::read::keys::{KeyReader, Keys};
 use crate::lesson::{Grade, LabPlace};
 use crate::render::Frame;
 use crate::scene::{Rgb, ShadingMode};
 use crate::text::{fixed, text};
 use glam::DVec2;
-use std::fmt::Write as _;
 
 /// The distance within which a click counts, unless the lesson says so.
 const NEAR: f64 = 0.05;
@@ -125,68 +125,49 @@ impl QuestionKind for Point {
         format!("({}, {})", fixed(place.x, 2), fixed(place.y, 2))
     }
 
-    fn blank(&self, printed: &Printed<'_>, _: Option<&Vec<DVec2>>) -> Result<String, String> {
-        let words = escaped(text!("class-mark"));
+    fn blank(&self, printed: &Printed<'_>, _: Option<&Vec<DVec2>>) -> Result<Html, String> {
+        let words = element("p").class("quiet").with(text!("class-mark"));
         let image = picture(printed.picture, printed.ask);
-        Ok(format!("<p class=\"quiet\">{words}</p>\n{image}\n"))
+        Ok(Html::new().line(words).line(image))
     }
 
-    fn drawing(&self, right: &Vec<DVec2>, picture: &Frame) -> Option<String> {
-        let size = DVec2::new(picture.width.into(), picture.height.into());
-        let side = size.min_element();
-        let mut svg = svg_over(picture);
+    fn drawing(&self, right: &Vec<DVec2>, picture: &Frame) -> Option<Html> {
+        let side = f64::from(picture.width.min(picture.height));
         let radius = if right.len() == 1 { 0.03 } else { 0.006 } * side;
-        for place in right {
-            let at = size / 2.0 + *place * side;
-            for (colour, width) in [("#000", 0.012), ("#fff", 0.006)] {
-                let _ = writeln!(
-                    svg,
-                    "<circle cx=\"{:.1}\" cy=\"{:.1}\" r=\"{radius:.1}\" stroke=\"{colour}\" stroke-width=\"{:.1}\"/>",
-                    at.x,
-                    at.y,
-                    width * side
-                );
-            }
-        }
-        Some(svg + "</svg></figure>\n")
+        let rings = right.iter().flat_map(|place| {
+            [("#000", 0.012), ("#fff", 0.006)].map(|(colour, width)| {
+                circle(picture, *place, radius)
+                    .attribute("stroke", colour)
+                    .length("stroke-width", width * side)
+            })
+        });
+        let svg = rings.fold(svg_over(picture), Element::line);
+        Some(Html::new().line(element("figure").class("points").with(svg)))
     }
 
     /// Returns every predicted place over the picture, and the right ones.
-    fn chart(&self, class: &Predictions<'_, [f64; 2], Vec<DVec2>>) -> String {
+    fn chart(&self, class: &Predictions<'_, [f64; 2], Vec<DVec2>>) -> Html {
         let Some(picture) = class.picture else {
-            return String::new();
+            return Html::new();
         };
-        let size = DVec2::new(picture.width.into(), picture.height.into());
-        let side = size.min_element();
-        let mut svg = svg_over(picture);
-        if let Some(right) = class.right {
-            let (radius, paint) = if right.len() == 1 {
-                (self.tolerance * side, "stroke=\"#fff\" stroke-width=\"2\"")
-            } else {
-                (0.004 * side, "fill=\"#fff\"")
-            };
-            for place in right {
-                let at = size / 2.0 + *place * side;
-                let _ = writeln!(
-                    svg,
-                    "<circle cx=\"{:.1}\" cy=\"{:.1}\" r=\"{radius:.1}\" {paint}/>",
-                    at.x, at.y
-                );
-            }
-        }
-        for (given, is_right) in &class.given {
-            let at = size / 2.0 + DVec2::from_array(**given) * side;
-            let colour = if *is_right { "#2e9e4f" } else { "#e0482e" };
-            let _ = writeln!(
-                svg,
-                "<circle cx=\"{:.1}\" cy=\"{:.1}\" r=\"{:.1}\" fill=\"{colour}\" fill-opacity=\"0.75\" stroke=\"#000\" stroke-width=\"0.8\"/>",
-                at.x,
-                at.y,
-                0.012 * side
-            );
-        }
-        let words = escaped(text!("class-clicks"));
-        format!("{svg}</svg>\n<figcaption>{words}</figcaption></figure>\n")
+        let side = f64::from(picture.width.min(picture.height));
+        let right = class.right.map_or(&[][..], |right| right);
+        let right = right.iter().map(|place| match class.right.map(Vec::len) {
+            Some(1) => circle(picture, *place, self.tolerance * side)
+                .attribute("stroke", "#fff")
+                .attribute("stroke-width", 2),
+            _ => circle(picture, *place, 0.004 * side).attribute("fill", "#fff"),
+        });
+        let given = class.given.iter().map(|(given, is_right)| {
+            circle(picture, DVec2::from_array(**given), 0.012 * side)
+                .attribute("fill", if *is_right { "#2e9e4f" } else { "#e0482e" })
+                .attribute("fill-opacity", 0.75)
+                .attribute("stroke", "#000")
+                .attribute("stroke-width", 0.8)
+        });
+        let svg = right.chain(given).fold(svg_over(picture), Element::line);
+        let caption = element("figcaption").with(text!("class-clicks"));
+        Html::new().line(element("figure").class("points").line(svg).with(caption))
     }
 }
 
@@ -195,13 +176,29 @@ fn shown(right: &[DVec2]) -> DVec2 {
     right.first().copied().unwrap_or_default()
 }
 
-/// Returns the begin of a drawing in pixels over a picture.
-fn svg_over(picture: &Frame) -> String {
+/// Returns a drawing in pixels over a picture.
+fn svg_over(picture: &Frame) -> Element {
     let (width, height) = (picture.width, picture.height);
-    let data = data(picture);
-    format!(
-        "<figure class=\"points\"><svg viewBox=\"0 0 {width} {height}\" role=\"img\" fill=\"none\">\n<image href=\"{data}\" width=\"{width}\" height=\"{height}\"/>\n"
-    )
+    let image = element("image")
+        .attribute("href", data(picture))
+        .attribute("width", width)
+        .attribute("height", height);
+    element("svg")
+        .attribute("viewBox", format!("0 0 {width} {height}"))
+        .attribute("role", "img")
+        .attribute("fill", "none")
+        .broken()
+        .line(image)
+}
+
+/// Returns a circle about a place of the picture.
+fn circle(picture: &Frame, place: DVec2, radius: f64) -> Element {
+    let size = DVec2::new(picture.width.into(), picture.height.into());
+    let at = size / 2.0 + place * size.min_element();
+    element("circle")
+        .length("cx", at.x)
+        .length("cy", at.y)
+        .length("r", radius)
 }
 
 impl Find {

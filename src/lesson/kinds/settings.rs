@@ -2,11 +2,11 @@
 
 use super::extreme::Extreme;
 use super::kind::{Asks, Predictions, Printed, QuestionKind};
-use super::number::{BLANK, number_chart, short_number};
+use super::number::{control_line, number_chart, short_number};
 use crate::expression::Expression;
 use crate::figure::short;
 use crate::lesson::control::{along, control_name, long_control_name, settable, slider};
-use crate::lesson::page::escaped;
+use crate::lesson::html::Html;
 use crate::lesson::read::keys::{KeyReader, Keys, Most};
 use crate::lesson::{Grade, LabPlace};
 use crate::scene::parameter::Slider;
@@ -144,12 +144,11 @@ impl QuestionKind for Settings {
         )
     }
 
-    fn blank(&self, _: &Printed<'_>, _: Option<&f64>) -> Result<String, String> {
-        let name = escaped(&long_control_name(&self.control));
-        Ok(format!("<p>{name} = {BLANK}</p>\n"))
+    fn blank(&self, _: &Printed<'_>, _: Option<&f64>) -> Result<Html, String> {
+        Ok(control_line(&self.control))
     }
 
-    fn chart(&self, class: &Predictions<'_, f64, f64>) -> String {
+    fn chart(&self, class: &Predictions<'_, f64, f64>) -> Html {
         number_chart(class, None, self.tolerance)
     }
 }

@@ -1,10 +1,10 @@
 //! A value: a number that is typed.
 
 use super::kind::{Asks, Predictions, Printed, QuestionKind};
-use super::number::{BLANK, digits, number_chart, short_number};
+use super::number::{blank_line, digits, number_chart, short_number};
 use crate::expression::Expression;
 use crate::figure::short;
-use crate::lesson::page::escaped;
+use crate::lesson::html::{Html, element};
 use crate::lesson::read::keys::{KeyReader, Keys};
 use crate::lesson::{Grade, LabPlace};
 use crate::text::{fixed, text};
@@ -109,12 +109,13 @@ impl QuestionKind for Value {
         )
     }
 
-    fn blank(&self, _: &Printed<'_>, _: Option<&f64>) -> Result<String, String> {
-        let (words, unit) = (escaped(text!("class-answer")), escaped(&self.unit));
-        Ok(format!("<p>{words} {BLANK} {unit}</p>\n"))
+    fn blank(&self, _: &Printed<'_>, _: Option<&f64>) -> Result<Html, String> {
+        let words = element("p").with(text!("class-answer")).with(" ");
+        let line = words.with(blank_line()).with(" ").with(&*self.unit);
+        Ok(Html::new().line(line))
     }
 
-    fn chart(&self, class: &Predictions<'_, f64, f64>) -> String {
+    fn chart(&self, class: &Predictions<'_, f64, f64>) -> Html {
         number_chart(class, Some([self.from, self.to]), self.tolerance)
     }
 }

@@ -260,10 +260,10 @@ impl LightHere<'_> {
         }
         // Neither the cosine of a small angle nor a high power of it can be read from four digits; the angle can.
         let power = if (self.here.hit.normal.length() - 1.0).abs() > UNIT {
-            format!("{cosine:.4}{{^{n}}}")
+            format!("{cosine:.4}^{{{n}}}")
         } else {
             let (_, angle) = self.terms.lobe_angle(model);
-            format!("cos{{^{n}}} {:.2}°", angle.to_degrees())
+            format!("cos^{{{n}}} {:.2}°", angle.to_degrees())
         };
         format!("{letters} = {power}{}", result(self.lobe()))
     }

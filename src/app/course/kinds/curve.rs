@@ -2,46 +2,71 @@
 
 use super::widget::{Asked, Widget};
 use crate::app::course::parts::right_colour;
+use crate::app::widgets::drawing::{paint, plot_style, rgb};
 use crate::app::widgets::focus::named;
+use crate::app::widgets::lines::exact;
 use crate::app::widgets::palette::vector_text;
-use crate::figure::palette::Vector;
-use crate::figure::short;
-use crate::lesson::{Answer, CURVE_POINTS, Curve, Kind, Question, Solution};
+use crate::figure::palette::{Rgb8, Vector};
+use crate::figure::{Drawing, Shape};
+use crate::lesson::{Answer, CURVE_POINTS, Curve, CurveAxes, Kind, Question, Solution};
 use crate::scene::Scene;
 use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align2, Color32, CursorIcon, EventFilter, FontId, Key, Mesh, Painter, Pos2, Rect, Response,
-    RichText, Sense, Shape, Stroke, TextStyle, Ui, pos2, vec2,
+    CursorIcon, EventFilter, Key, Pos2, Rect, Response, RichText, Sense, Stroke, Ui, vec2,
 };
+use glam::DVec2;
 
 /// Height of the drawing in its width.
 const ASPECT: f32 = 0.5;
+/// Height of what does not grow with it, in letters.
+const LETTERS: f32 = 4.0;
+/// Width of curves, points.
+const LINE: f64 = 2.2;
 /// Points that a key moves along the curve at once, and how far up or down, in its height.
 const STRIDE: usize = 4;
 const RISE: f64 = 0.05;
 
-/// The field of a curve on the screen.
+/// The axes of a curve on the screen.
 struct Field {
-    rect: Rect,
+    drawing: Drawing,
+    /// The top left corner of the drawing.
+    origin: Pos2,
     x: [f64; 2],
     y: [f64; 2],
 }
 
 impl Field {
+    fn x_of(&self, index: usize) -> f64 {
+        self.x[0] + (self.x[1] - self.x[0]) * index as f64 / (CURVE_POINTS - 1) as f64
+    }
+
     fn at(&self, index: usize, value: f64) -> Pos2 {
-        let share = (value - self.y[0]) / (self.y[1] - self.y[0]);
-        let along = index as f32 / (CURVE_POINTS - 1) as f32;
-        let up = share.clamp(-0.05, 1.05) as f32;
-        self.rect.lerp_inside(vec2(along, 1.0 - up))
+        let place = self.drawing.place([self.x_of(index), value]);
+        let (place, _) = place.unwrap_or_default();
+        self.origin + vec2(place.x as f32, place.y as f32)
+    }
+
+    fn rect(&self) -> Rect {
+        let [_, top] = self.axis(CURVE_POINTS - 1);
+        Rect::from_two_pos(self.at(0, self.y[0]), top)
+    }
+
+    /// The line through a point from the axis of x to the far side.
+    fn axis(&self, index: usize) -> [Pos2; 2] {
+        let place = self.drawing.place([self.x_of(index), self.y[0]]);
+        let (_, ends) = place.unwrap_or_default();
+        ends.map(|end| self.origin + vec2(end.x as f32, end.y as f32))
     }
 
     /// Finds the nearest point of the curve, and the value at that height.
     fn read(&self, at: Pos2) -> (usize, f64) {
-        let along = ((at.x - self.rect.min.x) / self.rect.width()).clamp(0.0, 1.0);
-        let up = 1.0 - ((at.y - self.rect.min.y) / self.rect.height()).clamp(0.0, 1.0);
-        let index = (along * (CURVE_POINTS - 1) as f32).round() as usize;
-        (index, self.y[0] + f64::from(up) * (self.y[1] - self.y[0]))
+        let place = exact(at) - exact(self.origin);
+        let [x, y] = self.drawing.value_near(place).unwrap_or_default();
+        let along = (x - self.x[0]) / (self.x[1] - self.x[0]);
+        let index = (along * (CURVE_POINTS - 1) as f64).round() as usize;
+        // The axis of y reaches a little beyond its greatest value.
+        (index, y.min(self.y[1]))
     }
 }
 
@@ -77,36 +102,24 @@ impl Widget for CurveWidget {
             return false;
         };
         let (x, y, revealed) = (curve.x, curve.y, asked.revealed);
-        let font = FontId::proportional(TextStyle::Body.resolve(ui.style()).size * 0.9);
-        let names = [0, 1].map(|axis| {
-            let name = asked.names.get(axis).map_or("", |name| name.trim());
-            name.replace('$', "")
-        });
-        let left = y
-            .map(end)
-            .into_iter()
-            .map(|text| {
-                ui.painter()
-                    .layout_no_wrap(text, font.clone(), Color32::WHITE)
-                    .size()
-                    .x
-            })
-            .fold(0.0, f32::max)
-            + 8.0;
+        let style = plot_style(ui);
         let width = ui.available_width();
-        let size = vec2(width, (width * ASPECT).min(300.0) + 2.6 * font.size);
+        let size = vec2(
+            width,
+            (width * ASPECT).min(300.0) + LETTERS * style.text as f32,
+        );
         let (outer, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
-        let words = text!(
-            "course-curve-area",
-            x = names[0].as_str(),
-            y = names[1].as_str()
-        );
-        let response = named(response, Role::Canvas, &words);
-        let rect = Rect::from_min_max(
-            pos2(outer.min.x + left, outer.min.y + 1.6 * font.size),
-            pos2(outer.max.x - 8.0, outer.max.y - 1.6 * font.size),
-        );
-        let field = Field { rect, x, y };
+        let name = |axis: usize| asked.names.get(axis).map_or("", |name| &**name);
+        let axes = CurveAxes::new([x, y], [name(0), name(1)]);
+        let response = named(response, Role::Canvas, &axes.words());
+        let drawing = axes.lay_out(DVec2::new(size.x.into(), size.y.into()), &style);
+        let mut field = Field {
+            drawing,
+            origin: outer.min,
+            x,
+            y,
+        };
+        let rect = field.rect();
         if !revealed {
             asked.changed |= self.draw(ui, &field, &response);
         }
@@ -123,32 +136,28 @@ impl Widget for CurveWidget {
             self.along = share;
             ui.ctx().request_repaint();
         }
-        let painter = ui.painter_at(outer);
-        axes(ui, &painter, &field, &names, &font, outer);
         let own: Vec<(usize, f64)> = points(&self.drawn);
         let own_colour = vector_text(ui.visuals(), Vector::L);
-        let right: Option<Vec<f64>> = match asked.right() {
-            Some(Solution::Curve(curve)) => Some(curve.iter().map(|[_, y]| *y).collect()),
-            _ => None,
+        let right: &[[f64; 2]] = match asked.right() {
+            Some(Solution::Curve(curve)) => curve,
+            _ => &[],
         };
-        if let Some(right) = &right {
-            between(
-                &painter,
-                &field,
-                &own,
-                right,
-                own_colour.gamma_multiply(0.25),
-            );
-        }
-        line(&painter, &field, &own, Stroke::new(2.2, own_colour));
-        if let Some(right) = &right {
-            let right: Vec<(usize, f64)> = right.iter().copied().enumerate().collect();
-            line(&painter, &field, &right, Stroke::new(2.2, right_colour(ui)));
-        }
+        between(&mut field, &own, right, rgb(own_colour));
+        let drawn = self.drawn.iter().enumerate();
+        let drawn: Vec<[f64; 2]> = drawn
+            .map(|(index, value)| [field.x_of(index), value.unwrap_or(f64::NAN)])
+            .collect();
+        field.drawing.draw_curve(drawn, LINE, rgb(own_colour), 1.0);
+        let right_line = rgb(right_colour(ui));
+        field
+            .drawing
+            .draw_curve(right.iter().copied(), LINE, right_line, 1.0);
+        let painter = ui.painter_at(outer);
+        painter.rect_filled(rect, 2.0, ui.visuals().extreme_bg_color);
+        paint(&painter, &field.drawing, outer.min);
         if let Some(index) = along {
-            let x = field.at(index, y[0]).x;
             let stroke = Stroke::new(1.0, ui.visuals().weak_text_color());
-            painter.vline(x, rect.y_range(), stroke);
+            painter.line_segment(field.axis(index), stroke);
         }
         if response.has_focus() && !revealed {
             let value = height(&self.drawn, self.cursor, y);
@@ -243,16 +252,6 @@ impl CurveWidget {
     }
 }
 
-/// Formats the value at an end of an axis, without the zeros behind its point.
-fn end(value: f64) -> String {
-    let digits = short(value);
-    if !digits.contains('.') || digits.contains('×') {
-        return digits;
-    }
-    let digits = digits.trim_end_matches('0').trim_end_matches('.');
-    digits.to_owned()
-}
-
 fn points(curve: &[Option<f64>]) -> Vec<(usize, f64)> {
     let points = curve.iter().enumerate();
     points
@@ -297,93 +296,29 @@ fn lift(curve: &mut [Option<f64>], at: usize, value: f64) {
     curve[at] = Some(value);
 }
 
-fn axes(
-    ui: &Ui,
-    painter: &Painter,
-    field: &Field,
-    names: &[String; 2],
-    font: &FontId,
-    outer: Rect,
-) {
-    let visuals = ui.visuals();
-    let rect = field.rect;
-    painter.rect_filled(rect, 2.0, visuals.extreme_bg_color);
-    let grid = Stroke::new(1.0, visuals.widgets.noninteractive.bg_stroke.color);
-    for share in [0.25, 0.5, 0.75, 1.0] {
-        painter.hline(rect.x_range(), rect.max.y - share * rect.height(), grid);
-        painter.vline(rect.min.x + share * rect.width(), rect.y_range(), grid);
-    }
-    let line = Stroke::new(1.2, visuals.weak_text_color());
-    painter.hline(rect.x_range(), rect.max.y, line);
-    painter.vline(rect.min.x, rect.y_range(), line);
-    let colour = visuals.text_color();
-    let text = |at: Pos2, align: Align2, text: &str| {
-        painter.text(at, align, text, font.clone(), colour);
-    };
-    let [left, right] = field.x.map(end);
-    let [low, high] = field.y.map(end);
-    let below = rect.max.y + 3.0;
-    text(pos2(rect.min.x, below), Align2::LEFT_TOP, &left);
-    text(pos2(rect.max.x, below), Align2::RIGHT_TOP, &right);
-    text(pos2(rect.center().x, below), Align2::CENTER_TOP, &names[0]);
-    let beside = rect.min.x - 4.0;
-    text(pos2(beside, rect.max.y), Align2::RIGHT_BOTTOM, &low);
-    text(pos2(beside, rect.min.y), Align2::RIGHT_TOP, &high);
-    text(pos2(rect.min.x, outer.min.y), Align2::LEFT_TOP, &names[1]);
-}
-
-fn line(painter: &Painter, field: &Field, points: &[(usize, f64)], stroke: Stroke) {
-    let mut run: Vec<Pos2> = Vec::new();
-    let mut last: Option<usize> = None;
-    for (index, value) in points {
-        if last.is_some_and(|last| last + 1 != *index) {
-            painter.add(Shape::line(std::mem::take(&mut run), stroke));
-        }
-        run.push(field.at(*index, *value));
-        last = Some(*index);
-    }
-    if let [only] = run[..] {
-        painter.circle_filled(only, stroke.width, stroke.color);
-    } else {
-        painter.add(Shape::line(run, stroke));
-    }
-}
-
 /// Fills the area between the drawn curve and the right one.
-fn between(painter: &Painter, field: &Field, own: &[(usize, f64)], right: &[f64], colour: Color32) {
-    let mut mesh = Mesh::default();
+fn between(field: &mut Field, own: &[(usize, f64)], right: &[[f64; 2]], colour: Rgb8) {
     for pair in own.windows(2) {
         let [(a, own_a), (b, own_b)] = [pair[0], pair[1]];
         let (Some(right_a), Some(right_b)) = (right.get(a), right.get(b)) else {
             continue;
         };
-        let base = mesh.vertices.len() as u32;
-        for at in [
-            field.at(a, own_a),
-            field.at(a, *right_a),
-            field.at(b, *right_b),
-            field.at(b, own_b),
-        ] {
-            mesh.colored_vertex(at, colour);
-        }
-        mesh.add_triangle(base, base + 1, base + 2);
-        mesh.add_triangle(base, base + 2, base + 3);
+        let corners = [
+            [field.x_of(a), own_a],
+            *right_a,
+            *right_b,
+            [field.x_of(b), own_b],
+        ];
+        let places = corners.map(|corner| field.drawing.place(corner));
+        let places = places.into_iter().flatten().map(|(place, _)| place);
+        let area = Shape::area(places.collect(), colour).faded(0.25);
+        field.drawing.shapes.push(area);
     }
-    painter.add(Shape::mesh(mesh));
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{end, height, lift};
-
-    #[test]
-    fn ends_of_axes_have_no_idle_zeros() {
-        let ends = [0.0, 1.0, 0.25, 0.5, 90.0, 120.0, -1.5, 1e-7];
-        assert_eq!(
-            ends.map(end),
-            ["0", "1", "0.25", "0.5", "90", "120", "−1.5", "1.0×10⁻⁷"]
-        );
-    }
+    use super::{height, lift};
 
     #[test]
     fn a_key_goes_on_from_the_nearest_point_that_is_drawn() {

@@ -1,0 +1,317 @@
+//! Formulas as people type them: a text comes in, a tree of letters, signs and scripts comes out.
+//!
+//! `K_a·I_a` has letters below the line and `(R·V)^n` one above it. As in TeX, `_` and `^` take the next character,
+//! command or group: `x^12` raises the 1 alone, `x^{12}` both digits. Letters side by side are one word (`cos`, `min`), a
+//! Greek letter stands for itself, `\theta` is `θ`, and a group in braces may stand anywhere. The window and the pages in
+//! HTML paint the same tree; [`Display`] writes it as plain text.
+
+use std::fmt::{self, Display, Formatter};
+use std::iter::Peekable;
+use std::str::Chars;
+
+/// The deepest group or script within others that is read.
+const DEPTH: usize = 4;
+
+/// Commands that stand for one sign or letter; any other is a word, as in `\cos`.
+const COMMANDS: [(&str, char); 14] = [
+    ("cdot", '·'),
+    ("times", '×'),
+    ("theta", 'θ'),
+    ("phi", 'φ'),
+    ("alpha", 'α'),
+    ("beta", 'β'),
+    ("eta", 'η'),
+    ("lambda", 'λ'),
+    ("pi", 'π'),
+    ("sum", 'Σ'),
+    ("le", '≤'),
+    ("ge", '≥'),
+    ("approx", '≈'),
+    ("circ", '°'),
+];
+
+/// A formula: items side by side.
+///
+/// ```
+/// use shading_lab::figure::{Base, Formula};
+///
+/// let formula = Formula::read("cos^{12} φ").expect("it is sound");
+/// assert_eq!(formula.items[0].base, Base::Name("cos".to_owned()));
+/// assert_eq!(formula.items[0].high.to_string(), "12");
+/// assert_eq!(formula.to_string(), "cos^12 φ");
+/// assert_eq!(Formula::read("x^"), None);
+/// ```
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Formula {
+    /// From left to right.
+    pub items: Vec<Item>,
+}
+
+/// An item of a formula with its scripts.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Item {
+    /// The item itself.
+    pub base: Base,
+    /// Its subscript, often empty.
+    pub low: Formula,
+    /// Its superscript, often empty.
+    pub high: Formula,
+}
+
+/// An item of a formula without its scripts.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Base {
+    /// A letter or a word.
+    Name(String),
+    /// Signs, numbers and spaces in a row; scripts belong to the last of them. Empty where a script follows nothing.
+    Signs(String),
+    /// A group in braces.
+    Group(Formula),
+}
+
+impl Formula {
+    /// Reads a formula; none where a brace or a script is left open, where an item has two subscripts or two superscripts, where a
+    /// backslash has no name, and where groups are nested too deeply.
+    pub fn read(text: &str) -> Option<Self> {
+        let mut rest = text.chars().peekable();
+        let formula = Self::read_group(&mut rest, 0)?;
+        // What is left begins with a brace that nothing opened.
+        rest.next().is_none().then_some(formula)
+    }
+
+    /// Reads a formula; one that cannot be read is shown as it was typed.
+    pub fn read_or_verbatim(text: &str) -> Self {
+        Self::read(text).unwrap_or_else(|| Self::of(Base::Signs(text.to_owned())))
+    }
+
+    /// Whether there is nothing in it.
+    pub fn is_empty(&self) -> bool {
+        self.items.is_empty()
+    }
+
+    fn of(base: Base) -> Self {
+        Self {
+            items: vec![Item::new(base)],
+        }
+    }
+
+    /// Reads to the end or to a closing brace, which is left.
+    fn read_group(rest: &mut Peekable<Chars<'_>>, depth: usize) -> Option<Self> {
+        let mut items: Vec<Item> = Vec::new();
+        while let Some(next) = rest.next_if(|next| *next != '}') {
+            if next != '_' && next != '^' {
+                let base = read_base(next, rest, depth)?;
+                match (items.last_mut(), base) {
+                    (Some(last), Base::Signs(more)) if last.takes_more() => last.push_signs(&more),
+                    (_, base) => items.push(Item::new(base)),
+                }
+                continue;
+            }
+            let script = read_script(rest, depth)?;
+            if items.is_empty() {
+                items.push(Item::new(Base::Signs(String::new())));
+            }
+            let item = items.last_mut()?;
+            let place = if next == '_' {
+                &mut item.low
+            } else {
+                &mut item.high
+            };
+            if !place.is_empty() {
+                return None;
+            }
+            *place = script;
+        }
+        Some(Self { items })
+    }
+}
+
+impl Item {
+    fn new(base: Base) -> Self {
+        let (low, high) = (Formula::default(), Formula::default());
+        Self { base, low, high }
+    }
+
+    /// Whether signs that follow belong to the same row of signs.
+    fn takes_more(&self) -> bool {
+        matches!(self.base, Base::Signs(_)) && self.low.is_empty() && self.high.is_empty()
+    }
+
+    fn push_signs(&mut self, more: &str) {
+        if let Base::Signs(signs) = &mut self.base {
+            signs.push_str(more);
+        }
+    }
+}
+
+/// Reads the item that begins with `first`.
+fn read_base(first: char, rest: &mut Peekable<Chars<'_>>, depth: usize) -> Option<Base> {
+    Some(match first {
+        '{' => Base::Group(read_braced(rest, depth)?),
+        '\\' => {
+            let name = read_word(String::new(), rest);
+            let known = COMMANDS.iter().find(|(command, _)| *command == name);
+            match known {
+                Some((_, sign)) => single(*sign),
+                None if name.is_empty() => return None,
+                None => Base::Name(name),
+            }
+        }
+        'a'..='z' | 'A'..='Z' => Base::Name(read_word(first.to_string(), rest)),
+        sign => single(sign),
+    })
+}
+
+/// Reads what stands behind `_` or `^`.
+fn read_script(rest: &mut Peekable<Chars<'_>>, depth: usize) -> Option<Formula> {
+    let script = match rest.next_if(|next| !"}_^".contains(*next) && !next.is_whitespace())? {
+        '{' => read_braced(rest, depth)?,
+        '\\' => Formula::of(read_base('\\', rest, depth)?),
+        character => Formula::of(single(character)),
+    };
+    (!script.is_empty()).then_some(script)
+}
+
+/// Reads behind an opening brace, its closing one included.
+fn read_braced(rest: &mut Peekable<Chars<'_>>, depth: usize) -> Option<Formula> {
+    let inside = (depth < DEPTH).then(|| Formula::read_group(rest, depth + 1))??;
+    rest.next_if_eq(&'}').map(|_| inside)
+}
+
+fn read_word(mut word: String, rest: &mut Peekable<Chars<'_>>) -> String {
+    while let Some(letter) = rest.next_if(char::is_ascii_alphabetic) {
+        word.push(letter);
+    }
+    word
+}
+
+/// A character as a letter or a sign. A hyphen is a minus sign.
+fn single(character: char) -> Base {
+    match character {
+        'a'..='z' | 'A'..='Z' | '\u{391}'..='\u{3c9}' => Base::Name(character.to_string()),
+        '-' => Base::Signs('−'.to_string()),
+        sign => Base::Signs(sign.to_string()),
+    }
+}
+
+/// Returns whether a name is set in italics: a single letter is, a word such as `cos` and the sign of a sum are not.
+pub fn is_italic(name: &str) -> bool {
+    let mut letters = name.chars();
+    let single = (letters.next(), letters.next());
+    matches!(single, (Some('a'..='z' | 'A'..='Z' | 'α'..='ω'), None))
+}
+
+/// Plain text: `Ka·Ia`, `cos^4 α`.
+impl Display for Formula {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        for Item { base, low, high } in &self.items {
+            match base {
+                Base::Name(text) | Base::Signs(text) => f.write_str(text)?,
+                Base::Group(inside) => inside.fmt(f)?,
+            }
+            low.fmt(f)?;
+            if !high.is_empty() {
+                write!(f, "^{high}")?;
+            }
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The tree, written with a bracket about each part.
+    fn tree(text: &str) -> String {
+        fn row(formula: &Formula) -> String {
+            let items = formula.items.iter().map(|Item { base, low, high }| {
+                let base = match base {
+                    Base::Name(name) => name.clone(),
+                    Base::Signs(signs) => format!("'{signs}'"),
+                    Base::Group(inside) => format!("({})", row(inside)),
+                };
+                let script = |sign: &str, script: &Formula| match script.is_empty() {
+                    true => String::new(),
+                    false => format!("{sign}[{}]", row(script)),
+                };
+                base + &script("_", low) + &script("^", high)
+            });
+            items.collect::<Vec<_>>().join(" ")
+        }
+        Formula::read(text).map_or_else(|| "refused".to_owned(), |formula| row(&formula))
+    }
+
+    #[test]
+    fn scripts_take_one_character_or_a_group_as_in_tex() {
+        for (text, expected) in [
+            ("x^12", "x^['1'] '2'"),
+            ("x^{12}", "x^['12']"),
+            ("x^-1", "x^['−'] '1'"),
+            ("K_d·cos^2 θ", "K_[d] '·' cos^['2'] ' ' θ"),
+            ("N_ab", "N_[a] b"),
+            ("I_{refl}", "I_[refl]"),
+            ("z_0^2", "z_['0']^['2']"),
+            ("z^2_0", "z_['0']^['2']"),
+            ("a_{b_{c}}", "a_[b_[c]]"),
+            ("x^\\theta2", "x^[θ] '2'"),
+            ("^2", "''^['2']"),
+            ("(R·V)^n]", "'(' R '·' V ')'^[n] ']'"),
+        ] {
+            assert_eq!(tree(text), expected, "{text}");
+        }
+    }
+
+    #[test]
+    fn names_are_words_greek_letters_and_commands() {
+        for (text, expected) in [
+            ("ΔI", "Δ I"),
+            ("2sin θφ", "'2' sin ' ' θ φ"),
+            (r"\cos\theta \le 2-1", "cos θ ' ≤ 2−1'"),
+            ("{Ka}{Ia} = {=0.5}", "(Ka) (Ia) ' = ' ('=0.5')"),
+            ("{s0}", "(s '0')"),
+            (" 亮度 I'", "' 亮度 ' I '''"),
+            ("", ""),
+        ] {
+            assert_eq!(tree(text), expected, "{text}");
+        }
+        let italic = ["I", "θ", "Σ", "Δ", "cos", "2", ""].map(is_italic);
+        assert_eq!(italic, [true, true, false, false, false, false, false]);
+    }
+
+    #[test]
+    fn what_is_left_open_or_said_twice_is_refused() {
+        for text in [
+            "x^",
+            "x_ 1",
+            "x^{12",
+            "x}",
+            "}",
+            "{",
+            "x^}",
+            "x^^2",
+            "x_1_2",
+            "x^2^3",
+            "x^{}",
+            "x^_",
+            r"\",
+            r"2\ ",
+            "a_{b_{c_{d_{e_{f}}}}}",
+        ] {
+            assert_eq!(tree(text), "refused", "{text}");
+            assert_eq!(Formula::read_or_verbatim(text).to_string(), text);
+        }
+    }
+
+    #[test]
+    fn plain_text_keeps_what_is_raised_apart() {
+        for (text, expected) in [
+            ("cos^4 α", "cos^4 α"),
+            ("K_a·I_a", "Ka·Ia"),
+            ("0.5^{1/n}", "0.5^1/n"),
+            (r"\theta \le 90", "θ ≤ 90"),
+        ] {
+            assert_eq!(Formula::read_or_verbatim(text).to_string(), expected);
+        }
+    }
+}
