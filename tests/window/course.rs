@@ -79,6 +79,12 @@ fn answered(harness: &Harness<'_, App>) -> Option<Answered> {
     harness.state().state().course.answered().cloned()
 }
 
+/// Returns the answer that is being made, once it is whole.
+fn draft(harness: &Harness<'_, App>) -> Option<Answer> {
+    let open = harness.state().state().course.open.as_ref()?;
+    open.answer(scene(harness))
+}
+
 fn revealed(harness: &Harness<'_, App>) -> bool {
     harness.state().state().course.revealed()
 }
@@ -265,16 +271,9 @@ fn every_question_is_answered_by_mouse() {
     // An order, in which the last two are the wrong way round.
     next(&mut harness);
     for _ in 0..3 {
-        let order = harness
-            .state()
-            .state()
-            .course
-            .open
-            .as_ref()
-            .expect("a lesson")
-            .draft
-            .order
-            .clone();
+        let Some(Answer::Order(order)) = draft(&harness) else {
+            panic!("an order");
+        };
         let wrong = (1..3).find(|place| order[place - 1] < order[*place]);
         if let Some(place) = wrong {
             let names = ["$n = 10$", "$n = 30$", "$n = 90$"];
@@ -385,18 +384,15 @@ fn the_keyboard_alone_is_enough() {
     for column in 0..17 {
         let wanted = (column as f64 * 180.0 / 16.0).to_radians().cos().max(0.0);
         loop {
-            let open = harness
-                .state()
-                .state()
-                .course
-                .open
-                .as_ref()
-                .expect("a lesson");
-            let draft = &open.draft;
-            let value = draft.curve[draft.cursor].unwrap_or(0.5);
-            if (value - wanted).abs() < 0.03 && draft.curve[draft.cursor].is_some() {
+            // The first key draws the whole curve level.
+            let value = match draft(&harness) {
+                Some(Answer::Curve(drawn)) => drawn[column * (drawn.len() - 1) / 16],
+                _ => None,
+            };
+            if value.is_some_and(|value| (value - wanted).abs() < 0.03) {
                 break;
             }
+            let value = value.unwrap_or(0.5);
             let key = if value < wanted {
                 Key::ArrowUp
             } else {
