@@ -42,7 +42,7 @@ pub use object::{NormalSource, Object, ObjectKind, Weighting};
 pub use parameter::{GREATEST_INTENSITY, GREATEST_LENGTH, LEAST_LENGTH};
 pub use polygons::Polygons;
 pub(crate) use polygons::area_vector;
-pub use problem::{Cause, Place, Problem, SceneError};
+pub use problem::{Cause, Problem, ProblemLocation, SceneError};
 pub use setting::setting_words;
 pub use shading::{FlatAt, Interpolation, Shading, ShadingMode};
 pub use shared::Shared;

@@ -20,7 +20,7 @@ const SHORTEST: f64 = 1e-9;
 /// One light, or one sample of an area light. Lengths are in camera distances, positions relative to the eye.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Source<T> {
-    place: Place<T>,
+    place: SourcePosition<T>,
     falloff: Falloff<T>,
     cone: Option<Cone<T>>,
     /// `Ip·kd·color` per channel; `Ip·kd` where a pattern gives the colour.
@@ -81,7 +81,7 @@ impl<T: Scalar> Cone<T> {
 const HARD_EDGE: f64 = 1e-6;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Place<T> {
+enum SourcePosition<T> {
     /// Parallel rays: L, unit.
     Towards([T; 3]),
     /// A point.
@@ -153,9 +153,11 @@ impl<T: Scalar> Source<T> {
             let far = (light.kind.has_position() && parallel).then_some(distance);
             Self {
                 place: match light.kind {
-                    LightKind::Directional => Place::Towards(scalars(-direction(light.direction))),
-                    _ if parallel => Place::Towards(scalars(direction(offset))),
-                    _ => Place::At(scalars(offset)),
+                    LightKind::Directional => {
+                        SourcePosition::Towards(scalars(-direction(light.direction)))
+                    }
+                    _ if parallel => SourcePosition::Towards(scalars(direction(offset))),
+                    _ => SourcePosition::At(scalars(offset)),
                 },
                 falloff: Falloff::new(light, unit, far, greatest),
                 cone: Cone::of(light),
@@ -177,8 +179,8 @@ impl<T: Scalar> Source<T> {
         let like = position.x;
         let (shortest, one) = (like.number(SHORTEST), like.number(1.0));
         let (l, inverse_distance, nearness) = match self.place {
-            Place::Towards(l) => (V3::constant(like, l), one, like.number(0.0)),
-            Place::At(place) => {
+            SourcePosition::Towards(l) => (V3::constant(like, l), one, like.number(0.0)),
+            SourcePosition::At(place) => {
                 let to_light = V3::constant(like, place) - position;
                 let inverse = to_light
                     .dot(to_light)
@@ -235,8 +237,10 @@ impl<T: Scalar> Source<T> {
         T: Real<Scalar = T>,
     {
         match self.place {
-            Place::Towards(l) => (V3::constant(position.x, l), T::from_f64(f64::MAX)),
-            Place::At(place) => (V3::constant(position.x, place) - position, T::from_f64(1.0)),
+            SourcePosition::Towards(l) => (V3::constant(position.x, l), T::from_f64(f64::MAX)),
+            SourcePosition::At(place) => {
+                (V3::constant(position.x, place) - position, T::from_f64(1.0))
+            }
         }
     }
 
@@ -259,7 +263,7 @@ impl<T: Scalar> Source<T> {
 
     /// Returns whether L is the same everywhere.
     pub fn is_parallel(&self) -> bool {
-        matches!(self.place, Place::Towards(_))
+        matches!(self.place, SourcePosition::Towards(_))
     }
 }
 

@@ -7,7 +7,7 @@ use super::format::list_of;
 use super::material::ReflectionModel;
 use super::overrides::{is_inside, key_and_value};
 use super::parameter::{Limits, Parameter, Slider, at_most, table};
-use super::problem::{Cause, Finding, Place, Problem, SceneError};
+use super::problem::{Cause, Finding, Problem, ProblemLocation, SceneError};
 use super::setting::setting_words;
 
 use super::shading::{Interpolation, MODE, ShadingMode};
@@ -411,10 +411,9 @@ fn pane_problems(scene: &Scene, index: usize, pane: &Pane) -> Vec<Finding> {
         return vec![];
     };
     let found = |problem: &Problem| {
-        let at = pane
-            .set
-            .iter()
-            .position(|setting| matches!(&problem.place, Place::Override(text) if text == setting));
+        let at = pane.set.iter().position(
+            |setting| matches!(&problem.place, ProblemLocation::Override(text) if text == setting),
+        );
         let key = at.map_or_else(|| key.clone(), |at| format!("{key}.{at}"));
         let words = Finding::in_words(&problem.key, &problem.cause);
         let sentence = format!("`{key}`: {words}");

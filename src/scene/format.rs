@@ -8,7 +8,7 @@ mod reader;
 
 use super::Scene;
 use super::parameter::{Kind, List, Parameter, defaults};
-use super::problem::{Cause, Finding, Place, SceneError};
+use super::problem::{Cause, Finding, ProblemLocation, SceneError};
 use crate::text::{text, with_short_names};
 use reader::read;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -83,7 +83,7 @@ impl Scene {
             }
         }
         findings.sort_by_key(|finding| finding.offset);
-        SceneError::check(findings, |finding| Place::Line {
+        SceneError::check(findings, |finding| ProblemLocation::Line {
             file: name.to_owned(),
             line: lines.line_of(finding.offset.unwrap_or(0)),
         })?;

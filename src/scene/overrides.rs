@@ -2,7 +2,7 @@
 
 use super::Scene;
 use super::format::set;
-use super::problem::{Cause, Finding, Place, SceneError};
+use super::problem::{Cause, Finding, ProblemLocation, SceneError};
 use crate::text::text;
 use std::borrow::Cow;
 use toml::Spanned;
@@ -27,12 +27,13 @@ impl Scene {
         let mut scene = self.clone();
         for assignment in assignments.iter().map(AsRef::as_ref) {
             SceneError::check(replace(&mut scene, assignment), |_| {
-                Place::Override(assignment.to_owned())
+                ProblemLocation::Override(assignment.to_owned())
             })?;
         }
         SceneError::check(scene.range_problems(), |finding| {
-            at_fault(&finding.key, assignments)
-                .map_or(Place::Scene, |text| Place::Override(text.to_owned()))
+            at_fault(&finding.key, assignments).map_or(ProblemLocation::Scene, |text| {
+                ProblemLocation::Override(text.to_owned())
+            })
         })?;
         Ok(scene)
     }

@@ -20,7 +20,7 @@ impl SceneError {
     /// Returns `Err` with the findings, or `Ok` if there are none.
     pub(super) fn check(
         findings: Vec<Finding>,
-        mut place: impl FnMut(&Finding) -> Place,
+        mut place: impl FnMut(&Finding) -> ProblemLocation,
     ) -> Result<(), Self> {
         let unlisted = findings.len().saturating_sub(MOST_LISTED);
         let placed = |finding: Finding| Problem {
@@ -57,7 +57,7 @@ impl fmt::Display for SceneError {
             self.problems.last().map(|problem| &problem.place),
         ) {
             (0, _) => Ok(()),
-            (more, Some(Place::Line { file, .. })) => {
+            (more, Some(ProblemLocation::Line { file, .. })) => {
                 write!(f, "\n{file}: {}", text!("problem-more", count = more))
             }
             (more, _) => write!(f, "\n{}", text!("problem-more", count = more)),
@@ -69,7 +69,7 @@ impl fmt::Display for SceneError {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Problem {
     /// The place of the problem.
-    pub place: Place,
+    pub place: ProblemLocation,
     /// The key as `--set` takes it, for example `light.0.position`; empty for a problem of the whole text.
     pub key: String,
     /// The fault.
@@ -79,7 +79,7 @@ pub struct Problem {
 /// The place of a problem.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum Place {
+pub enum ProblemLocation {
     /// A line of a text.
     Line {
         /// The text's name: its file's path, or a built-in scene's name.
@@ -188,9 +188,11 @@ impl Problem {
 impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.place {
-            Place::Line { file, line } => write!(f, "{file}:{line}: ")?,
-            Place::Override(assignment) => write!(f, "--set {}: ", shortened(assignment))?,
-            Place::Scene => {}
+            ProblemLocation::Line { file, line } => write!(f, "{file}:{line}: ")?,
+            ProblemLocation::Override(assignment) => {
+                write!(f, "--set {}: ", shortened(assignment))?
+            }
+            ProblemLocation::Scene => {}
         }
         f.write_str(&self.words())
     }

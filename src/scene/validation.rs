@@ -8,7 +8,7 @@ use super::object::ObjectKind;
 use super::parameter::{
     GREATEST_LENGTH, Kind, LEAST_LENGTH, Limits, Parameter, Unit, at_most, is_grey,
 };
-use super::problem::{Cause, Finding, Place, SceneError};
+use super::problem::{Cause, Finding, ProblemLocation, SceneError};
 use super::{Image, Rgb, Scene};
 use crate::text::text;
 use glam::DVec3;
@@ -42,7 +42,7 @@ impl Scene {
     /// # Errors
     /// Every number that is out of range and every contradiction, with its key.
     pub fn validate(&self) -> Result<(), SceneError> {
-        SceneError::check(self.range_problems(), |_| Place::Scene)
+        SceneError::check(self.range_problems(), |_| ProblemLocation::Scene)
     }
 
     /// Returns the problems that [`Scene::validate`] reports.

@@ -48,7 +48,7 @@ pub fn teapot<S: Simd>(
     let tree = &*TREE;
     let found = tree.nearest(simd, rays, asked);
     let meeting = |ray: usize| {
-        let Place { leaf, uv, .. } = found.0[ray];
+        let LeafHit { leaf, uv, .. } = found.0[ray];
         let patch = &tree.leaves.get(leaf?)?.patch;
         let s = (patch.at(uv.x, uv.y) - rays[ray].origin).dot(rays[ray].direction);
         Some(Meeting {
@@ -69,14 +69,14 @@ fn box_of(patch: &Patch<DVec3>) -> (DVec3, DVec3) {
 
 /// The point where a ray meets a leaf.
 #[derive(Clone, Copy)]
-struct Place {
+struct LeafHit {
     s: f64,
     leaf: Option<usize>,
     uv: DVec2,
 }
 
 /// The nearest meeting of each ray so far.
-struct Found([Place; TOGETHER]);
+struct Found([LeafHit; TOGETHER]);
 
 /// Rays prepared for the test against boxes.
 struct Rays<S: Simd> {
@@ -224,7 +224,7 @@ impl Tree {
         const DEPTH: usize = 40;
         let lanes = Rays::new(simd, rays);
         let mut found = Found(
-            [Place {
+            [LeafHit {
                 s: f64::INFINITY,
                 leaf: None,
                 uv: DVec2::ZERO,
@@ -300,7 +300,7 @@ impl Tree {
                 };
                 if let Some((s, uv)) = met {
                     let leaf = Some(index);
-                    *place = Place { s, leaf, uv };
+                    *place = LeafHit { s, leaf, uv };
                     nearer = true;
                 }
             }

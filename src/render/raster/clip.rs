@@ -3,7 +3,7 @@
 //! Sutherland and Hodgman's algorithm against five planes, in double precision. A corner made by clipping stores its
 //! weights over the triangle's vertices, so that the vertices' values can be interpolated for it later.
 
-use super::grid::{GUARD, Place, SUBPIXELS};
+use super::grid::{GUARD, GridPosition, SUBPIXELS};
 use super::transform::Placed;
 use crate::render::lens::{Lens, NEAR};
 use crate::render::model::Model;
@@ -78,7 +78,7 @@ impl Clipped {
         };
         let place = (lens.picture_from_view(view) * f64::from(SUBPIXELS)).round();
         let limit = f64::from(SUBPIXELS) * (GUARD + 1.0);
-        let place: Place = [
+        let place: GridPosition = [
             place.x.clamp(-limit, limit) as i32,
             place.y.clamp(-limit, limit) as i32,
         ];

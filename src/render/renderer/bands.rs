@@ -10,7 +10,7 @@ use crate::render::lens::pixel_centre;
 use crate::render::model::Planes;
 use crate::render::node::{Memory, room};
 use crate::render::raster::{
-    BAND, Band, BandPlace, Block, DepthScratch, Fragment, PlacedTriangles, ROWS, carry, fragment,
+    BAND, Band, BandExtent, Block, DepthScratch, Fragment, PlacedTriangles, ROWS, carry, fragment,
     interpolate, is_seen, meet_band,
 };
 use crate::scene::FlatAt;
@@ -394,7 +394,7 @@ fn jobs<'a>(
     let (mut pixels, mut linear) = (canvas.0.chunks_mut(share), canvas.1.chunks_mut(share));
     let bands = bands.iter_mut().zip((0..height).step_by(ROWS)).enumerate();
     let job = |(index, (band, first_row)): (usize, (&'a mut Band, u32))| {
-        band.place = BandPlace {
+        band.place = BandExtent {
             first_row,
             rows: BAND.min(height - first_row),
             width,
