@@ -59,9 +59,9 @@ pub use probe::{
     equation_letters, percent, pixel_beside_highlight, plain_formula, probe, specular_vector,
 };
 pub use profile::{
-    Abscissa, Border, Compared, Corner, PERCEIVED_WIDTH, Profile, ProfileCurves, ProfileError,
-    ProfileQuestion, Sample, TakenProfile, Trace, compared_plots, draw_profile, lay_out_profile,
-    mode_dash, perceived_picture, profile, profile_plots,
+    Abscissa, Border, Compared, Discontinuity, PERCEIVED_WIDTH, Profile, ProfileCurves,
+    ProfileError, ProfileQuestion, Sample, TakenProfile, Trace, compared_plots, draw_profile,
+    lay_out_profile, mode_dash, perceived_picture, profile, profile_plots,
 };
 pub use question::{ANALYSES, Analysis, Format, Question, Subject, Watch, unwatched};
 pub(crate) use report::cells;

@@ -139,7 +139,7 @@ pub struct Trace {
     /// Perceived brightness, by the question's model.
     pub perceived: Vec<f64>,
     /// Intensities at each border; none where the mode knows no polygons.
-    pub corners: Vec<Option<Corner>>,
+    pub corners: Vec<Option<Discontinuity>>,
 }
 
 /// A border between polygons on the line.
@@ -156,9 +156,9 @@ pub struct Border {
     pub faces: [Option<u32>; 2],
 }
 
-/// The intensity on both sides of a border.
+/// The discontinuity of the intensity and its slope at a border.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Corner {
+pub struct Discontinuity {
     /// Jump of the intensity.
     pub step: f64,
     /// One-sided slopes before and after, per pixel.
@@ -205,7 +205,7 @@ pub fn profile(
         let corner = |(t, sides)| {
             let [before, after] = source.sides(t, sides);
             let slopes = [before.1, after.1];
-            Some(Corner {
+            Some(Discontinuity {
                 step: after.0 - before.0,
                 slopes,
                 jump: slopes[1] - slopes[0],
