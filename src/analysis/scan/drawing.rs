@@ -60,7 +60,7 @@ pub fn lay_out_scan(scan: &Scan, step: usize, size: DVec2, style: &PlotStyle) ->
     let origin = (room.min + room.max - grid * cell) * 0.5;
     let (point, paper, em) = (scan.at(step), style.paper, style.text);
     let alpha = readable(ALPHA, paper.ground, 3.0);
-    let mut sheet = Sheet {
+    let mut canvas = ScanCanvas {
         scan,
         point,
         origin,
@@ -73,21 +73,21 @@ pub fn lay_out_scan(scan: &Scan, step: usize, size: DVec2, style: &PlotStyle) ->
         taken: Vec::new(),
     };
     for (y, pixel) in scan.filled(step) {
-        let square = sheet.square([pixel.x, y]);
-        sheet
+        let square = canvas.square([pixel.x, y]);
+        canvas
             .drawing
             .shapes
             .push(Shape::area(square.corners(), pixel.stored));
     }
-    sheet.grid_lines();
+    canvas.grid_lines();
     let corners = scan.corners.iter().chain(scan.corners.first());
-    let outline = corners.map(|corner| sheet.at(corner.place)).collect();
-    sheet.cased(outline, 0.12, paper.weak);
-    sheet.scan_line();
-    sheet.active_edges();
-    sheet.span();
-    sheet.letters();
-    sheet.drawing
+    let outline = corners.map(|corner| canvas.at(corner.place)).collect();
+    canvas.cased(outline, 0.12, paper.weak);
+    canvas.scan_line();
+    canvas.active_edges();
+    canvas.span();
+    canvas.letters();
+    canvas.drawing
 }
 
 /// Draws the title and the column of results so far; returns the area left for the picture.
@@ -194,7 +194,7 @@ fn draw_column(
 }
 
 /// The picture being drawn: the position of the grid, and the areas of the labels.
-struct Sheet<'a> {
+struct ScanCanvas<'a> {
     scan: &'a Scan,
     point: ScanPoint<'a>,
     /// The top left corner of the grid.
@@ -210,7 +210,7 @@ struct Sheet<'a> {
     taken: Vec<Area>,
 }
 
-impl Sheet<'_> {
+impl ScanCanvas<'_> {
     /// Returns the position of a place of the grid in the drawing.
     fn at(&self, place: DVec2) -> DVec2 {
         self.origin + place * self.cell

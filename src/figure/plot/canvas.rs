@@ -14,7 +14,7 @@ const TEXT_HALO: f64 = 0.14;
 const THINNER: f64 = 0.4;
 
 /// A plot being drawn. Sizes and widths are in ems.
-pub struct Sheet<'a> {
+pub struct PlotCanvas<'a> {
     pub drawing: &'a mut Drawing,
     pub plot: &'a Plot,
     pub style: &'a PlotStyle,
@@ -22,7 +22,7 @@ pub struct Sheet<'a> {
     pub paper: Paper,
 }
 
-impl<'a> Sheet<'a> {
+impl<'a> PlotCanvas<'a> {
     pub fn new(drawing: &'a mut Drawing, plot: &'a Plot, style: &'a PlotStyle) -> Self {
         Self {
             drawing,
