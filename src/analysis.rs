@@ -66,8 +66,8 @@ pub use profile::{
 pub use question::{ANALYSES, Analysis, Format, Question, Subject, Watch, unwatched};
 pub(crate) use report::cells;
 pub use report::{
-    About, Answer, Cell, Column, Figure, Part, Report, Section, Table, as_it_is, fixed, grouped,
-    word,
+    Answer, Cell, Column, Figure, Part, Report, ReportContext, Section, Table, as_it_is, fixed,
+    grouped, word,
 };
 pub use sampling::{REFERENCE_SAMPLES, SamplingError, sampling_error_with};
 #[cfg(feature = "app")]

@@ -11,7 +11,7 @@ mod disk;
 mod error;
 mod names;
 
-use crate::analysis::{About as Analysed, Answer, Figure, Format};
+use crate::analysis::{Answer, Figure, Format, ReportContext};
 use crate::animation::{FilmFormat, Sweep, write_film};
 use crate::export::Export;
 use crate::figure::{Drawing, Paper};
@@ -19,7 +19,9 @@ use crate::geometry::{Mesh, ObjError, read_obj};
 use crate::link::{self, Link, Shown};
 use crate::picture::{PictureError, PictureText, read_scene_text, write_png};
 use crate::render::{Frame, can_be_had};
-use crate::scene::{About, Choice, NormalSource, Object, ObjectKind, Scene, nearest, presets};
+use crate::scene::{
+    Choice, NormalSource, Object, ObjectKind, Scene, SceneDescription, nearest, presets,
+};
 use crate::text::{Message, excerpt, text};
 #[cfg(not(target_arch = "wasm32"))]
 pub use disk::STDOUT;
@@ -324,7 +326,7 @@ fn scene_of_model(path: &Path) -> Result<Scene, LoadError> {
     let mut scene = presets::default_scene();
     let normals = NormalSource::File;
     let name = path.file_name().map(PathBuf::from);
-    scene.about = About::default();
+    scene.about = SceneDescription::default();
     scene.object = Object {
         kind: ObjectKind::Obj,
         path: name,
@@ -472,7 +474,7 @@ pub fn save_answer(
     path: &Path,
     format: Format,
     answer: &dyn Answer,
-    about: &Analysed<'_>,
+    about: &ReportContext<'_>,
     (size, paper): (Option<[u32; 2]>, Paper),
 ) -> Result<(), SaveError> {
     let figure = || {
@@ -518,6 +520,6 @@ pub fn save_drawing(path: &Path, drawing: &Drawing, title: &str) -> Result<(), S
 }
 
 /// Returns one JSON object. JSON has no infinity; it becomes null.
-pub fn json_text(answer: &dyn Answer, about: &Analysed<'_>) -> String {
+pub fn json_text(answer: &dyn Answer, about: &ReportContext<'_>) -> String {
     format!("{:#}\n", answer.object(about))
 }

@@ -10,7 +10,9 @@ pub use growth::Growth;
 
 use super::panes_on_sheet;
 use super::plan_words::stage_words;
-use super::report::{About, Answer, Column, Part, Report, Table, as_it_is, cells, fixed, word};
+use super::report::{
+    Answer, Column, Part, Report, ReportContext, Table, as_it_is, cells, fixed, word,
+};
 use super::{Codec, Question, Subject, Watch, median_and_spread};
 use crate::render::{
     Memory, Renderer, Report as Drawn, SimdLevel, Stage, coarseness, coarser_size,
@@ -361,7 +363,7 @@ impl Bench {
 }
 
 impl Answer for Bench {
-    fn report(&self, about: &About<'_>) -> Report {
+    fn report(&self, about: &ReportContext<'_>) -> Report {
         let Drawn {
             triangles, covered, ..
         } = self.drawn;
@@ -440,7 +442,7 @@ impl Answer for Bench {
         report
     }
 
-    fn json(&self, about: &About<'_>) -> Value {
+    fn json(&self, about: &ReportContext<'_>) -> Value {
         let stage = |(stage, ms): &(Stage, f64)| (word(stage), json!({ "median_ms": ms }));
         let change = |(name, changed): &(&str, Option<Changed>)| {
             let mut figures = json!({ "median_ms": changed.map(|changed| changed.whole) });

@@ -8,7 +8,9 @@ pub use sheet::{
 };
 
 use super::perception::pixel_luminance;
-use super::report::{About, Answer, Column, Part, Report, Table, as_it_is, cells, fixed, word};
+use super::report::{
+    Answer, Column, Part, Report, ReportContext, Table, as_it_is, cells, fixed, word,
+};
 use super::{Question, Subject, Watch};
 use crate::scene::Scene;
 use crate::text;
@@ -359,7 +361,7 @@ fn table(panes: &[PaneFigures]) -> Table {
 }
 
 impl Answer for Comparison {
-    fn report(&self, about: &About<'_>) -> Report {
+    fn report(&self, about: &ReportContext<'_>) -> Report {
         let panes = self.named(about.scene);
         let reference = panes.iter().find(|pane| pane.error.is_none());
         let mut report = Report::new(text!(
@@ -372,7 +374,7 @@ impl Answer for Comparison {
         report
     }
 
-    fn json(&self, about: &About<'_>) -> Value {
+    fn json(&self, about: &ReportContext<'_>) -> Value {
         let panes = text::in_language(Language::English, || self.named(about.scene));
         json!({ "scene": about.name, "size": about.scene.image.size, "panes": panes })
     }

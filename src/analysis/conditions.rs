@@ -10,7 +10,7 @@
 //! They also assume that nothing else in the equation varies; [`Assumption`] lists the properties of a scene that
 //! can.
 
-use super::report::{About, Answer, Column, Report, Table, cells, grouped};
+use super::report::{Answer, Column, Report, ReportContext, Table, cells, grouped};
 use super::{ErrorFigures, LinearPicture, Question, Subject, Watch, error_figures, region_errors};
 use crate::geometry::Mesh;
 use crate::render::{Cued, Plan, Renderer};
@@ -377,7 +377,7 @@ fn verdict(holds: bool) -> &'static str {
 
 impl Answer for Conditions {
     /// Returns a section for each condition, one for their assumptions, and one for the pictures.
-    fn report(&self, about: &About<'_>) -> Report {
+    fn report(&self, about: &ReportContext<'_>) -> Report {
         let mut report = Report::new(text!(
             "picture-conditions-of",
             scene = about.heading().as_str()
@@ -427,7 +427,7 @@ impl Answer for Conditions {
         Some(table)
     }
 
-    fn json(&self, about: &About<'_>) -> Value {
+    fn json(&self, about: &ReportContext<'_>) -> Value {
         let [light, viewer, surface] = CONDITIONS.map(|(_, holds)| holds(self));
         json!({
             "scene": about.name,

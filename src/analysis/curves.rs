@@ -12,7 +12,7 @@ pub use highlight::{COURSE, exponent_plot, highlight_half_width, lobe_plot};
 pub use reflectance::{READ_AT, reflectance_plot};
 
 use super::probe::{clearest_pixel, probe};
-use super::report::{About, Answer, Part, Report};
+use super::report::{Answer, Part, Report, ReportContext};
 use super::{Plot, PlotKind, Probe, ProbeHit, Question, ReflectionLobe, Subject, Watch};
 use crate::render::Renderer;
 use crate::scene::Scene;
@@ -153,7 +153,7 @@ impl Question for CurvesQuestion {
 }
 
 impl Answer for Curves {
-    fn report(&self, about: &About<'_>) -> Report {
+    fn report(&self, about: &ReportContext<'_>) -> Report {
         let [x, y] = self.pixel;
         let mut report = Report::new(text!(
             "point-curves-title",
@@ -167,7 +167,7 @@ impl Answer for Curves {
         report
     }
 
-    fn json(&self, about: &About<'_>) -> Value {
+    fn json(&self, about: &ReportContext<'_>) -> Value {
         let plots = self.plots(about.scene);
         json!({ "pixel": self.pixel, "light": self.light, "plots": plots })
     }

@@ -14,7 +14,7 @@ pub use inside::{Orientation, PerspectiveDistortion, VertexNormals};
 
 use super::codec::Codec;
 use super::question::{Watch, unwatched};
-use super::report::{About, Answer, Column, Part, Report, Table, cells};
+use super::report::{Answer, Column, Part, Report, ReportContext, Table, cells};
 use super::{PlotKind, Question, Subject, clearest_pixel};
 use crate::render::Renderer;
 use crate::scene::{Compare, Interpolation, Scene, ShadingMode};
@@ -310,7 +310,7 @@ fn code(value: f64, name: impl Into<String>) -> (String, String) {
 }
 
 impl Answer for MeasuredDefects {
-    fn report(&self, about: &About<'_>) -> Report {
+    fn report(&self, about: &ReportContext<'_>) -> Report {
         let mut report = Report::new(text!(
             "picture-defects-of",
             scene = about.heading().as_str()
@@ -357,7 +357,7 @@ impl Answer for MeasuredDefects {
         [1600, 900]
     }
 
-    fn json(&self, about: &About<'_>) -> Value {
+    fn json(&self, about: &ReportContext<'_>) -> Value {
         json!({ "scene": about.name, "size": about.scene.image.size, "pixel": self.pixel, "defects": self.defects })
     }
 }

@@ -19,7 +19,7 @@ pub use picture::{
 pub use plots::{Abscissa, Compared, compared_plots, mode_dash, profile_plots};
 
 use super::perception::{Perception, Viewing, blur_line};
-use super::report::{About, Answer, Cell, Column, Part, Report, Table};
+use super::report::{Answer, Cell, Column, Part, Report, ReportContext, Table};
 use super::{Codec, Question, Subject, Watch};
 use crate::render::{Piece, Renderer};
 use crate::scene::{Choice, Scene, ShadingMode};
@@ -301,7 +301,7 @@ impl TakenProfile {
 }
 
 impl Answer for TakenProfile {
-    fn report(&self, _: &About<'_>) -> Report {
+    fn report(&self, _: &ReportContext<'_>) -> Report {
         let mut report = Report::default();
         for plot in profile_plots(&self.profile, &self.question) {
             report.section("").push(Part::Plot(plot.into()));
@@ -318,7 +318,7 @@ impl Answer for TakenProfile {
         [1600, 1200]
     }
 
-    fn json(&self, _: &About<'_>) -> Value {
+    fn json(&self, _: &ReportContext<'_>) -> Value {
         let Self { profile, question } = self;
         let table = self.samples();
         let keys = || {

@@ -14,7 +14,7 @@ use std::sync::Arc;
 /// A question about a scene: plain data, so that it can be stored, compared and sent elsewhere.
 ///
 /// ```
-/// use shading_lab::analysis::{About, Answer, NormalsQuestion, Question, Subject, unwatched};
+/// use shading_lab::analysis::{ReportContext, Answer, NormalsQuestion, Question, Subject, unwatched};
 /// use shading_lab::scene::{Scene, presets};
 ///
 /// let scene = presets::find("vertex-normals").expect("a built-in scene").scene();
@@ -22,7 +22,7 @@ use std::sync::Arc;
 /// let subject = Subject::new(scene);
 /// let answer = question.answer(&subject, &unwatched)?;
 ///
-/// let about = About { name: "vertex-normals", scene: &subject.scene };
+/// let about = ReportContext { name: "vertex-normals", scene: &subject.scene };
 /// let answer: &dyn Answer = &answer;
 /// println!("{}", answer.text(&about)); // as the command `normals` prints it
 /// assert_eq!(answer.object(&about)["vertex"]["vertex"], 0); // as with `--json`

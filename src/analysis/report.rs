@@ -16,16 +16,16 @@ use serde_json::Value;
 use std::borrow::Cow;
 use std::fmt::Debug;
 
-/// The subject of an analysis.
+/// The name and the scene that a report mentions beside the answer.
 #[derive(Clone, Copy, Debug)]
-pub struct About<'a> {
+pub struct ReportContext<'a> {
     /// Name of the scene.
     pub name: &'a str,
     /// The scene.
     pub scene: &'a Scene,
 }
 
-impl About<'_> {
+impl ReportContext<'_> {
     /// Returns the name, if there is one, and the picture's size.
     pub fn heading(&self) -> String {
         let [width, height] = self.scene.image.size;
@@ -39,10 +39,10 @@ impl About<'_> {
 /// The result of an analysis.
 pub trait Answer: Debug + Send + Sync {
     /// Returns text, numbers, tables and plots, in the current language.
-    fn report(&self, about: &About<'_>) -> Report;
+    fn report(&self, about: &ReportContext<'_>) -> Report;
 
     /// Returns the object that `--json` prints; [`dyn Answer::object`] requests it in English.
-    fn json(&self, about: &About<'_>) -> Value;
+    fn json(&self, about: &ReportContext<'_>) -> Value;
 
     /// Returns the rows for a file, where they are more than the report shows.
     fn table(&self) -> Option<Table> {
@@ -55,7 +55,12 @@ pub trait Answer: Debug + Send + Sync {
     }
 
     /// Returns the figure; by default the plots of the report on one sheet. Returns none if there is nothing to draw.
-    fn figure(&self, about: &About<'_>, size: Option<[u32; 2]>, paper: Paper) -> Option<Figure> {
+    fn figure(
+        &self,
+        about: &ReportContext<'_>,
+        size: Option<[u32; 2]>,
+        paper: Paper,
+    ) -> Option<Figure> {
         let report = self.report(about);
         let plots: Vec<Plot> = report.plots().cloned().collect();
         let size = size.unwrap_or_else(|| self.figure_size(plots.len()));
@@ -168,16 +173,16 @@ impl Report {
 impl dyn Answer + '_ {
     /// Returns the rows as CSV: the answer's own table, or the report's table that has keys, or the samples of all
     /// curves.
-    pub fn csv(&self, about: &About<'_>) -> String {
+    pub fn csv(&self, about: &ReportContext<'_>) -> String {
         in_language(Language::English, || self.rows(about))
     }
 
     /// Returns the object that programs read, whatever the language.
-    pub fn object(&self, about: &About<'_>) -> Value {
+    pub fn object(&self, about: &ReportContext<'_>) -> Value {
         in_language(Language::English, || self.json(about))
     }
 
-    fn rows(&self, about: &About<'_>) -> String {
+    fn rows(&self, about: &ReportContext<'_>) -> String {
         if let Some(table) = self.table() {
             return table.to_csv();
         }
@@ -194,7 +199,7 @@ impl dyn Answer + '_ {
     }
 
     /// Returns the report for a terminal. One without a title is only its table.
-    pub fn text(&self, about: &About<'_>) -> String {
+    pub fn text(&self, about: &ReportContext<'_>) -> String {
         let report = self.report(about);
         if report.title.is_empty() {
             return self.csv(about);

@@ -274,7 +274,7 @@ fn figures_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine) {
     ui.label(RichText::new(text!("picture-against", name = reference.name.as_str())).strong());
     let mut view = ReportView::default();
     let scene = &state.document.scene;
-    view.set(Comparison(figures.to_vec()).report(&analysis::About { name: "", scene }));
+    view.set(Comparison(figures.to_vec()).report(&analysis::ReportContext { name: "", scene }));
     view.ui(ui);
     let size = engine.size;
     ui.horizontal_wrapped(|ui| {

@@ -6,7 +6,7 @@
 use super::engine::Engine;
 use super::report::{ReportView, export_ui};
 use super::state::AppState;
-use crate::analysis::{About, Answer, Curves, PlotKind};
+use crate::analysis::{Answer, Curves, PlotKind, ReportContext};
 use crate::text::text;
 use eframe::egui::Ui;
 
@@ -26,7 +26,8 @@ pub fn curves_ui(ui: &mut Ui, own: &mut CurvesView, state: &mut AppState, engine
         own.sampled = Some((engine.revision, light));
         own.curves = engine.curves(light);
         let curves = own.curves.clone().unwrap_or_default();
-        own.view.set(curves.report(&About { name: "", scene }));
+        own.view
+            .set(curves.report(&ReportContext { name: "", scene }));
     }
     own.view.ui(ui);
     let kinds = own.curves.iter().flat_map(|curves| &curves.kinds);

@@ -6,7 +6,7 @@ use super::engine::Engine;
 use super::report::{Offer, Pending, ReportView, export_ui};
 use super::state::AppState;
 use super::study::duration;
-use crate::analysis::{About, Answer, BenchQuestion, FramePlan};
+use crate::analysis::{Answer, BenchQuestion, FramePlan, ReportContext};
 use crate::text::text;
 use eframe::egui::{RichText, Ui};
 
@@ -37,7 +37,7 @@ pub fn plan_ui(ui: &mut Ui, own: &mut PlanView, state: &mut AppState, engine: &E
     });
     if !same {
         own.made = Some((engine.revision, state.appearance.clone()));
-        let mut report = frame_plan().report(&About {
+        let mut report = frame_plan().report(&ReportContext {
             name: "",
             scene: &state.document.scene,
         });

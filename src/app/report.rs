@@ -8,7 +8,7 @@ use super::letter::lettered;
 use super::state::AppState;
 use super::table::rows_ui;
 use super::theme::TEXT;
-use crate::analysis::{About, Analysis, Answer, Format, Part, Question, Report, Section};
+use crate::analysis::{Analysis, Answer, Format, Part, Question, Report, ReportContext, Section};
 use crate::document::save_answer;
 use crate::figure::{Drawing, Paper, PlotStyle, lay_out};
 use crate::jobs::{Background, Request};
@@ -319,7 +319,8 @@ impl<Q: Question> Pending<Q> {
         });
         let again = new || !self.view.is_current();
         if let Some(answer) = self.work.answer().filter(|_| again) {
-            self.view.set(answer.report(&About { name: "", scene }));
+            self.view
+                .set(answer.report(&ReportContext { name: "", scene }));
         }
     }
 
@@ -336,7 +337,7 @@ impl<Q: Question> Pending<Q> {
         if (self.work.take() || !self.view.is_current())
             && let (Some(answer), Some(asked)) = (self.work.answer(), self.work.answered())
         {
-            self.view.set(answer.report(&About {
+            self.view.set(answer.report(&ReportContext {
                 name: "",
                 scene: &asked.subject().scene,
             }));
@@ -415,8 +416,8 @@ pub struct Export {
 }
 
 impl Export {
-    fn about(&self) -> About<'_> {
-        About {
+    fn about(&self) -> ReportContext<'_> {
+        ReportContext {
             name: &self.name,
             scene: &self.scene,
         }

@@ -8,10 +8,11 @@ use super::output::{Failure, check_picture_target, print, print_json, progress_b
 use clap::Args;
 use glam::DVec2;
 use shading_lab::analysis::{
-    About, Analysis, BenchQuestion, ComparisonQuestion, ConditionsQuestion, CurvesQuestion,
+    Analysis, BenchQuestion, ComparisonQuestion, ConditionsQuestion, CurvesQuestion,
     DefectsQuestion, Format, Method, NormalsQuestion, PERCEIVED_WIDTH, Perception, PlanQuestion,
-    PlotKind, ProbeQuestion, ProfileQuestion, Question, ResponseModel, Scan, ScanQuestion,
-    StabilityQuestion, Stop, StudyQuestion, Subject, Viewing, perceived_picture, stability_cases,
+    PlotKind, ProbeQuestion, ProfileQuestion, Question, ReportContext, ResponseModel, Scan,
+    ScanQuestion, StabilityQuestion, Stop, StudyQuestion, Subject, Viewing, perceived_picture,
+    stability_cases,
 };
 use shading_lab::document::{check_target, json_text, save_answer, save_picture};
 use shading_lab::figure::Paper;
@@ -166,7 +167,7 @@ impl<A: Asks> Catalogued<A> {
             .map_err(Failure::input);
         let answer: &dyn shading_lab::analysis::Answer = &answer?;
         let mut silent = asked.also(&subject)?;
-        let about = About {
+        let about = ReportContext {
             name,
             scene: &subject.scene,
         };

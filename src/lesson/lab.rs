@@ -6,9 +6,9 @@
 use super::Staged;
 use super::budget::{Account, Budget, TooHeavy, triangles_of};
 use crate::analysis::{
-    About, Answer, ConditionsQuestion, DefectsQuestion, FramePlan, LinearPicture, PlanQuestion,
-    Probe, Probed, ProfileQuestion, Question, Subject, curves::highlight_half_width, error_figures,
-    luminance, probe, unwatched,
+    Answer, ConditionsQuestion, DefectsQuestion, FramePlan, LinearPicture, PlanQuestion, Probe,
+    Probed, ProfileQuestion, Question, ReportContext, Subject, curves::highlight_half_width,
+    error_figures, luminance, probe, unwatched,
 };
 use crate::expression::{Expression, Part, Quantities, Todo, Value};
 use crate::geometry::Mesh;
@@ -386,7 +386,7 @@ impl LabPlace<'_> {
 
     fn find(&self, name: &str) -> Result<Json, String> {
         let scene = self.scene();
-        let about = About {
+        let about = ReportContext {
             name: "",
             scene: &scene,
         };

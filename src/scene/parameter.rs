@@ -396,7 +396,7 @@ impl Parameter {
     /// Returns every parameter, in the order of the scene file.
     pub fn all() -> impl Iterator<Item = &'static Self> {
         let tables = [
-            super::About::PARAMETERS,
+            super::SceneDescription::PARAMETERS,
             super::Camera::PARAMETERS,
             super::Image::PARAMETERS,
             super::Display::PARAMETERS,

@@ -3,8 +3,8 @@
 
 use glam::{DVec2, DVec3, Vec3};
 use shading_lab::analysis::{
-    About, Answer, LitVertex, NeedleKind, Needles, NormalField, NormalsQuestion, OverlayLayer,
-    OverlayOptions, Question, Subject, VertexNormal, unwatched,
+    Answer, LitVertex, NeedleKind, Needles, NormalField, NormalsQuestion, OverlayLayer,
+    OverlayOptions, Question, ReportContext, Subject, VertexNormal, unwatched,
 };
 use shading_lab::export::glsl_330;
 use shading_lab::geometry::{Corner, Mesh, NO_NORMAL, NormalOrigin, tessellate};
@@ -561,7 +561,7 @@ fn a_built_in_shape_has_no_normals_of_a_file() {
         clock: || 0,
     };
     let question = NormalsQuestion::default();
-    let about = About {
+    let about = ReportContext {
         name: "sphere",
         scene: &subject.scene,
     };

@@ -3,8 +3,8 @@
 use glam::Vec3;
 use glam::{DVec2, DVec3};
 use shading_lab::analysis::{
-    About, Answer, Grid, Rule, Scan, ScanError, ScanLevel, ScanLine, ScanPixel, ScanSpan, ScanStep,
-    ScanStop, corner_name, face_at, probe, scan, scan_in_grid,
+    Answer, Grid, ReportContext, Rule, Scan, ScanError, ScanLevel, ScanLine, ScanPixel, ScanSpan,
+    ScanStep, ScanStop, corner_name, face_at, probe, scan, scan_in_grid,
 };
 use shading_lab::geometry::{Corner, Mesh, NO_NORMAL};
 use shading_lab::render::Renderer;
@@ -390,7 +390,7 @@ fn the_formula_is_filled_in_as_the_course_writes_it() {
     let count = pixels(&scan).count();
     let (answer, about) = (
         ScanStop { step, scan },
-        About {
+        ReportContext {
             name: "",
             scene: &scene,
         },

@@ -5,7 +5,7 @@ use super::filled::FilledPart;
 use super::letters::{attenuation_law, equation_letters, plain_formula};
 use super::products::{Here, LightHere, Product};
 use super::{CueTerms, Probe, ProbeHit, probe};
-use crate::analysis::report::{About, Answer, Cell, Column, Report, Section, Table};
+use crate::analysis::report::{Answer, Cell, Column, Report, ReportContext, Section, Table};
 use crate::analysis::{
     Part, Question, REFERENCE_SAMPLES, SamplingError, Subject, Watch, cells, sampling_error_with,
 };
@@ -61,7 +61,7 @@ pub fn channels() -> [&'static str; 3] {
 }
 
 impl Answer for Probed {
-    fn report(&self, about: &About<'_>) -> Report {
+    fn report(&self, about: &ReportContext<'_>) -> Report {
         let (scene, [x, y]) = (about.scene, self.probe.pixel);
         let Some(hit) = &self.probe.hit else {
             return Report::new(text!("point-report-background", x = x, y = y));
@@ -131,7 +131,7 @@ impl Answer for Probed {
         report
     }
 
-    fn json(&self, _: &About<'_>) -> Value {
+    fn json(&self, _: &ReportContext<'_>) -> Value {
         let Probe {
             pixel,
             hit,

@@ -5,7 +5,7 @@ use super::{
     lay_out_scan, scan,
 };
 use crate::analysis::report::{
-    About, Answer, Column, Figure, Part, Report, Table, as_it_is, cells,
+    Answer, Column, Figure, Part, Report, ReportContext, Table, as_it_is, cells,
 };
 use crate::analysis::{Question, Subject, Watch, clearest_pixel};
 use crate::figure::{Paper, PlotStyle};
@@ -103,7 +103,7 @@ impl Question for ScanQuestion {
 
 impl Answer for ScanStop {
     /// Returns the edge table, and the scan line of the step with all its pixels.
-    fn report(&self, _: &About<'_>) -> Report {
+    fn report(&self, _: &ReportContext<'_>) -> Report {
         let scan = &self.scan;
         let line = scan.at(self.step).line;
         let mut report = Report::new(text!(
@@ -166,11 +166,16 @@ impl Answer for ScanStop {
         Some(table)
     }
 
-    fn json(&self, _: &About<'_>) -> Value {
+    fn json(&self, _: &ReportContext<'_>) -> Value {
         json!(self)
     }
 
-    fn figure(&self, _: &About<'_>, size: Option<[u32; 2]>, paper: Paper) -> Option<Figure> {
+    fn figure(
+        &self,
+        _: &ReportContext<'_>,
+        size: Option<[u32; 2]>,
+        paper: Paper,
+    ) -> Option<Figure> {
         let size = DVec2::from_array(size.unwrap_or([1600, 1100]).map(f64::from));
         let text = (size / EMS).min_element().max(7.0);
         let drawing = lay_out_scan(

@@ -3,7 +3,7 @@
 use super::codec;
 use super::{CaseResult, HALF_A_CODE_VALUE, Verdict, case_pictures, stability, stability_cases};
 use crate::analysis::report::{
-    About, Answer, Column, Figure, Part, Report, Section, Table, as_it_is,
+    Answer, Column, Figure, Part, Report, ReportContext, Section, Table, as_it_is,
 };
 use crate::analysis::{Codec, Question, Subject, Watch};
 use crate::figure::{Drawing, Paper, Text, magnitude};
@@ -124,7 +124,7 @@ fn rows(results: &[Arc<CaseResult>]) -> Table {
 }
 
 impl Answer for Catalogue {
-    fn report(&self, _: &About<'_>) -> Report {
+    fn report(&self, _: &ReportContext<'_>) -> Report {
         let mut report = Report::new(text!("engine-stability-title"));
         for results in self.results.chunk_by(|a, b| a.case.topic == b.case.topic) {
             let section = report.section(results[0].case.topic.label());
@@ -153,7 +153,7 @@ impl Answer for Catalogue {
     }
 
     /// Draws each case as the naive renderer, the engine and the reference draw it.
-    fn figure(&self, _: &About<'_>, _: Option<[u32; 2]>, _: Paper) -> Option<Figure> {
+    fn figure(&self, _: &ReportContext<'_>, _: Option<[u32; 2]>, _: Paper) -> Option<Figure> {
         let results: Vec<CaseResult> = self
             .results
             .iter()
@@ -170,7 +170,7 @@ impl Answer for Catalogue {
         })
     }
 
-    fn json(&self, _: &About<'_>) -> Value {
+    fn json(&self, _: &ReportContext<'_>) -> Value {
         json!({ "cases": self.results.iter().map(|result| json!(**result)).collect::<Vec<_>>() })
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{Fit, Method, Series, Setting, Study, StudyQuestion, StudyRow, study, title};
 use crate::analysis::report::{
-    About, Answer, Column, Figure, Part, Report, Table, as_it_is, fixed,
+    Answer, Column, Figure, Part, Report, ReportContext, Table, as_it_is, fixed,
 };
 use crate::analysis::{
     Axis, Codec, Curve, Dash, Ink, Plot, PlotKind, Point, Question, Subject, Watch,
@@ -62,7 +62,7 @@ fn row_object(row: &StudyRow) -> Value {
 }
 
 impl Answer for Study {
-    fn report(&self, about: &About<'_>) -> Report {
+    fn report(&self, about: &ReportContext<'_>) -> Report {
         let mut report = Report::new(text!(
             "engine-study-title",
             about = about.heading(),
@@ -99,7 +99,12 @@ impl Answer for Study {
         report
     }
 
-    fn figure(&self, _: &About<'_>, size: Option<[u32; 2]>, paper: Paper) -> Option<Figure> {
+    fn figure(
+        &self,
+        _: &ReportContext<'_>,
+        size: Option<[u32; 2]>,
+        paper: Paper,
+    ) -> Option<Figure> {
         let plot = study_plot(self)?;
         let style = PlotStyle {
             paper,
@@ -113,7 +118,7 @@ impl Answer for Study {
         })
     }
 
-    fn json(&self, about: &About<'_>) -> Value {
+    fn json(&self, about: &ReportContext<'_>) -> Value {
         let orders =
             |of: fn(&Series) -> Option<Fit>, value: fn(Fit) -> f64| -> Map<String, Value> {
                 let one = |method: &Method| {

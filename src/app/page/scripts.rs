@@ -1,7 +1,7 @@
 //! What scripts can ask of the page beside the picture in sight: `shadingLab.link(text)`, `.render(link, width, height)` and
 //! `.bench(link, width, height, frames)`. What is wrong is thrown, in a sentence.
 
-use crate::analysis::{About, Answer, BenchQuestion, Question, Subject, unwatched};
+use crate::analysis::{Answer, BenchQuestion, Question, ReportContext, Subject, unwatched};
 use crate::document::picture_bytes;
 use crate::jobs::nanoseconds;
 use crate::link::{Link, read, write};
@@ -75,7 +75,7 @@ fn timed(link: &str, size: [u32; 2], frames: u32) -> Result<String, JsValue> {
         simd: None,
     };
     let bench = question.answer(&subject, &unwatched).map_err(say)?;
-    let about = About {
+    let about = ReportContext {
         name: "",
         scene: &subject.scene,
     };

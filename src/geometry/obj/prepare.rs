@@ -182,7 +182,7 @@ pub struct Prepared<'a, R> {
 
 /// The facts in a model's file beside its polygons.
 #[derive(Clone, Copy, Default)]
-pub struct About {
+pub struct FileFacts {
     /// The point that positions are relative to.
     pub origin: DVec3,
     /// True if the file names a material or a library of materials.
@@ -196,7 +196,7 @@ struct Writer {
     normals: u64,
     faces: u64,
     corners_in_piece: usize,
-    about: About,
+    facts: FileFacts,
     /// The corners of a face: position, and normal or 0.
     corners: Vec<(u64, u64)>,
 }
@@ -212,7 +212,7 @@ impl<'a, R: BufRead> Prepared<'a, R> {
     }
 
     /// Returns the facts beside the polygons once the last byte is read, or the error.
-    pub fn finish(self) -> Result<About, ObjError> {
+    pub fn finish(self) -> Result<FileFacts, ObjError> {
         self.outcome?;
         if self.lines.bytes == 0 {
             return Err(ObjError::Empty);
@@ -220,7 +220,7 @@ impl<'a, R: BufRead> Prepared<'a, R> {
         if self.writer.faces == 0 {
             Err(ObjError::NoFace)
         } else {
-            Ok(self.writer.about)
+            Ok(self.writer.facts)
         }
     }
 
@@ -262,7 +262,7 @@ impl Writer {
             Some(b"vn") => self.normal(line.number, words),
             Some(b"f" | b"fo") => self.face(line, words),
             Some(b"mtllib" | b"usemtl") => {
-                self.about.names_materials = true;
+                self.facts.names_materials = true;
                 Ok(())
             }
             _ => Ok(()),
@@ -284,9 +284,9 @@ impl Writer {
             };
         }
         if self.positions == 0 && point.is_finite() && point.abs().max_element() > FAR {
-            self.about.origin = point.round();
+            self.facts.origin = point.round();
         }
-        let relative = (point - self.about.origin).as_vec3();
+        let relative = (point - self.facts.origin).as_vec3();
         if let Some(k) = (0..3).find(|&k| !relative[k].is_finite()) {
             let word = quoted(xyz[k]);
             return Err(at(line, text!("obj-not-finite", word = word)));
