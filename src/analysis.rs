@@ -38,9 +38,9 @@ pub use conditions::{
 };
 pub use curves::{Curves, CurvesQuestion};
 pub use defects::{
-    DEFECTS, Defect, DefectMark, Defects, DefectsQuestion, Finding, MeasuredDefects, Orientation,
-    PerspectiveDistortion, SharedVertices, Silhouette, VertexNormals, defect_marks, defect_plots,
-    defects, defects_with_progress, draw_defects,
+    DEFECTS, Defect, DefectMark, Defects, DefectsQuestion, MeasuredDefects, Measurement,
+    Orientation, PerspectiveDistortion, SharedVertices, Silhouette, VertexNormals, defect_marks,
+    defect_plots, defects, defects_with_progress, draw_defects,
 };
 pub use lobe::{ReflectionLobe, Response};
 pub use normals::{

@@ -24,37 +24,37 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Value, json};
 
 /// A measurement, or the key of the sentence that explains why there is none.
-pub type Finding<T> = Result<T, &'static str>;
+pub type Measurement<T> = Result<T, &'static str>;
 
 /// Measurements of the defects in a scene.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Defects {
     /// The outline, which is that of the polygons.
     #[serde(serialize_with = "or_missing", deserialize_with = "found")]
-    pub silhouette: Finding<Silhouette>,
+    pub silhouette: Measurement<Silhouette>,
     /// Difference between intensities interpolated in the picture and perspective-correct ones.
     #[serde(serialize_with = "or_missing", deserialize_with = "found")]
-    pub perspective: Finding<PerspectiveDistortion>,
+    pub perspective: Measurement<PerspectiveDistortion>,
     /// Change of an interpolated intensity while the picture is rotated.
     #[serde(serialize_with = "or_missing", deserialize_with = "found")]
-    pub orientation: Finding<Orientation>,
+    pub orientation: Measurement<Orientation>,
     /// Discontinuities of intensity at vertices that one side of an edge lacks.
     #[serde(serialize_with = "or_missing", deserialize_with = "found")]
-    pub shared_vertices: Finding<SharedVertices>,
+    pub shared_vertices: Measurement<SharedVertices>,
     /// Angles between vertex normals and polygons, and the contrast lost to averaging.
     #[serde(serialize_with = "or_missing", deserialize_with = "found")]
-    pub vertex_normals: Finding<VertexNormals>,
+    pub vertex_normals: Measurement<VertexNormals>,
 }
 
 /// Serializes a missing measurement as its reason for people and as its key for programs of this kind.
 fn or_missing<T: Serialize, S: Serializer>(
-    finding: &Finding<T>,
+    measurement: &Measurement<T>,
     serializer: S,
 ) -> Result<S::Ok, S::Error> {
     if !serializer.is_human_readable() {
-        return finding.serialize(serializer);
+        return measurement.serialize(serializer);
     }
-    match finding {
+    match measurement {
         Ok(measured) => measured.serialize(serializer),
         Err(missing) => {
             let missing = text::in_language(Language::English, || text!(missing));
@@ -65,13 +65,13 @@ fn or_missing<T: Serialize, S: Serializer>(
 
 fn found<'de, T: Deserialize<'de>, D: Deserializer<'de>>(
     deserializer: D,
-) -> Result<Finding<T>, D::Error> {
-    let finding: Result<T, String> = Deserialize::deserialize(deserializer)?;
-    Ok(finding.map_err(|key| text::interned(&key)))
+) -> Result<Measurement<T>, D::Error> {
+    let measurement: Result<T, String> = Deserialize::deserialize(deserializer)?;
+    Ok(measurement.map_err(|key| text::interned(&key)))
 }
 
 /// Continues a measurement unless the caller has cancelled it.
-fn goes_on(watch: &dyn Watch<()>, share: f32) -> Finding<()> {
+fn goes_on(watch: &dyn Watch<()>, share: f32) -> Measurement<()> {
     if watch.at(share) {
         Ok(())
     } else {
@@ -80,7 +80,7 @@ fn goes_on(watch: &dyn Watch<()>, share: f32) -> Finding<()> {
 }
 
 /// Returns the reason why a scene interpolates nothing, if so.
-fn interpolates(scene: &Scene) -> Finding<()> {
+fn interpolates(scene: &Scene) -> Measurement<()> {
     match scene.shading.mode {
         ShadingMode::Flat => Err("picture-missing-flat"),
         ShadingMode::Exact => Err("picture-missing-exact"),
@@ -163,7 +163,7 @@ pub struct Defect {
     pub scene: &'static str,
     /// The plot that shows it, if there is one.
     pub plot: Option<PlotKind>,
-    figures: fn(&Defects) -> Finding<Figures>,
+    figures: fn(&Defects) -> Measurement<Figures>,
 }
 
 /// Numbers with their descriptions.

@@ -2,7 +2,7 @@
 
 use super::Scene;
 use super::format::set;
-use super::problem::{Cause, Finding, ProblemLocation, SceneError};
+use super::problem::{Cause, ProblemLocation, SceneError, UnlocatedProblem};
 use crate::text::text;
 use std::borrow::Cow;
 use toml::Spanned;
@@ -30,8 +30,8 @@ impl Scene {
                 ProblemLocation::Override(assignment.to_owned())
             })?;
         }
-        SceneError::check(scene.range_problems(), |finding| {
-            at_fault(&finding.key, assignments).map_or(ProblemLocation::Scene, |text| {
+        SceneError::check(scene.range_problems(), |problem| {
+            at_fault(&problem.key, assignments).map_or(ProblemLocation::Scene, |text| {
                 ProblemLocation::Override(text.to_owned())
             })
         })?;
@@ -40,14 +40,14 @@ impl Scene {
 }
 
 /// Replaces one key without checking limits.
-fn replace(scene: &mut Scene, assignment: &str) -> Vec<Finding> {
+fn replace(scene: &mut Scene, assignment: &str) -> Vec<UnlocatedProblem> {
     let Some((key, value)) = key_and_value(assignment) else {
         let words = text!("problem-no-equals").to_owned();
-        return vec![Finding::new("", Cause::Text(words))];
+        return vec![UnlocatedProblem::new("", Cause::Text(words))];
     };
     match parse_value(value) {
         Ok(value) => set(scene, key, value),
-        Err(cause) => vec![Finding::new(key, cause)],
+        Err(cause) => vec![UnlocatedProblem::new(key, cause)],
     }
 }
 

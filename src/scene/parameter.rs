@@ -9,7 +9,7 @@
 pub use super::access::{Access, ChoiceField, Field, List};
 use super::choice::ChoiceOption;
 use super::format::{Datum, read_coefficient, value_text};
-use super::problem::Finding;
+use super::problem::UnlocatedProblem;
 use super::symbol::Symbol;
 use super::{Rgb, Scene};
 use crate::text::text;
@@ -498,7 +498,7 @@ impl Parameter {
         scene: &mut Scene,
         index: usize,
         value: &Spanned<DeValue<'_>>,
-    ) -> Result<(), Finding> {
+    ) -> Result<(), UnlocatedProblem> {
         let Kind::Coefficient(at, ..) = self.kind else {
             return self.field().read(scene, index, value);
         };

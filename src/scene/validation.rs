@@ -8,7 +8,7 @@ use super::object::ObjectKind;
 use super::parameter::{
     GREATEST_LENGTH, Kind, LEAST_LENGTH, Limits, Parameter, Unit, at_most, is_grey,
 };
-use super::problem::{Cause, Finding, ProblemLocation, SceneError};
+use super::problem::{Cause, ProblemLocation, SceneError, UnlocatedProblem};
 use super::{Image, Rgb, Scene};
 use crate::text::text;
 use glam::DVec3;
@@ -46,12 +46,13 @@ impl Scene {
     }
 
     /// Returns the problems that [`Scene::validate`] reports.
-    pub(super) fn range_problems(&self) -> Vec<Finding> {
+    pub(super) fn range_problems(&self) -> Vec<UnlocatedProblem> {
         let mut checks = Checks::default();
         if self.version != Self::VERSION {
-            checks
-                .found
-                .push(Finding::new("version", Cause::version(self.version)));
+            checks.found.push(UnlocatedProblem::new(
+                "version",
+                Cause::version(self.version),
+            ));
         }
         if self.lights.len() > Self::MAX_LIGHTS {
             checks.value(
@@ -182,14 +183,14 @@ impl Scene {
 /// The problems found so far.
 #[derive(Default)]
 pub(super) struct Checks {
-    found: Vec<Finding>,
+    found: Vec<UnlocatedProblem>,
 }
 
 impl Checks {
     /// Adds a problem of `key`; `words` follow the key in the message.
     pub(super) fn found(&mut self, key: &str, words: &str) {
         self.found
-            .push(Finding::new(key, Cause::Key(words.to_owned())));
+            .push(UnlocatedProblem::new(key, Cause::Key(words.to_owned())));
     }
 
     pub(super) fn value(
@@ -199,12 +200,12 @@ impl Checks {
         expected: impl fmt::Display,
     ) {
         self.found
-            .push(Finding::new(key, Cause::value(found, expected)));
+            .push(UnlocatedProblem::new(key, Cause::value(found, expected)));
     }
 
     /// Returns whether no problem of a key has been found.
     fn sound(&self, key: &str) -> bool {
-        self.found.iter().all(|finding| finding.key != key)
+        self.found.iter().all(|problem| problem.key != key)
     }
 
     /// Returns whether a value is within its limits, and reports it if not: `outside` then holds the value and what was expected.
