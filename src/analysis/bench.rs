@@ -14,9 +14,7 @@ use super::report::{
     Answer, Column, Part, Report, ReportContext, Table, as_it_is, cells, fixed, word,
 };
 use super::{Codec, Question, Subject, Watch, median_and_spread};
-use crate::render::{
-    Memory, Renderer, Report as Drawn, SimdLevel, Stage, coarseness, coarser_size,
-};
+use crate::render::{FrameReport, Memory, Renderer, SimdLevel, Stage, coarseness, coarser_size};
 use crate::scene::{LightKind, Object, ObjectKind, Rgb, Scene};
 use crate::text::{interned, text};
 use fearless_simd::Level;
@@ -48,7 +46,7 @@ pub struct Bench {
     #[serde(deserialize_with = "changes")]
     changes: Vec<(&'static str, Option<Changed>)>,
     /// Figures of a frame drawn from scratch; of a scene that compares panes those of the first.
-    drawn: Drawn,
+    drawn: FrameReport,
     memory: Memory,
     growth: Option<Growth>,
     frames: u32,
@@ -216,7 +214,7 @@ impl Panes {
     }
 
     /// Returns the figures of the first pane.
-    fn figures(&self) -> (Drawn, Memory) {
+    fn figures(&self) -> (FrameReport, Memory) {
         self.renderers
             .first()
             .map(|first| (first.report().clone(), first.memory()))
@@ -321,7 +319,7 @@ fn dragged(subject: &Subject, level: Level, change: Change, whole: f64, frames: 
 pub(super) struct StageTimes(Vec<(Stage, Vec<u64>)>);
 
 impl StageTimes {
-    pub fn add(&mut self, drawn: &Drawn) {
+    pub fn add(&mut self, drawn: &FrameReport) {
         for run in &drawn.stages {
             match self.0.iter_mut().find(|(known, _)| *known == run.stage) {
                 Some((_, times)) => times.push(run.nanoseconds),
@@ -364,7 +362,7 @@ impl Bench {
 
 impl Answer for Bench {
     fn report(&self, about: &ReportContext<'_>) -> Report {
-        let Drawn {
+        let FrameReport {
             triangles, covered, ..
         } = self.drawn;
         let (

@@ -12,7 +12,7 @@ use crate::analysis::{
     Scan, ScanError, brightest, difference_picture, difference_scale, error_figures, scan_drawn,
 };
 use crate::figure::Area;
-use crate::render::{Frame, Report, Term, coarseness};
+use crate::render::{Frame, FrameReport, Term, coarseness};
 use crate::scene::{CompareView, DifferenceKind, Image, Scene};
 use crate::text;
 use crate::text::Language;
@@ -345,7 +345,7 @@ impl Engine {
     }
 
     /// What drawing the active pane last did.
-    pub fn report(&self) -> &Report {
+    pub fn report(&self) -> &FrameReport {
         self.active().report()
     }
 

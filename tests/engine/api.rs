@@ -11,7 +11,7 @@ use shading_lab::geometry::{Mesh, ObjError};
 use shading_lab::lesson::{HandInError, Lesson, LessonError, OpenError};
 use shading_lab::link::{Link, LinkError, WriteError};
 use shading_lab::picture::PictureError;
-use shading_lab::render::{Frame, Renderer, Report};
+use shading_lab::render::{Frame, FrameReport, Renderer};
 use shading_lab::scene::{Polygons, Scene, SceneError, ShadingMode, Shared};
 use std::error::Error;
 use std::fmt::Debug;
@@ -46,7 +46,7 @@ fn data_can_be_copied_compared_printed_and_sent() {
     data::<Scene>();
     data::<Loaded>();
     data::<Frame>();
-    data::<Report>();
+    data::<FrameReport>();
     data::<Mesh>();
     data::<Polygons>();
     data::<Shared<u32>>();

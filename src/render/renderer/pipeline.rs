@@ -6,7 +6,7 @@ use super::account::{Account, Term};
 use super::bands::{BandPainter, Interpolated, Stale};
 use super::cue::{CueLayer, fade_pixels};
 use super::display::{Linear, compose, display};
-use super::frame::{Frame, Report, Stage};
+use super::frame::{Frame, FrameReport, Stage};
 use super::parts::Part;
 use super::plan::{Cued, Inputs, Per, Plan};
 use super::ray_nodes::RayNodes;
@@ -68,7 +68,7 @@ pub struct Renderer {
     leaves_nothing_out: bool,
     /// The inputs of the last picture.
     pub(super) drawn: Option<PlannedFrame>,
-    report: Report,
+    report: FrameReport,
 }
 
 impl fmt::Debug for Renderer {
@@ -620,7 +620,7 @@ impl Renderer {
     }
 
     /// Returns the report of the last call of [`Renderer::render`].
-    pub fn report(&self) -> &Report {
+    pub fn report(&self) -> &FrameReport {
         &self.report
     }
 
