@@ -23,7 +23,7 @@ use shading_lab::text::text;
 use std::path::{Path, PathBuf};
 
 /// The arguments of one analysis.
-pub trait Asks: Args {
+pub trait AnalysisArguments: Args {
     type Question: Question;
 
     /// Name in the list of analyses.
@@ -55,14 +55,14 @@ pub struct Analyse<A: Args> {
     #[command(flatten)]
     scene: SceneArguments,
     #[command(flatten)]
-    about: Catalogued<A>,
+    analysis: Catalogued<A>,
 }
 
 /// A command that analyses scenes of its own.
 #[derive(Args)]
 pub struct Catalogued<A: Args> {
     #[command(flatten)]
-    asked: A,
+    arguments: A,
     #[command(flatten)]
     output: OutputArguments,
 }
@@ -82,11 +82,11 @@ struct OutputArguments {
     dark: bool,
 }
 
-impl<A: Asks> Analyse<A> {
+impl<A: AnalysisArguments> Analyse<A> {
     pub fn run(self, earlier: &[String]) -> Result<(), Failure> {
-        self.about.check()?;
+        self.analysis.check()?;
         let loaded = self.scene.load(earlier)?;
-        self.about.run(
+        self.analysis.run(
             &loaded.name,
             Subject {
                 scene: loaded.scene,
@@ -97,7 +97,7 @@ impl<A: Asks> Analyse<A> {
     }
 }
 
-impl<A: Asks> Catalogued<A> {
+impl<A: AnalysisArguments> Catalogued<A> {
     pub fn run_alone(self) -> Result<(), Failure> {
         self.check()?;
         self.run(
@@ -142,11 +142,14 @@ impl<A: Asks> Catalogued<A> {
     /// Answers the question with a bar on stderr; writes and prints the answer according to the arguments, as text if
     /// nothing else is requested.
     fn run(self, name: &str, mut subject: Subject) -> Result<(), Failure> {
-        let Self { asked, mut output } = self;
+        let Self {
+            arguments,
+            mut output,
+        } = self;
         if !A::SIZES_FIGURE {
             subject.scene.image.size = output.size.take().unwrap_or(subject.scene.image.size);
         }
-        let question = asked.question(&mut subject.scene)?;
+        let question = arguments.question(&mut subject.scene)?;
         check_memory_for(&subject.scene, subject.model.as_deref(), A::MESHES)
             .map_err(Failure::work)?;
         let bar = progress_bar(1000, text!("cli-working"));
@@ -156,7 +159,7 @@ impl<A: Asks> Catalogued<A> {
         };
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(
-                asked
+                arguments
                     .threads()
                     .map_or_else(rayon::current_num_threads, usize::from),
             )
@@ -166,7 +169,7 @@ impl<A: Asks> Catalogued<A> {
             .install(|| question.answer(&subject, &watch))
             .map_err(Failure::input);
         let answer: &dyn shading_lab::analysis::Answer = &answer?;
-        let mut silent = asked.also(&subject)?;
+        let mut silent = arguments.also(&subject)?;
         let about = ReportContext {
             name,
             scene: &subject.scene,
@@ -227,7 +230,7 @@ pub struct Probe {
     pixel: [u32; 2],
 }
 
-impl Asks for Probe {
+impl AnalysisArguments for Probe {
     type Question = ProbeQuestion;
     const NAME: &'static str = "probe";
     const MESHES: u64 = 1;
@@ -244,7 +247,7 @@ pub struct Compare {
     panes: PaneArguments,
 }
 
-impl Asks for Compare {
+impl AnalysisArguments for Compare {
     type Question = ComparisonQuestion;
     const NAME: &'static str = "compare";
 
@@ -264,7 +267,7 @@ pub struct Curves {
     light: Option<usize>,
 }
 
-impl Asks for Curves {
+impl AnalysisArguments for Curves {
     type Question = CurvesQuestion;
     const NAME: &'static str = "curves";
     const SIZES_FIGURE: bool = true;
@@ -284,7 +287,7 @@ pub struct Defects {
     pixel: Option<[u32; 2]>,
 }
 
-impl Asks for Defects {
+impl AnalysisArguments for Defects {
     type Question = DefectsQuestion;
     const NAME: &'static str = "defects";
 
@@ -298,7 +301,7 @@ impl Asks for Defects {
 #[derive(Args)]
 pub struct Conditions;
 
-impl Asks for Conditions {
+impl AnalysisArguments for Conditions {
     type Question = ConditionsQuestion;
     const NAME: &'static str = "conditions";
 
@@ -315,7 +318,7 @@ pub struct Normals {
     pixel: Option<[u32; 2]>,
 }
 
-impl Asks for Normals {
+impl AnalysisArguments for Normals {
     type Question = NormalsQuestion;
     const NAME: &'static str = "normals";
     // The polygons and their normals of each kind stand beside the mesh.
@@ -353,7 +356,7 @@ fn parse_stop(text: &str, stop: fn(u32) -> Stop) -> Result<Stop, String> {
     }
 }
 
-impl Asks for Scanline {
+impl AnalysisArguments for Scanline {
     type Question = ScanQuestion;
     const NAME: &'static str = "scanline";
     const SIZES_FIGURE: bool = true;
@@ -378,7 +381,7 @@ pub struct Explain {
     frames: u32,
 }
 
-impl Asks for Explain {
+impl AnalysisArguments for Explain {
     type Question = PlanQuestion;
     const NAME: &'static str = "explain";
     // Separate renderers measure the omissions.
@@ -403,7 +406,7 @@ pub struct Bench {
     simd: Option<SimdLevel>,
 }
 
-impl Asks for Bench {
+impl AnalysisArguments for Bench {
     type Question = BenchQuestion;
     const NAME: &'static str = "bench";
 
@@ -438,7 +441,7 @@ pub struct Study {
     threads: Option<u16>,
 }
 
-impl Asks for Study {
+impl AnalysisArguments for Study {
     type Question = StudyQuestion;
     const NAME: &'static str = "study";
 
@@ -482,7 +485,7 @@ fn parse_case(text: &str) -> Result<String, String> {
         .ok_or_else(|| text!("cli-expected", choices = one_of(&names)))
 }
 
-impl Asks for Stability {
+impl AnalysisArguments for Stability {
     type Question = StabilityQuestion;
     const NAME: &'static str = "stability";
     const SIZES_FIGURE: bool = true;
@@ -573,7 +576,7 @@ impl Profile {
     }
 }
 
-impl Asks for Profile {
+impl AnalysisArguments for Profile {
     type Question = ProfileQuestion;
     const NAME: &'static str = "profile";
     const SIZES_FIGURE: bool = true;

@@ -131,7 +131,7 @@ impl Unit {
 }
 
 /// A struct whose fields are the keys of a table of the scene file.
-pub(super) trait Table: Sized + 'static {
+pub(super) trait ParameterTable: Sized + 'static {
     const PARAMETERS: &'static [&'static Parameter];
     fn of(scene: &Scene, index: usize) -> Option<&Self>;
     fn of_mut(scene: &mut Scene, index: usize) -> Option<&mut Self>;
@@ -180,10 +180,10 @@ macro_rules! table {
                 $crate::scene::parameter::Kind::$kind(
                     &$crate::scene::parameter::Access {
                         get: |scene, index| {
-                            <$struct as $crate::scene::parameter::Table>::of(scene, index).map(|table| &table.$field)
+                            <$struct as $crate::scene::parameter::ParameterTable>::of(scene, index).map(|table| &table.$field)
                         },
                         get_mut: |scene, index| {
-                            <$struct as $crate::scene::parameter::Table>::of_mut(scene, index)
+                            <$struct as $crate::scene::parameter::ParameterTable>::of_mut(scene, index)
                                 .map(|table| &mut table.$field)
                         },
                     }
@@ -206,7 +206,7 @@ macro_rules! table {
         concat!($(stringify!($table), ".",)+ stringify!($field))
     };
     (@place $struct:ident $parameters:tt [$($list:ident).+]) => {
-        impl $crate::scene::parameter::Table for $struct {
+        impl $crate::scene::parameter::ParameterTable for $struct {
             const PARAMETERS: &'static [&'static $crate::scene::parameter::Parameter] = &$parameters;
 
             fn of(scene: &$crate::scene::Scene, index: usize) -> Option<&Self> {
@@ -219,7 +219,7 @@ macro_rules! table {
         }
     };
     (@place $struct:ident $parameters:tt $section:ident) => {
-        impl $crate::scene::parameter::Table for $struct {
+        impl $crate::scene::parameter::ParameterTable for $struct {
             const PARAMETERS: &'static [&'static $crate::scene::parameter::Parameter] = &$parameters;
 
             fn of(scene: &$crate::scene::Scene, _: usize) -> Option<&Self> {
