@@ -87,7 +87,7 @@ impl Question for BenchQuestion {
         #[expect(clippy::cast_precision_loss, reason = "a share for the eye")]
         let count = || {
             done.set(done.get() + 1);
-            watch.at(done.get() as f32 / total as f32);
+            watch.progress(done.get() as f32 / total as f32);
         };
         let growth = self
             .growth

@@ -291,7 +291,7 @@ impl Question for ComparisonQuestion {
         let which: Vec<_> = (0..scene.pane_count())
             .map(|index| (index, scene.image.size))
             .collect();
-        let mut progress = |done: u32| watch.at(done as f32 / which.len() as f32);
+        let mut progress = |done: u32| watch.progress(done as f32 / which.len() as f32);
         let nothing = |_: &mut _, _: &mut _, _: &_| Ok::<(), String>(());
         let panes = draw_panes(
             &mut subject.renderer(),

@@ -108,7 +108,7 @@ impl Question for ConditionsQuestion {
         watch: &dyn Watch<Conditions>,
     ) -> Result<Conditions, String> {
         let found = conditions(&mut subject.renderer(), &subject.scene);
-        watch.at(1.0);
+        watch.progress(1.0);
         Ok(found)
     }
 }

@@ -72,7 +72,7 @@ fn found<'de, T: Deserialize<'de>, D: Deserializer<'de>>(
 
 /// Continues a measurement unless the caller has cancelled it.
 fn goes_on(watch: &dyn Watch<()>, share: f32) -> Measurement<()> {
-    if watch.at(share) {
+    if watch.progress(share) {
         Ok(())
     } else {
         Err("picture-missing-stopped")
@@ -106,7 +106,7 @@ pub fn defects_with_progress(
         compare: Compare::default(),
         ..scene.clone()
     };
-    let along = |share: f32| watch.at(0.5 + 0.3 * share);
+    let along = |share: f32| watch.progress(0.5 + 0.3 * share);
     let found = Defects {
         silhouette: edges::silhouette(renderer, alone, watch),
         perspective: goes_on(watch, 0.3).and_then(|()| inside::perspective(renderer, alone)),
@@ -115,7 +115,7 @@ pub fn defects_with_progress(
             .and_then(|()| edges::shared_vertices(renderer, alone, &along)),
         vertex_normals: goes_on(watch, 0.8).and_then(|()| inside::vertex_normals(renderer, alone)),
     };
-    watch.at(1.0);
+    watch.progress(1.0);
     found
 }
 
@@ -149,7 +149,8 @@ impl Question for DefectsQuestion {
         let pixel = self
             .pixel
             .unwrap_or_else(|| clearest_pixel(&mut renderer, scene).pixel);
-        let defects = defects_with_progress(&mut renderer, scene, pixel, &|share| watch.at(share));
+        let defects =
+            defects_with_progress(&mut renderer, scene, pixel, &|share| watch.progress(share));
         Ok(MeasuredDefects { pixel, defects })
     }
 }

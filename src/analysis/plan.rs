@@ -67,7 +67,7 @@ impl Question for PlanQuestion {
                     stages.add(renderer.report());
                 }
             }
-            watch.at(frame as f32 / (WARM_UP + frames) as f32);
+            watch.progress(frame as f32 / (WARM_UP + frames) as f32);
         }
         let count =
             |renderer: &Renderer| renderer.terms().iter().map(|term| term.evaluations).sum();

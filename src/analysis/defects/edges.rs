@@ -122,7 +122,7 @@ pub fn silhouette(
     let sees = |place: DVec2| renderer.evaluation_at(place, None).is_some();
     let reach = DVec2::from_array(size.map(f64::from)).length();
     let of_edge = |&[a, b]: &[DVec2; 2]| {
-        if !watch.at(0.0) {
+        if !watch.progress(0.0) {
             return None;
         }
         let along = b - a;

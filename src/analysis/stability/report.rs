@@ -48,7 +48,7 @@ impl Question for StabilityQuestion {
         for case in &cases {
             found.results.push(Arc::new(stability(&mut renderer, case)));
             watch.found(&found);
-            if !watch.at(found.results.len() as f32 / cases.len() as f32) {
+            if !watch.progress(found.results.len() as f32 / cases.len() as f32) {
                 break;
             }
         }
