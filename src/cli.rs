@@ -23,7 +23,7 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use input::SceneArguments;
 use output::Failure;
-use shading_lab::document::load;
+use shading_lab::document::load_scene;
 use shading_lab::lesson::Lesson;
 use shading_lab::render::check_mesh_memory;
 use shading_lab::scene::{nearest, presets};
@@ -244,7 +244,7 @@ fn open_window(
     let (loaded, lesson) = match &arguments.source {
         Some(source) if Lesson::is_file(source) => {
             let lesson = Lesson::open(source).map_err(|error| Failure::input(error.to_string()))?;
-            (load(Path::new(presets::DEFAULT))?, Some(lesson))
+            (load_scene(Path::new(presets::DEFAULT))?, Some(lesson))
         }
         Some(source) if nearest_is_command(source) => {
             return Err(manual::no_command(

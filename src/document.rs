@@ -75,26 +75,26 @@ pub type Progress<'a> = &'a mut dyn FnMut(u64, u64);
 ///
 /// # Examples
 /// ```
-/// use shading_lab::document::load;
+/// use shading_lab::document::load_scene;
 /// use std::path::Path;
 ///
-/// let teapot = load(Path::new("teapot"))?;
-/// let link = load(Path::new("?scene=teapot&set=material.n=5"))?;
+/// let teapot = load_scene(Path::new("teapot"))?;
+/// let link = load_scene(Path::new("?scene=teapot&set=material.n=5"))?;
 /// assert_eq!(link.scene.material.n, 5.0);
 /// assert_eq!(teapot.scene.object, link.scene.object);
 ///
-/// let error = load(Path::new("teapto")).expect_err("a misspelt name");
+/// let error = load_scene(Path::new("teapto")).expect_err("a misspelt name");
 /// assert!(error.to_string().contains("teapot"), "{error}");
 /// # Ok::<(), shading_lab::document::LoadError>(())
 /// ```
 ///
 /// # Errors
 /// See [`LoadError`].
-pub fn load(source: &Path) -> Result<Loaded, LoadError> {
+pub fn load_scene(source: &Path) -> Result<Loaded, LoadError> {
     load_with(source, &[] as &[&str], &mut |_, _| {})
 }
 
-/// Opens a scene like [`load`], with overrides in the form of [`Scene::with_overrides`], applied before the model is
+/// Opens a scene like [`load_scene`], with overrides in the form of [`Scene::with_overrides`], applied before the model is
 /// read. A model's path in an override is relative to the working directory.
 ///
 /// # Errors

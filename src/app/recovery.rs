@@ -11,7 +11,7 @@ use super::document::{Document, Origin};
 use super::place::{ProbePoint, ProfileLine};
 use super::state::{AppState, Leaving};
 use crate::analysis::Watch;
-use crate::document::load;
+use crate::document::load_scene;
 use crate::jobs::Job;
 use crate::text::text;
 use eframe::egui::Context;
@@ -179,7 +179,7 @@ fn around(path: &Path) -> Around {
 
 /// The document in a file of kept work, the one that it was made from, and what was around it.
 pub fn restore(path: &Path) -> Result<(Document, Document, Around), String> {
-    let loaded = load(path).map_err(|error| {
+    let loaded = load_scene(path).map_err(|error| {
         let path = path.display().to_string();
         text!("work-stays", error = error.to_string(), path = path)
     })?;
@@ -187,7 +187,7 @@ pub fn restore(path: &Path) -> Result<(Document, Document, Around), String> {
     let original = match &around.origin {
         Origin::New => None,
         Origin::BuiltIn(name) => Document::built_in(name),
-        Origin::File(path) => load(path).ok().map(Document::from),
+        Origin::File(path) => load_scene(path).ok().map(Document::from),
     };
     let original = original.unwrap_or_default();
     let document = Document {

@@ -4,7 +4,7 @@ mod security;
 
 use shading_lab::analysis::{Probe, ProfileError, ProfileQuestion, ScanError, Subject};
 use shading_lab::animation::SweepError;
-use shading_lab::document::{LoadError, Loaded, SaveError, load};
+use shading_lab::document::{LoadError, Loaded, SaveError, load_scene};
 use shading_lab::export::{Export, ExportError};
 use shading_lab::figure::{Drawing, Plot};
 use shading_lab::geometry::{Mesh, ObjError};
@@ -69,7 +69,7 @@ fn a_renderer_and_a_question_s_subject_move_to_another_thread() {
 
 #[test]
 fn an_error_is_downcast_from_a_box_to_its_cause() {
-    let boxed: Box<dyn Error + Send + Sync> = load(Path::new("?set=material.n=x"))
+    let boxed: Box<dyn Error + Send + Sync> = load_scene(Path::new("?set=material.n=x"))
         .expect_err("x is no number")
         .into();
     let error = boxed.downcast_ref::<LoadError>();

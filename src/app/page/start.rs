@@ -12,7 +12,7 @@ use super::{App, system};
 use crate::analysis::{
     BenchQuestion, DefectsQuestion, ProfileQuestion, StabilityQuestion, StudyQuestion,
 };
-use crate::document::{Loaded, load};
+use crate::document::{Loaded, load_scene};
 use crate::jobs::{Request, Served, serve, served};
 use crate::link;
 use crate::render::check_mesh_memory;
@@ -49,7 +49,7 @@ async fn start(canvas: HtmlCanvasElement) {
     let open = |cc: &eframe::CreationContext<'_>| -> Box<dyn eframe::App> {
         let (page, link) = address();
         let open = |link: &str| -> Result<Loaded, String> {
-            let loaded = load(Path::new(link)).map_err(|error| error.to_string())?;
+            let loaded = load_scene(Path::new(link)).map_err(|error| error.to_string())?;
             let small = check_mesh_memory(&loaded.scene, loaded.model.as_deref());
             small.map(|()| loaded).map_err(|error| error.to_string())
         };
@@ -59,8 +59,8 @@ async fn start(canvas: HtmlCanvasElement) {
             Some(Err(error)) => (None, Some(error)),
             None => (None, None),
         };
-        let loaded =
-            loaded.unwrap_or_else(|| load(Path::new(presets::DEFAULT)).expect("a built-in scene"));
+        let loaded = loaded
+            .unwrap_or_else(|| load_scene(Path::new(presets::DEFAULT)).expect("a built-in scene"));
         let shown = loaded.shown.clone();
         let mut app = App::new(cc, loaded).with_welcome().with_page(Some(page));
         if shown.embed {
