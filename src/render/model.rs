@@ -139,15 +139,15 @@ impl Model {
 
     /// Returns the position of a vertex relative to `origin`.
     pub fn place(&self, vertex: u32) -> Vec3 {
-        at(&self.position, vertex)
+        vector_at(&self.position, vertex)
     }
 
     pub fn position(&self, vertex: u32) -> DVec3 {
-        self.origin + at(&self.position, vertex).as_dvec3()
+        self.origin + vector_at(&self.position, vertex).as_dvec3()
     }
 
     pub fn normal(&self, vertex: u32) -> DVec3 {
-        at(&self.normal, vertex).as_dvec3()
+        vector_at(&self.normal, vertex).as_dvec3()
     }
 
     /// Returns the mean of a face's corners, world.
@@ -182,7 +182,7 @@ impl Model {
         let corners = self.face(face);
         let sum: DVec3 = corners
             .iter()
-            .map(|&v| at(&self.position, v).as_dvec3())
+            .map(|&v| vector_at(&self.position, v).as_dvec3())
             .sum();
         let count = corners.len().max(1) as f64;
         sum / count
@@ -194,11 +194,11 @@ impl Model {
             return DVec3::ZERO;
         };
         // Relative to the first corner, so that nothing cancels far from the origin.
-        let base = at(&self.position, first).as_dvec3();
+        let base = vector_at(&self.position, first).as_dvec3();
         let mut sum = DVec3::ZERO;
         for pair in rest.windows(2) {
-            let a = at(&self.position, pair[0]).as_dvec3() - base;
-            let b = at(&self.position, pair[1]).as_dvec3() - base;
+            let a = vector_at(&self.position, pair[0]).as_dvec3() - base;
+            let b = vector_at(&self.position, pair[1]).as_dvec3() - base;
             sum += a.cross(b);
         }
         let largest = sum.abs().max_element();
@@ -210,7 +210,7 @@ impl Model {
     }
 }
 
-fn at(planes: &[Vec<f32>; 3], vertex: u32) -> Vec3 {
+fn vector_at(planes: &[Vec<f32>; 3], vertex: u32) -> Vec3 {
     let v = vertex as usize;
     Vec3::new(planes[0][v], planes[1][v], planes[2][v])
 }

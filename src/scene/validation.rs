@@ -237,7 +237,7 @@ impl Parameter {
             })
         };
         let one = |value: f64, limits: Limits| {
-            (!limits.contains(value)).then(|| (number(value), in_unit(limits)))
+            (!limits.contains(value)).then(|| (format_number(value), in_unit(limits)))
         };
         match self.kind {
             // Written as one number where the channels agree, as it was typed.
@@ -278,7 +278,10 @@ pub(super) fn point_outside(value: DVec3) -> Option<(String, String)> {
     (!sound).then(|| {
         (
             triple(value),
-            text!("expected-coordinates", greatest = number(GREATEST_LENGTH)),
+            text!(
+                "expected-coordinates",
+                greatest = format_number(GREATEST_LENGTH)
+            ),
         )
     })
 }
@@ -287,7 +290,7 @@ pub(super) fn direction_outside(value: DVec3) -> Option<(String, String)> {
     let short = || {
         (
             triple(value),
-            text!("expected-direction", least = number(LEAST_LENGTH)),
+            text!("expected-direction", least = format_number(LEAST_LENGTH)),
         )
     };
     point_outside(value).or_else(|| (value.length() < LEAST_LENGTH).then(short))
@@ -299,8 +302,8 @@ impl fmt::Display for Limits {
             &Self::FINITE => f.write_str(text!("range-finite")),
             Self { least, greatest } => f.write_str(&text!(
                 "range-between",
-                least = number(*least),
-                greatest = number(*greatest)
+                least = format_number(*least),
+                greatest = format_number(*greatest)
             )),
         }
     }
@@ -309,14 +312,14 @@ impl fmt::Display for Limits {
 fn triple(value: DVec3) -> String {
     format!(
         "[{}, {}, {}]",
-        number(value.x),
-        number(value.y),
-        number(value.z)
+        format_number(value.x),
+        format_number(value.y),
+        format_number(value.z)
     )
 }
 
 /// Returns a number as a scene's author would write it.
-fn number(value: f64) -> String {
+fn format_number(value: f64) -> String {
     if value.is_nan() {
         return "nan".to_owned();
     }

@@ -124,7 +124,7 @@ impl Answer for ScanStop {
         let [first, last] = scan.steps_of_line(line.y).unwrap_or_default();
         for mix in (first..=last).filter_map(|step| scan.found(step).pop()) {
             let place = if mix.pixel.is_none() {
-                format!(", x = {}", number(mix.x, 3))
+                format!(", x = {}", format_number(mix.x, 3))
             } else {
                 String::new()
             };
@@ -243,10 +243,10 @@ impl Mix<'_> {
 
     /// Formats α with its numbers, `α = (7.50 − 2.00) / (14.00 − 2.00) = 0.458`.
     pub fn alpha_text(&self) -> String {
-        let [from, here, to] = self.places.map(|place| number(place, 2));
+        let [from, here, to] = self.places.map(|place| format_number(place, 2));
         format!(
             "α = ({here} − {from}) / ({to} − {from}) = {}",
-            number(self.alpha, 3)
+            format_number(self.alpha, 3)
         )
     }
 
@@ -264,7 +264,7 @@ impl Mix<'_> {
     /// Formats the interpolation with the numbers of one component.
     pub fn row(&self, component: usize) -> String {
         let bracketed = |value: f64| {
-            let text = number(value, 4);
+            let text = format_number(value, 4);
             if text.starts_with('−') {
                 format!("({text})")
             } else {
@@ -272,10 +272,10 @@ impl Mix<'_> {
             }
         };
         let [a, b] = self.values.map(|value| bracketed(value[component]));
-        let [rest, alpha] = [1.0 - self.alpha, self.alpha].map(|share| number(share, 3));
+        let [rest, alpha] = [1.0 - self.alpha, self.alpha].map(|share| format_number(share, 3));
         format!(
             "{rest}·{a} + {alpha}·{b} = {}",
-            number(self.value[component], 4)
+            format_number(self.value[component], 4)
         )
     }
 
@@ -424,7 +424,7 @@ impl Scan {
         if self.carried != Carried::Normal {
             return Vec::new();
         }
-        let length = number(pixel.value.length(), 4);
+        let length = format_number(pixel.value.length(), 4);
         vec![
             if self.renormalise {
                 text!("line-scan-renormalised", length = length)
@@ -438,8 +438,8 @@ impl Scan {
     /// Returns the table of results up to a step, with the pixel's value by barycentric interpolation.
     pub fn found_table(&self, step: usize) -> Table {
         let [a, b, c] = self.carried.components();
-        let value = |head| Column::shown(head, |value| number(value, 3));
-        let alpha = Column::shown("α", |value| number(value, 2));
+        let value = |head| Column::shown(head, |value| format_number(value, 3));
+        let alpha = Column::shown("α", |value| format_number(value, 2));
         let name = Column::shown("", as_it_is);
         let mut table = Table::new([name, alpha, value(a), value(b), value(c)]);
         let mut row = |name: &str, alpha: Option<f64>, value: DVec3| {
@@ -482,7 +482,8 @@ impl Scan {
             text!("line-scan-x-from"),
             "dx/dy",
         ];
-        let mut table = Table::new(columns.map(|head| Column::shown(head, |v| number(v, 2))));
+        let mut table =
+            Table::new(columns.map(|head| Column::shown(head, |v| format_number(v, 2))));
         let many = self.edges.len() > MOST_EDGES;
         for (index, edge) in self
             .edges
@@ -505,7 +506,7 @@ impl Scan {
 }
 
 /// Formats a number with a fixed number of decimals and a true minus sign.
-fn number(value: f64, decimals: usize) -> String {
+fn format_number(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     // A number that rounds to zero has no sign.
     let zero = text
@@ -520,5 +521,8 @@ fn number(value: f64, decimals: usize) -> String {
 }
 
 fn triple(value: DVec3) -> String {
-    value.to_array().map(|part| number(part, 4)).join(", ")
+    value
+        .to_array()
+        .map(|part| format_number(part, 4))
+        .join(", ")
 }

@@ -100,17 +100,17 @@ pub fn round_up(value: f64) -> f64 {
 fn written(value: f64, step: f64, degrees: bool) -> String {
     let decimals = (-(step * (1.0 + 1e-9)).log10().floor()).clamp(0.0, 12.0) as usize;
     let unit = if degrees { "°" } else { "" };
-    number(value, decimals, (1e-4..1e6).contains(&step)) + unit
+    format_number(value, decimals, (1e-4..1e6).contains(&step)) + unit
 }
 
 /// Formats a number with three significant digits, a true minus sign, and no more zeros than it needs.
 pub fn short(value: f64) -> String {
     let size = value.abs();
     let decimals = 2i32.saturating_sub(size.log10().floor() as i32).clamp(0, 5) as usize;
-    number(value, decimals, (1e-3..1e5).contains(&size))
+    format_number(value, decimals, (1e-3..1e5).contains(&size))
 }
 
-fn number(value: f64, decimals: usize, plain: bool) -> String {
+fn format_number(value: f64, decimals: usize, plain: bool) -> String {
     match plain {
         _ if value == 0.0 => "0".to_owned(),
         true => fixed(value, decimals),

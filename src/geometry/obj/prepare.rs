@@ -125,7 +125,10 @@ impl<'a, R: BufRead> Lines<'a, R> {
                 return Err(not_text(number));
             }
             if self.text.len() > LONGEST {
-                return Err(at(number, text!("obj-line-too-long", longest = LONGEST)));
+                return Err(error_at(
+                    number,
+                    text!("obj-line-too-long", longest = LONGEST),
+                ));
             }
             self.trim(before);
             if !(ended && self.text.ends_with(b"\\")) {
@@ -276,9 +279,9 @@ impl Writer {
     ) -> Result<(), ObjError> {
         let (mut point, xyz) = vector(line, &mut words, "obj-coordinate", "obj-three-coordinates")?;
         if let (Some(weight), None) = (words.next(), words.next()) {
-            point /= match number(line, weight, "obj-weight")? {
+            point /= match parse_number(line, weight, "obj-weight")? {
                 0.0 => {
-                    return Err(at(line, text!("obj-weight-zero")));
+                    return Err(error_at(line, text!("obj-weight-zero")));
                 }
                 weight => weight,
             };
@@ -289,7 +292,7 @@ impl Writer {
         let relative = (point - self.facts.origin).as_vec3();
         if let Some(k) = (0..3).find(|&k| !relative[k].is_finite()) {
             let word = quoted(xyz[k]);
-            return Err(at(line, text!("obj-not-finite", word = word)));
+            return Err(error_at(line, text!("obj-not-finite", word = word)));
         }
         self.positions += 1;
         self.write(format_args!(
@@ -332,7 +335,7 @@ impl Writer {
             corners.push(self.corner(line, word)?);
         }
         if corners.len() < 3 {
-            return Err(at(
+            return Err(error_at(
                 line.number,
                 text!("obj-few-vertices", count = corners.len()),
             ));
@@ -388,7 +391,7 @@ impl Writer {
     }
 }
 
-fn at(line: u64, what: impl Into<String>) -> ObjError {
+fn error_at(line: u64, what: impl Into<String>) -> ObjError {
     ObjError::Line {
         line,
         what: what.into(),
@@ -396,13 +399,13 @@ fn at(line: u64, what: impl Into<String>) -> ObjError {
 }
 
 fn not_text(line: u64) -> ObjError {
-    at(line, text!("obj-not-text"))
+    error_at(line, text!("obj-not-text"))
 }
 
 /// Returns the error that says `word` is not what was `expected`.
 fn malformed(line: u64, word: &[u8], expected: &str) -> ObjError {
     let expected = text!(expected);
-    at(
+    error_at(
         line,
         text!("obj-malformed", word = quoted(word), expected = expected),
     )
@@ -430,18 +433,18 @@ fn vector<'w>(
     let mut vector = DVec3::ZERO;
     for k in 0..3 {
         xyz[k] = words.next().ok_or_else(|| {
-            at(
+            error_at(
                 line,
                 text!("obj-few-numbers", count = k, expected = text!(three)),
             )
         })?;
-        vector[k] = number(line, xyz[k], one)?;
+        vector[k] = parse_number(line, xyz[k], one)?;
     }
     Ok((vector, xyz))
 }
 
 /// Reads a word as a number, finite or not.
-fn number(line: u64, word: &[u8], expected: &str) -> Result<f64, ObjError> {
+fn parse_number(line: u64, word: &[u8], expected: &str) -> Result<f64, ObjError> {
     let number = std::str::from_utf8(word)
         .ok()
         .and_then(|text| text.parse().ok());
@@ -467,5 +470,5 @@ fn absolute(line: u64, unknown: &str, field: &[u8], count: u64) -> Result<u64, O
             .contains(&number)
             .then(|| if negative { count + 1 - number } else { number })
     });
-    resolved.ok_or_else(|| at(line, text!(unknown, number = quoted(field), count = count)))
+    resolved.ok_or_else(|| error_at(line, text!(unknown, number = quoted(field), count = count)))
 }

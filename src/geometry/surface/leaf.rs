@@ -94,7 +94,7 @@ impl Quad {
                 direction[axis][lane] = ray.direction[axis];
             }
         }
-        let (origin, direction) = (load(simd, &origin), load(simd, &direction));
+        let (origin, direction) = (load_vectors(simd, &origin), load_vectors(simd, &direction));
         let Jet {
             point,
             along_u,
@@ -187,7 +187,7 @@ fn jet<S: Simd>(simd: S, patch: &Patch<DVec3>, u: f64x4<S>, v: f64x4<S>) -> [Fou
 }
 
 #[inline(always)]
-fn load<S: Simd>(simd: S, planes: &[[f64; QUAD]; 3]) -> Four<S> {
+fn load_vectors<S: Simd>(simd: S, planes: &[[f64; QUAD]; 3]) -> Four<S> {
     [
         f64x4::from_slice(simd, &planes[0]),
         f64x4::from_slice(simd, &planes[1]),

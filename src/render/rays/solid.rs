@@ -154,7 +154,7 @@ impl Solid<'_> {
                     facing,
                 }
             };
-            each(ray, nearest.of(ray).map(hit));
+            each(ray, nearest.hit(ray).map(hit));
         }
     }
 

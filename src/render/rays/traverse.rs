@@ -5,7 +5,7 @@
 //! precision, so that the answers depend neither on the SIMD level nor on the grouping of the rays.
 
 use super::bvh::{Bvh, Node, STACK};
-use super::packet::{self, Packet, RAYS, Vectors, bits, cross, load, sub};
+use super::packet::{self, Packet, RAYS, Vectors, bits, cross, load_vectors, sub};
 use fearless_simd::{f32x16, f64x8, prelude::*};
 use glam::{DVec3, Vec3};
 
@@ -86,7 +86,7 @@ pub struct Nearest {
 
 impl Nearest {
     /// Returns the distance at which a ray meets its triangle, the triangle, and the weights of its second and third corner there.
-    pub fn of(&self, ray: usize) -> Option<(f64, u32, [f64; 2])> {
+    pub fn hit(&self, ray: usize) -> Option<(f64, u32, [f64; 2])> {
         let weights = [self.weights[0][ray], self.weights[1][ray]];
         (self.met >> ray & 1 == 1).then(|| (self.t[ray], self.triangle[ray], weights))
     }
@@ -264,11 +264,11 @@ impl<S: Simd> Rays<S> {
             errors[1][ray] = error as f32;
         }
         let mut rays = Self {
-            from_low: load(simd, &low[0], &low[1], &low[2]),
-            from_high: load(simd, &high[0], &high[1], &high[2]),
-            inverse: load(simd, &inverse[0], &inverse[1], &inverse[2]),
-            origin: load(simd, &near[0], &near[1], &near[2]),
-            direction: load(simd, &way[0], &way[1], &way[2]),
+            from_low: load_vectors(simd, &low[0], &low[1], &low[2]),
+            from_high: load_vectors(simd, &high[0], &high[1], &high[2]),
+            inverse: load_vectors(simd, &inverse[0], &inverse[1], &inverse[2]),
+            origin: load_vectors(simd, &near[0], &near[1], &near[2]),
+            direction: load_vectors(simd, &way[0], &way[1], &way[2]),
             limit: f32x16::splat(simd, 0.0),
             error: f32x16::from_slice(simd, &errors[0]),
             depth_error: f32x16::from_slice(simd, &errors[1]),
@@ -504,7 +504,7 @@ mod tests {
                         assert_eq!(blocked, met & asked, "{kind:?}");
                         let nearest = dispatch!(level, simd => bvh.nearest(simd, &packet, asked));
                         for k in (0..RAYS).filter(|k| asked >> k & 1 == 1) {
-                            let alone = nearest.of(k).map(|(t, ..)| t);
+                            let alone = nearest.hit(k).map(|(t, ..)| t);
                             assert!(
                                 alone
                                     .zip(expected[k])
@@ -555,7 +555,7 @@ mod tests {
         packet.set(0, DVec3::Z, -DVec3::Z, f64::INFINITY);
         for bvh in [Bvh::new(&place), Bvh::new(&Model::default())] {
             assert_eq!(
-                dispatch!(Level::new(), simd => bvh.nearest(simd, &packet, 1)).of(0),
+                dispatch!(Level::new(), simd => bvh.nearest(simd, &packet, 1)).hit(0),
                 None
             );
         }
