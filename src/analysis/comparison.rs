@@ -54,7 +54,7 @@ impl LinearPicture<'_> {
         std::array::from_fn(|channel| (a[channel] - b[channel]).abs())
     }
 
-    fn at(&self, index: usize) -> [u32; 2] {
+    fn position(&self, index: usize) -> [u32; 2] {
         let (index, width) = (index as u64, u64::from(self.width.max(1)));
         #[expect(
             clippy::cast_possible_truncation,
@@ -130,7 +130,7 @@ fn error_figures_where(
                 part.mean += difference;
                 part.rms += difference * difference;
                 if difference > part.greatest {
-                    (part.greatest, part.at) = (difference, Some(picture.at(index)));
+                    (part.greatest, part.at) = (difference, Some(picture.position(index)));
                     part.region = Some(region(index));
                 }
             }
@@ -250,7 +250,7 @@ pub fn brightest(picture: LinearPicture<'_>) -> Option<Brightest> {
         .reduce_with(brighter)
         .map(|(value, index)| Brightest {
             value,
-            at: picture.at(index),
+            at: picture.position(index),
         })
 }
 

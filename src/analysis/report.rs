@@ -440,7 +440,7 @@ impl Table {
     }
 
     /// Creates a table with a row for each of `rows`; every column provides its cell.
-    pub fn of<T, const N: usize>(rows: &[T], columns: [Filled<T>; N]) -> Self {
+    pub fn from_rows<T, const N: usize>(rows: &[T], columns: [Filled<T>; N]) -> Self {
         let rows = rows
             .iter()
             .map(|row| columns.iter().map(|(_, cell)| cell(row)).collect())

@@ -116,11 +116,11 @@ fn failures(group: &Group, lesson: Option<&Path>) -> impl Iterator<Item = String
 
 /// Returns every hand-in with its group, in the order of the files.
 fn in_order(class: &Class) -> Vec<(&Group, &Student)> {
-    let of = |group| move |student| (group, student);
+    let with_group = |group| move |student| (group, student);
     let mut all: Vec<(&Group, &Student)> = class
         .groups
         .iter()
-        .flat_map(|group| group.students.iter().map(of(group)))
+        .flat_map(|group| group.students.iter().map(with_group(group)))
         .collect();
     all.sort_by_key(|(_, student)| student.index);
     all

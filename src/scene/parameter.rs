@@ -133,8 +133,8 @@ impl Unit {
 /// A struct whose fields are the keys of a table of the scene file.
 pub(super) trait ParameterTable: Sized + 'static {
     const PARAMETERS: &'static [&'static Parameter];
-    fn of(scene: &Scene, index: usize) -> Option<&Self>;
-    fn of_mut(scene: &mut Scene, index: usize) -> Option<&mut Self>;
+    fn get(scene: &Scene, index: usize) -> Option<&Self>;
+    fn get_mut(scene: &mut Scene, index: usize) -> Option<&mut Self>;
 }
 
 /// Defines a struct of a scene, which is a table of the scene file, and describes each of its keys: the parameter's
@@ -180,10 +180,10 @@ macro_rules! table {
                 $crate::scene::parameter::Kind::$kind(
                     &$crate::scene::parameter::Access {
                         get: |scene, index| {
-                            <$struct as $crate::scene::parameter::ParameterTable>::of(scene, index).map(|table| &table.$field)
+                            <$struct as $crate::scene::parameter::ParameterTable>::get(scene, index).map(|table| &table.$field)
                         },
                         get_mut: |scene, index| {
-                            <$struct as $crate::scene::parameter::ParameterTable>::of_mut(scene, index)
+                            <$struct as $crate::scene::parameter::ParameterTable>::get_mut(scene, index)
                                 .map(|table| &mut table.$field)
                         },
                     }
@@ -209,11 +209,11 @@ macro_rules! table {
         impl $crate::scene::parameter::ParameterTable for $struct {
             const PARAMETERS: &'static [&'static $crate::scene::parameter::Parameter] = &$parameters;
 
-            fn of(scene: &$crate::scene::Scene, index: usize) -> Option<&Self> {
+            fn get(scene: &$crate::scene::Scene, index: usize) -> Option<&Self> {
                 scene.$($list).+.get(index)
             }
 
-            fn of_mut(scene: &mut $crate::scene::Scene, index: usize) -> Option<&mut Self> {
+            fn get_mut(scene: &mut $crate::scene::Scene, index: usize) -> Option<&mut Self> {
                 scene.$($list).+.get_mut(index)
             }
         }
@@ -222,11 +222,11 @@ macro_rules! table {
         impl $crate::scene::parameter::ParameterTable for $struct {
             const PARAMETERS: &'static [&'static $crate::scene::parameter::Parameter] = &$parameters;
 
-            fn of(scene: &$crate::scene::Scene, _: usize) -> Option<&Self> {
+            fn get(scene: &$crate::scene::Scene, _: usize) -> Option<&Self> {
                 Some(&scene.$section)
             }
 
-            fn of_mut(scene: &mut $crate::scene::Scene, _: usize) -> Option<&mut Self> {
+            fn get_mut(scene: &mut $crate::scene::Scene, _: usize) -> Option<&mut Self> {
                 Some(&mut scene.$section)
             }
         }

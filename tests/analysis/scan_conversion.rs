@@ -94,7 +94,7 @@ fn on_a_quadrilateral_it_is_the_formula_of_the_course() {
         // The corners run counter-clockwise from the lower left: P lies on one of the left edges, Q on a right one.
         let on = |a: usize, b: usize| {
             let (from, to) = (corners[a].place, corners[b].place);
-            let share = (line.at() - from.y) / (to.y - from.y);
+            let share = (line.centre_y() - from.y) / (to.y - from.y);
             (0.0..1.0).contains(&share).then(|| {
                 (
                     from.x + share * (to.x - from.x),

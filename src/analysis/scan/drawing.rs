@@ -218,7 +218,7 @@ impl ScanCanvas<'_> {
 
     /// Returns the position of a place of the scan line in the drawing.
     fn on_line(&self, x: f64) -> DVec2 {
-        self.at(DVec2::new(x, self.point.line.at()))
+        self.at(DVec2::new(x, self.point.line.centre_y()))
     }
 
     /// Returns the square of a pixel.

@@ -119,7 +119,7 @@ impl Answer for ScanStop {
         report.section(text!(
             "line-scan-report-line",
             y = line.y,
-            at = line.at().to_string()
+            at = line.centre_y().to_string()
         ));
         let [first, last] = scan.steps_of_line(line.y).unwrap_or_default();
         for mix in (first..=last).filter_map(|step| scan.found(step).pop()) {
@@ -394,7 +394,7 @@ impl Scan {
             ),
             of,
             ends: edge.corners.map(corner_name),
-            places: [edge.y_top, line.at(), edge.y_bottom],
+            places: [edge.y_top, line.centre_y(), edge.y_bottom],
             x: crossing.x,
             alpha: crossing.alpha,
             values: edge.corners.map(|corner| self.corners[corner].value),

@@ -85,7 +85,7 @@ fn error(value: f64) -> String {
 
 /// Returns a table with a row for each case.
 fn rows(results: &[Arc<CaseResult>]) -> Table {
-    Table::of(
+    Table::from_rows(
         results,
         [
             (Column::shown(text!("engine-case"), as_it_is), |result| {

@@ -159,7 +159,7 @@ fn codes(error: f64) -> String {
 
 /// Returns a table with a row for each setting.
 fn rows(study: &Study) -> Table {
-    Table::of(
+    Table::from_rows(
         &study.rows,
         [
             (Column::shown("", as_it_is), |row| {
@@ -232,7 +232,7 @@ fn orders(study: &Study) -> Table {
     fn text(fit: Option<Fit>) -> Option<String> {
         fit.map(|fit| format!("{:.2} ± {:.2}", fit.slope, fit.confidence))
     }
-    Table::of(
+    Table::from_rows(
         &study.series,
         [
             (Column::shown("", as_it_is), |series| {

@@ -258,7 +258,7 @@ impl Renderer {
             scene: scene.clone(),
             plan,
             lens,
-            parts: Part::of(scene, &equation),
+            parts: Part::all(scene, &equation),
         }
     }
 
