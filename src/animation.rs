@@ -182,7 +182,9 @@ impl Sweep {
         let back = (1..self.course.frames - 1).rev();
         let back = back.filter(|_| self.course.back_and_forth);
         // Every one of them was valid when the sweep was made.
-        forth.chain(back).filter_map(|frame| self.scene_at(frame).ok())
+        forth
+            .chain(back)
+            .filter_map(|frame| self.scene_at(frame).ok())
     }
 
     /// Returns the scene of a frame between the ends.

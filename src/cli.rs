@@ -122,11 +122,11 @@ pub fn run() -> ExitCode {
 /// Starts [`MOST_THREADS`] where `RAYON_NUM_THREADS` requests more: each takes memory and time to start, a hundred
 /// thousand minutes.
 fn bound_threads() {
-    let asked = env::var("RAYON_NUM_THREADS").ok();
-    let asked = asked.and_then(|count| count.trim().parse::<usize>().ok());
+    let requested = env::var("RAYON_NUM_THREADS").ok();
+    let requested = requested.and_then(|count| count.trim().parse::<usize>().ok());
     let cores = available_parallelism().map_or(1, usize::from);
     let most = cores.max(MOST_THREADS);
-    if asked.is_some_and(|asked| asked > most) {
+    if requested.is_some_and(|requested| requested > most) {
         // Another pool can exist only if something has used it before.
         let _ = rayon::ThreadPoolBuilder::new()
             .num_threads(most)

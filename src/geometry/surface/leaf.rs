@@ -78,10 +78,10 @@ pub struct Quad {
 type Four<S> = [f64x4<S>; 3];
 
 impl Quad {
-    /// Runs Newton's iteration from the middle of a leaf for the rays whose bits are set in `asked`. Rays that have
+    /// Runs Newton's iteration from the middle of a leaf for the rays whose bits are set in `requested`. Rays that have
     /// converged stay as they are, so that none depends on the others.
     #[inline(always)]
-    pub fn solve<S: Simd>(simd: S, leaf: &Leaf, rays: &[UnitRay], asked: u32) -> Self {
+    pub fn solve<S: Simd>(simd: S, leaf: &Leaf, rays: &[UnitRay], requested: u32) -> Self {
         const STEPS: usize = 10;
         /// The step after which the next would be of the order of its square, which is rounding.
         const CONVERGED: f64 = 1e-8;
@@ -114,11 +114,11 @@ impl Quad {
         let near = step_u.abs().simd_le(reach) & step_v.abs().simd_le(reach);
         let mut quad = Self {
             roots: 0,
-            undecided: asked & !(single.to_bitmask() as u32) & streak.to_bitmask() as u32,
+            undecided: requested & !(single.to_bitmask() as u32) & streak.to_bitmask() as u32,
             s: [0.0; QUAD],
             uv: [[0.0; QUAD]; 2],
         };
-        let wanted = asked & (single & near).to_bitmask() as u32;
+        let wanted = requested & (single & near).to_bitmask() as u32;
         if wanted == 0 {
             return quad;
         }

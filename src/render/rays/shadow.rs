@@ -344,8 +344,8 @@ impl<'a> ShadowCaster<'a> {
         if count == 0 {
             return;
         }
-        let asked = u32::MAX >> (32 - count);
-        let mut blocked = self.solid.blocked(simd, &queue.packet, asked);
+        let requested = u32::MAX >> (32 - count);
+        let mut blocked = self.solid.blocked(simd, &queue.packet, requested);
         while blocked != 0 {
             let (source, point) = queue.marks[blocked.trailing_zeros() as usize];
             blocked &= blocked - 1;

@@ -22,17 +22,17 @@ const LEVEL: f64 = 1e-30;
 type Exact<S> = [f64x8<S>; 3];
 
 impl Bvh {
-    /// Finds the rays, among those whose bits are set in `asked`, on which anything lies for 0 < t < t_max.
+    /// Finds the rays, among those whose bits are set in `requested`, on which anything lies for 0 < t < t_max.
     #[inline(always)]
-    pub fn blocked<S: Simd>(&self, simd: S, packet: &Packet, asked: u32) -> u32 {
+    pub fn blocked<S: Simd>(&self, simd: S, packet: &Packet, requested: u32) -> u32 {
         let Some(root) = self.nodes.first() else {
             return 0;
         };
         let rays = Rays::new(simd, packet, f64::from(root.radius()));
         let mut stack = [(0_u32, 0_u32); STACK];
         let mut waiting = 0;
-        let mut open = asked;
-        let (mut here, mut among) = (0, rays.enter(simd, root).0 & asked);
+        let mut open = requested;
+        let (mut here, mut among) = (0, rays.enter(simd, root).0 & requested);
         loop {
             let node = &self.nodes[here as usize];
             if among == 0 {
@@ -47,7 +47,7 @@ impl Bvh {
                     }
                 }
                 if open == 0 {
-                    return asked;
+                    return requested;
                 }
             } else {
                 let (left, right) = (here + 1, node.start);
@@ -68,7 +68,7 @@ impl Bvh {
                 }
             }
             if waiting == 0 {
-                return asked & !open;
+                return requested & !open;
             }
             waiting -= 1;
             (here, among) = (stack[waiting].0, stack[waiting].1 & open);
@@ -93,8 +93,8 @@ impl Nearest {
 
     /// Stores the meetings of half a packet.
     #[inline(always)]
-    fn take<S: Simd>(&mut self, met: &Met<S>, asked: u32, first: usize, triangle: u32) -> bool {
-        let rays = met.rays & asked >> first;
+    fn take<S: Simd>(&mut self, met: &Met<S>, requested: u32, first: usize, triangle: u32) -> bool {
+        let rays = met.rays & requested >> first;
         for lane in (0..HALF).filter(|lane| rays >> lane & 1 == 1) {
             let ray = first + lane;
             self.t[ray] = met.t[lane];
@@ -108,9 +108,9 @@ impl Nearest {
 }
 
 impl Bvh {
-    /// Finds the first triangle on each of the rays whose bits are set in `asked`, for 0 < t < t_max.
+    /// Finds the first triangle on each of the rays whose bits are set in `requested`, for 0 < t < t_max.
     #[inline(always)]
-    pub fn nearest<S: Simd>(&self, simd: S, packet: &Packet, asked: u32) -> Nearest {
+    pub fn nearest<S: Simd>(&self, simd: S, packet: &Packet, requested: u32) -> Nearest {
         let mut nearest = Nearest {
             t: packet.t_max,
             triangle: [0; RAYS],
@@ -123,7 +123,7 @@ impl Bvh {
         let mut rays = Rays::new(simd, packet, f64::from(root.radius()));
         let mut stack = [(0_u32, 0_u32); STACK];
         let mut waiting = 0;
-        let (mut here, mut among) = (0, rays.enter(simd, root).0 & asked);
+        let (mut here, mut among) = (0, rays.enter(simd, root).0 & requested);
         loop {
             let node = &self.nodes[here as usize];
             if node.count > 0 && among != 0 {
@@ -499,11 +499,13 @@ mod tests {
                 let met = (0..RAYS).fold(0, |bits, k| bits | u32::from(expected[k].is_some()) << k);
                 found += met.count_ones();
                 for level in [Level::new(), Level::baseline()] {
-                    for asked in [0xffff, 0xff0f, 0x00f0, 0x0008, 0] {
-                        let blocked = dispatch!(level, simd => bvh.blocked(simd, &packet, asked));
-                        assert_eq!(blocked, met & asked, "{kind:?}");
-                        let nearest = dispatch!(level, simd => bvh.nearest(simd, &packet, asked));
-                        for k in (0..RAYS).filter(|k| asked >> k & 1 == 1) {
+                    for requested in [0xffff, 0xff0f, 0x00f0, 0x0008, 0] {
+                        let blocked =
+                            dispatch!(level, simd => bvh.blocked(simd, &packet, requested));
+                        assert_eq!(blocked, met & requested, "{kind:?}");
+                        let nearest =
+                            dispatch!(level, simd => bvh.nearest(simd, &packet, requested));
+                        for k in (0..RAYS).filter(|k| requested >> k & 1 == 1) {
                             let alone = nearest.hit(k).map(|(t, ..)| t);
                             assert!(
                                 alone
