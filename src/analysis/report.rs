@@ -64,9 +64,9 @@ pub trait Answer: Debug + Send + Sync {
         let report = self.report(about);
         let plots: Vec<Plot> = report.plots().cloned().collect();
         let size = size.unwrap_or_else(|| self.figure_size(plots.len()));
-        let room = DVec2::from_array(size.map(f64::from));
+        let extent = DVec2::from_array(size.map(f64::from));
         let titles: Vec<&str> = plots.iter().map(|plot| plot.title.as_str()).collect();
-        let drawing = || lay_out_sheet(&plots, room, &PlotStyle::of(size, plots.len(), paper));
+        let drawing = || lay_out_sheet(&plots, extent, &PlotStyle::of(size, plots.len(), paper));
         (!plots.is_empty()).then(|| Figure::Drawing {
             drawing: drawing(),
             title: titles.join("; "),

@@ -121,14 +121,15 @@ impl Placer {
     }
 
     fn try_anywhere(&mut self, wish: &Wish) {
-        let room = self.bounds.max - self.bounds.min - wish.size;
-        if room.min_element() < 0.0 {
+        let slack = self.bounds.max - self.bounds.min - wish.size;
+        if slack.min_element() < 0.0 {
             return;
         }
         for row in 0..=GRID {
             for column in 0..=GRID {
                 let share = DVec2::new(f64::from(column), f64::from(row)) / f64::from(GRID);
-                let area = Area::about(self.bounds.min + wish.size * 0.5 + room * share, wish.size);
+                let area =
+                    Area::about(self.bounds.min + wish.size * 0.5 + slack * share, wish.size);
                 let distance = (area.nearest(wish.anchor) - wish.anchor).length() / self.text_size;
                 self.consider(area, COST[0] * distance);
             }

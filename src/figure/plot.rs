@@ -36,11 +36,11 @@ pub fn lay_out_bare(
 ) -> Drawing {
     let mut drawing = Drawing::new(size, style.paper.ground);
     let mut canvas = PlotCanvas::new(&mut drawing, plot, style);
-    let room = canvas.heading(Area {
+    let bounds = canvas.heading(Area {
         min: DVec2::ZERO,
         max: size,
     });
-    cartesian::draw(&mut canvas, room, span);
+    cartesian::draw(&mut canvas, bounds, span);
     drawing
 }
 
@@ -53,15 +53,15 @@ pub fn lay_out_sheet(plots: &[Plot], size: DVec2, style: &PlotStyle) -> Drawing 
         let index = f64::from(index);
         let min = cell * DVec2::new(index % grid.x, (index / grid.x).floor());
         let mut canvas = PlotCanvas::new(&mut drawing, plot, style);
-        let room = canvas.heading(Area {
+        let bounds = canvas.heading(Area {
             min,
             max: min + cell,
         });
-        let (legend, room) = Legend::new(&canvas, room);
+        let (legend, bounds) = Legend::new(&canvas, bounds);
         if plot.kind.is_polar() {
-            polar::draw(&mut canvas, room);
+            polar::draw(&mut canvas, bounds);
         } else {
-            cartesian::draw(&mut canvas, room, None);
+            cartesian::draw(&mut canvas, bounds, None);
         }
         legend.draw(&mut canvas);
     }

@@ -1,7 +1,7 @@
 //! The geometry stage's output: polygons, and a mesh as structures of arrays.
 
 use super::lens::DEEPEST;
-use super::node::{Memory, room, room_of_planes};
+use super::node::{Memory, capacity, capacity_of_planes};
 use crate::geometry::{Mesh, VertexMesh, tessellate};
 use crate::scene::{Camera, Object};
 use glam::{DVec3, Vec3};
@@ -47,8 +47,10 @@ impl MeshSource {
 
     pub fn count(&self, memory: &mut Memory) {
         if let Some(mesh) = self.mesh.get() {
-            memory.vertices += room(&mesh.positions) + room(&mesh.normals) + room(&mesh.mirrored);
-            memory.triangles += room(&mesh.starts) + room(&mesh.corners) + room(&mesh.cut);
+            memory.vertices +=
+                capacity(&mesh.positions) + capacity(&mesh.normals) + capacity(&mesh.mirrored);
+            memory.triangles +=
+                capacity(&mesh.starts) + capacity(&mesh.corners) + capacity(&mesh.cut);
         }
     }
 }
@@ -105,9 +107,11 @@ impl Model {
     }
 
     pub fn count(&self, memory: &mut Memory) {
-        memory.vertices += room_of_planes(&self.position) + room_of_planes(&self.normal);
-        memory.triangles +=
-            room(&self.triangles) + room(&self.faces) + room(&self.starts) + room(&self.indices);
+        memory.vertices += capacity_of_planes(&self.position) + capacity_of_planes(&self.normal);
+        memory.triangles += capacity(&self.triangles)
+            + capacity(&self.faces)
+            + capacity(&self.starts)
+            + capacity(&self.indices);
     }
 
     /// Returns the world units to one camera distance.

@@ -213,9 +213,9 @@ impl<'a> ProfilePlotter<'a> {
         let [low, high] = bounds(values, 0.0);
         let y = axis(text!("line-axis-added"), [low.min(0.0), high.max(0.0)]);
         let outside = |curve: &Curve| {
-            let room = PADDING * (high - low);
+            let margin = PADDING * (high - low);
             let mut values = curve.points.iter().map(|[_, value]| *value);
-            values.any(|value| !(low - room..=high + room).contains(&value))
+            values.any(|value| !(low - margin..=high + margin).contains(&value))
         };
         let model = match request.perception.model {
             ResponseModel::LateralInhibition => text!("line-lateral-inhibition"),
@@ -351,7 +351,7 @@ fn bounds(mut values: Vec<f64>, off: f64) -> [f64; 2] {
     if high - low > 1e-6 * high.abs().max(low.abs()) {
         [low, high]
     } else {
-        let room = (0.5 * high.abs()).max(0.05);
-        [low - room, high + room]
+        let margin = (0.5 * high.abs()).max(0.05);
+        [low - margin, high + margin]
     }
 }

@@ -45,19 +45,19 @@ fn pad(cell: f64, em: f64) -> DVec2 {
 /// with the formulas filled in.
 pub fn lay_out_scan(scan: &Scan, step: usize, size: DVec2, style: &PlotStyle) -> Drawing {
     let mut drawing = Drawing::new(size, style.paper.ground);
-    let mut room = Area {
+    let mut bounds = Area {
         min: DVec2::ZERO,
         max: size,
     };
     if style.titled {
-        room = draw_column(&mut drawing, scan, step, room, style);
+        bounds = draw_column(&mut drawing, scan, step, bounds, style);
     }
-    let (grid, extent) = (scan.grid.size(), room.max - room.min);
+    let (grid, extent) = (scan.grid.size(), bounds.max - bounds.min);
     let natural = (extent / grid).min_element();
     let cell = ((extent - 2.0 * pad(natural, style.text)) / grid)
         .min_element()
         .max(0.0);
-    let origin = (room.min + room.max - grid * cell) * 0.5;
+    let origin = (bounds.min + bounds.max - grid * cell) * 0.5;
     let (point, paper, em) = (scan.at(step), style.paper, style.text);
     let alpha = readable(ALPHA, paper.ground, 3.0);
     let mut canvas = ScanCanvas {
@@ -65,7 +65,7 @@ pub fn lay_out_scan(scan: &Scan, step: usize, size: DVec2, style: &PlotStyle) ->
         point,
         origin,
         cell,
-        room,
+        bounds,
         em,
         paper,
         alpha,
@@ -95,13 +95,13 @@ fn draw_column(
     drawing: &mut Drawing,
     scan: &Scan,
     step: usize,
-    room: Area,
+    bounds: Area,
     style: &PlotStyle,
 ) -> Area {
     let (em, paper) = (style.text, &style.paper);
     let mut rest = Area {
-        min: room.min + em,
-        max: room.max - em,
+        min: bounds.min + em,
+        max: bounds.max - em,
     };
     let mode = match scan.mode {
         ShadingMode::Exact => ShadingMode::Phong,
@@ -201,7 +201,7 @@ struct ScanCanvas<'a> {
     origin: DVec2,
     /// The side of a pixel.
     cell: f64,
-    room: Area,
+    bounds: Area,
     em: f64,
     paper: Paper,
     /// Colour of the share α.
@@ -266,7 +266,7 @@ impl ScanCanvas<'_> {
         let size = size * self.em;
         let text = Text::new(text, DVec2::ZERO, size, colour).bold();
         let half = DVec2::new(0.5 * text.width() + 0.15 * self.em, 0.6 * size);
-        let (low, high) = (self.room.min + half, self.room.max - half);
+        let (low, high) = (self.bounds.min + half, self.bounds.max - half);
         let about = |place: &DVec2| Area::about(place.max(low).min(high.max(low)), 2.0 * half);
         let free = |area: &Area| !self.taken.iter().any(|other| area.overlaps(other));
         let area = places

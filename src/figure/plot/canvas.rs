@@ -96,12 +96,12 @@ impl<'a> PlotCanvas<'a> {
     }
 
     /// Draws title and note; returns the area below them, with a margin on all sides.
-    pub fn heading(&mut self, room: Area) -> Area {
+    pub fn heading(&mut self, bounds: Area) -> Area {
         let (em, paper, plot) = (self.em, self.paper, self.plot);
         let margin = if self.style.titled { em } else { 0.0 };
         let mut rest = Area {
-            min: room.min + margin,
-            max: room.max - margin,
+            min: bounds.min + margin,
+            max: bounds.max - margin,
         };
         if self.style.titled {
             rest.min.y += 1.2 * em;

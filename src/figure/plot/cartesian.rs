@@ -31,25 +31,25 @@ const GAP: f64 = 0.2;
 /// Size of the names of points, relative to other letters.
 const LETTERS: f64 = 0.85;
 
-/// Draws axes, marks and curves in `room`; the x axis over `span`, if given.
-pub fn draw(canvas: &mut PlotCanvas<'_>, room: Area, span: Option<[f64; 2]>) {
+/// Draws axes, marks and curves in `bounds`; the x axis over `span`, if given.
+pub fn draw(canvas: &mut PlotCanvas<'_>, bounds: Area, span: Option<[f64; 2]>) {
     let (em, plot) = (canvas.em, canvas.plot);
     let y = Axis {
         high: plot.y.low + (plot.y.high - plot.y.low) * HEADROOM,
         ..plot.y.clone()
     };
-    let y_ticks = ticks(&y, (room.max.y - room.min.y) / (2.6 * em));
+    let y_ticks = ticks(&y, (bounds.max.y - bounds.min.y) / (2.6 * em));
     let widest = y_ticks
         .iter()
         .map(|(_, text)| width_of(text, em))
         .fold(0.0, f64::max);
     let mut area = Area {
-        min: room.min + DVec2::new(widest + 0.6 * em, 0.0),
-        max: room.max - DVec2::new(0.9 * em, 3.0 * em),
+        min: bounds.min + DVec2::new(widest + 0.6 * em, 0.0),
+        max: bounds.max - DVec2::new(0.9 * em, 3.0 * em),
     };
     // If there is no space beside the axis, its numbers are inside.
     let inside = span.is_some_and(|[from, _]| from < area.min.x);
-    let mut left = room.min.x;
+    let mut left = bounds.min.x;
     if let Some([from, to]) = span {
         (area.min.x, area.max.x) = (from, to);
         left = left.max(from - widest - 0.6 * em);

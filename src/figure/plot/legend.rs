@@ -25,8 +25,8 @@ pub struct Legend {
 }
 
 impl Legend {
-    /// Reserves space for the legend of a plot in `room`; returns the rest.
-    pub fn new(canvas: &PlotCanvas<'_>, room: Area) -> (Self, Area) {
+    /// Reserves space for the legend of a plot in `bounds`; returns the rest.
+    pub fn new(canvas: &PlotCanvas<'_>, bounds: Area) -> (Self, Area) {
         let (plot, em) = (canvas.plot, canvas.em);
         let widest = |texts: &mut dyn Iterator<Item = &str>| {
             texts.map(|text| width_of(text, em)).fold(0.0, f64::max)
@@ -45,7 +45,7 @@ impl Legend {
             .collect();
         // Where space is short, columns move together.
         #[expect(clippy::cast_precision_loss, reason = "a plot has few columns")]
-        let gap = (room.max.x - room.min.x - width - widths.iter().sum::<f64>())
+        let gap = (bounds.max.x - bounds.min.x - width - widths.iter().sum::<f64>())
             / widths.len().max(1) as f64;
         let gap = gap.clamp(LEAST_GAP * em, GAPS[1] * em);
         let mut columns = Vec::new();
@@ -57,28 +57,28 @@ impl Legend {
         if plot.curves.len() < 2 && columns.is_empty() {
             return (
                 Self {
-                    min: room.min,
+                    min: bounds.min,
                     columns,
                     shown: false,
                 },
-                room,
+                bounds,
             );
         }
         #[expect(clippy::cast_precision_loss, reason = "a plot has few curves")]
         let lines = (plot.curves.len() + usize::from(!plot.legend.is_empty())) as f64;
         let size = DVec2::new(width, LINE * em * lines);
-        let whole = room.max - room.min;
+        let whole = bounds.max - bounds.min;
         let beside = size.x <= BESIDE[0] * whole.x && whole.x >= BESIDE[1] * whole.y;
-        let mut rest = room;
+        let mut rest = bounds;
         let min = if beside {
             rest.max.x -= size.x + 1.6 * em;
             DVec2::new(
-                room.max.x - size.x,
-                room.min.y + (0.5 * (whole.y - size.y) - em).clamp(0.0, 3.0 * em),
+                bounds.max.x - size.x,
+                bounds.min.y + (0.5 * (whole.y - size.y) - em).clamp(0.0, 3.0 * em),
             )
         } else {
             rest.max.y -= size.y + 0.5 * em;
-            DVec2::new(room.min.x, room.max.y - size.y)
+            DVec2::new(bounds.min.x, bounds.max.y - size.y)
         };
         (
             Self {

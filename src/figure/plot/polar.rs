@@ -21,18 +21,18 @@ const OPAQUE: [f64; 2] = [0.2, 0.5];
 /// Half the angle that an arrow's letter must keep free, degrees.
 const APART: f64 = 12.0;
 
-/// Draws rings, the lobe and the vectors in `room`.
-pub fn draw(canvas: &mut PlotCanvas<'_>, room: Area) {
+/// Draws rings, the lobe and the vectors in `bounds`.
+pub fn draw(canvas: &mut PlotCanvas<'_>, bounds: Area) {
     let (em, plot) = (canvas.em, canvas.plot);
-    let space = room.max - room.min - DVec2::new(2.0 * 2.2 * em, 1.5 * em + 2.0 * em);
+    let space = bounds.max - bounds.min - DVec2::new(2.0 * 2.2 * em, 1.5 * em + 2.0 * em);
     let radius = (0.5 * space.x).min(space.y);
     if radius < LEAST * em || !Axis::can_span(0.0, plot.y.high) {
         return;
     }
     let slack = space.y - radius;
     let centre = DVec2::new(
-        0.5 * (room.min.x + room.max.x),
-        room.min.y + 1.5 * em + radius + 0.4 * slack,
+        0.5 * (bounds.min.x + bounds.max.x),
+        bounds.min.y + 1.5 * em + radius + 0.4 * slack,
     );
     let step = round_up(plot.y.high / RINGS * 0.8);
     let rings = (plot.y.high / step * (1.0 - 1e-9)).ceil().max(1.0);

@@ -107,11 +107,11 @@ impl<'a, R: BufRead> Lines<'a, R> {
         let mut ended = true;
         while ended {
             let before = self.text.len();
-            let room = (LONGEST - before + 1) as u64;
+            let limit = (LONGEST - before + 1) as u64;
             let read = self
                 .reader
                 .by_ref()
-                .take(room)
+                .take(limit)
                 .read_until(b'\n', &mut self.text)?;
             if read == 0 && before == 0 {
                 (self.progress)(self.bytes);

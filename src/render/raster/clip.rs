@@ -7,7 +7,7 @@ use super::grid::{GUARD, GridPosition, SUBPIXELS};
 use super::transform::Placed;
 use crate::render::lens::{Lens, NEAR};
 use crate::render::model::Model;
-use crate::render::node::{Memory, room};
+use crate::render::node::{Memory, capacity};
 use glam::DVec3;
 
 /// A vertex made by clipping.
@@ -37,7 +37,8 @@ pub struct Clipped {
 
 impl Clipped {
     pub fn count(&self, memory: &mut Memory) {
-        memory.triangles += room(&self.cuts) + room(&self.triangles) + room(&self.parents);
+        memory.triangles +=
+            capacity(&self.cuts) + capacity(&self.triangles) + capacity(&self.parents);
     }
 
     pub fn clear(&mut self) {

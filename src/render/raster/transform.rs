@@ -7,7 +7,7 @@ use super::grid::{BAND, GUARD, GridPosition, SUBPIXELS, UNPLACED};
 use crate::illumination::{LANES, Lanes, Real, V3};
 use crate::render::lens::{Lens, NEAR};
 use crate::render::model::Model;
-use crate::render::node::{Memory, room};
+use crate::render::node::{Memory, capacity};
 use fearless_simd::{Level, dispatch, i32x16, mask32x16, prelude::*};
 use rayon::prelude::*;
 use std::collections::HashMap;
@@ -36,7 +36,8 @@ impl Placed {
             .get()
             .into_iter()
             .flat_map(|table| table.values().flatten().flatten());
-        memory.vertices += room(&self.places) + room(&self.keys) + edges.map(room).sum::<u64>();
+        memory.vertices +=
+            capacity(&self.places) + capacity(&self.keys) + edges.map(capacity).sum::<u64>();
     }
 
     /// Returns the positions of a triangle's vertices.

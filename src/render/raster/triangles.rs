@@ -8,7 +8,7 @@ use super::grid::{BAND, GridPosition, UNPLACED, doubled_area, first_centre};
 use super::transform::Placed;
 use crate::render::lens::Lens;
 use crate::render::model::Model;
-use crate::render::node::{Memory, room};
+use crate::render::node::{Memory, capacity};
 use fearless_simd::Level;
 use rayon::prelude::*;
 
@@ -114,7 +114,7 @@ impl PlacedTriangles {
             .chunks
             .iter()
             .flat_map(|chunk| chunk.bands.iter().chain([&chunk.clip]));
-        memory.triangles += lists.map(room).sum::<u64>();
+        memory.triangles += lists.map(capacity).sum::<u64>();
     }
 
     pub fn triangles<'a>(&'a self, model: &'a Model) -> Triangles<'a> {

@@ -4,7 +4,7 @@
 //! bounding volume hierarchies*, 2007). Coordinates are those of the model, relative to its origin.
 
 use crate::render::model::Model;
-use crate::render::node::{Memory, room};
+use crate::render::node::{Memory, capacity};
 use glam::Vec3;
 use rayon::join;
 
@@ -129,7 +129,7 @@ impl Bvh {
     }
 
     pub fn count(&self, memory: &mut Memory) {
-        memory.triangles += room(&self.nodes) + room(&self.corners) + room(&self.order);
+        memory.triangles += capacity(&self.nodes) + capacity(&self.corners) + capacity(&self.order);
     }
 
     /// Returns the height of the lowest corner.

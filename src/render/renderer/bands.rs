@@ -8,7 +8,7 @@ use super::shade::{Carried, Evaluated, Stored, Target, Unstored, shade};
 use crate::illumination::SpecularForm;
 use crate::render::lens::pixel_centre;
 use crate::render::model::Planes;
-use crate::render::node::{Memory, room};
+use crate::render::node::{Memory, capacity};
 use crate::render::raster::{
     BAND, Band, BandExtent, Block, DepthScratch, Fragment, PlacedTriangles, ROWS, carry, fragment,
     interpolate, is_seen, meet_band,
@@ -30,8 +30,8 @@ pub struct Interpolated {
 
 impl Interpolated {
     pub fn count(&self, memory: &mut Memory) {
-        memory.vertices += self.carried.iter().map(room).sum::<u64>();
-        memory.pixels += room(&self.fragments);
+        memory.vertices += self.carried.iter().map(capacity).sum::<u64>();
+        memory.pixels += capacity(&self.fragments);
     }
 }
 
