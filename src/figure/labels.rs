@@ -138,14 +138,14 @@ impl Placer {
 
     /// Keeps a place that costs `base` besides the lines it covers, if it is free and better than the best so far.
     fn consider(&mut self, area: Area, base: f64) {
-        let least = self.best.map_or(f64::INFINITY, |(cost, _)| cost);
+        let lowest = self.best.map_or(f64::INFINITY, |(cost, _)| cost);
         let inside = area.min.is_finite() && self.bounds.holds(&area);
-        if least <= base || !inside || self.taken.iter().any(|taken| taken.overlaps(&area)) {
+        if lowest <= base || !inside || self.taken.iter().any(|taken| taken.overlaps(&area)) {
             return;
         }
         let covered: f64 = self.segments.iter().map(|[a, b]| area.covers(*a, *b)).sum();
         let cost = base + COST[2] * covered / self.text_size;
-        if cost < least {
+        if cost < lowest {
             self.best = Some((cost, area));
         }
     }

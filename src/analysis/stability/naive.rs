@@ -194,14 +194,14 @@ fn fill(
     let area = (at[1] - at[0]).perp_dot(at[2] - at[0]);
     let bounds = |axis: usize| {
         let values = at.map(|p| p[axis]);
-        let (least, greatest) = (
+        let (min, max) = (
             values[0].min(values[1]).min(values[2]),
             values[0].max(values[1]).max(values[2]),
         );
         let last = camera.size[axis] as i64;
         (
-            (least.floor() as i64).clamp(0, last),
-            (greatest.ceil() as i64).clamp(0, last),
+            (min.floor() as i64).clamp(0, last),
+            (max.ceil() as i64).clamp(0, last),
         )
     };
     let ((x0, x1), (y0, y1)) = (bounds(0), bounds(1));

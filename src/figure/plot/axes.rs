@@ -25,12 +25,12 @@ pub fn ticks(axis: &Axis, max_ticks: f64) -> Vec<(f64, String)> {
             decades(axis, max_ticks)
         };
     }
-    let least = (axis.high - axis.low) / max_ticks;
+    let min_step = (axis.high - axis.low) / max_ticks;
     let step = if axis.degrees {
-        let known = DEGREES.into_iter().find(|step| *step >= least);
-        known.unwrap_or_else(|| 90.0 * round_up(least / 90.0))
+        let known = DEGREES.into_iter().find(|step| *step >= min_step);
+        known.unwrap_or_else(|| 90.0 * round_up(min_step / 90.0))
     } else {
-        round_up(least)
+        round_up(min_step)
     };
     let (first, last) = (
         (axis.low / step - 1e-9).ceil() as i64,

@@ -48,14 +48,14 @@ impl Leaf {
         let in_v = radius(middle.along_v, &|k| (k % 4 < 3).then(|| p[k + 1] - p[k]));
         let [u, v] = [middle.along_u, middle.along_v].map(DVec3::length);
         let normal = middle.along_u.cross(middle.along_v);
-        let greatest = |distance: &dyn Fn(DVec3) -> f64| {
+        let max_of = |distance: &dyn Fn(DVec3) -> f64| {
             let distances = p.iter().map(|p| distance(*p - middle.point));
             distances.fold(0.0, f64::max) * (1.0 + EDGE) + ROUNDING
         };
         Self {
             normal,
-            height: greatest(&|p| p.dot(normal).abs()),
-            radius: greatest(&|p| p.length()),
+            height: max_of(&|p| p.dot(normal).abs()),
+            radius: max_of(&|p| p.length()),
             fold: (in_u * v + in_v * u + in_u * in_v) * (1.0 + EDGE),
             stray: (in_u + in_v) * u.max(v),
             middle,

@@ -214,13 +214,13 @@ impl<'a> ShadowCaster<'a> {
     ) {
         let mut visible = VisibilityMask { stride, words };
         waiting.0.resize_with(self.lamps.len(), Queue::default);
-        let least = if self.own {
+        let min_height = if self.own {
             self.least_height()
         } else {
             f64::NEG_INFINITY
         };
-        let heights =
-            [self.ground.unwrap_or(f64::NEG_INFINITY), least].map(|height| height - self.middle.y);
+        let heights = [self.ground.unwrap_or(f64::NEG_INFINITY), min_height]
+            .map(|height| height - self.middle.y);
         // Where light counts from either side, a ray starts on the side of its source.
         let sides: &[f64] = if self.own && self.flip {
             &[1.0, -1.0]

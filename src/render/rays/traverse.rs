@@ -378,10 +378,10 @@ fn meet_half<S: Simd>(
     let q = cross(&from, &e1);
     let w2 = dot(&direction, &q) * inverse;
     let t = dot(&e2, &q) * inverse;
-    let (least, most) = (f64x8::splat(simd, -SEAM), f64x8::splat(simd, 1.0 + SEAM));
+    let (min, max) = (f64x8::splat(simd, -SEAM), f64x8::splat(simd, 1.0 + SEAM));
     let zero = f64x8::splat(simd, 0.0);
     let limit = f64x8::from_slice(simd, &limit[first..first + HALF]);
-    let within = w1.simd_ge(least) & w1.simd_le(most) & w2.simd_ge(least) & (w1 + w2).simd_le(most);
+    let within = w1.simd_ge(min) & w1.simd_le(max) & w2.simd_ge(min) & (w1 + w2).simd_le(max);
     let met = within & t.simd_gt(zero) & t.simd_lt(limit) & determinant.simd_ne(zero);
     Met {
         rays: met.to_bitmask() as u32,

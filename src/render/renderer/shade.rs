@@ -49,9 +49,9 @@ impl Colour for Carried {
         key: Lanes<S>,
     ) -> [Lanes<S>; 3] {
         // Rounding may leave nothing of the key of a far point beside that of a near one.
-        let least = Lanes::splat(simd, (1.0 / FARTHEST) as f32);
+        let min_key = Lanes::splat(simd, (1.0 / FARTHEST) as f32);
         let factor = if self.by_key {
-            Lanes::splat(simd, 1.0) / key.max(least)
+            Lanes::splat(simd, 1.0) / key.max(min_key)
         } else {
             Lanes::splat(simd, 1.0)
         };
