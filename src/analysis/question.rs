@@ -14,7 +14,7 @@ use std::sync::Arc;
 /// A question about a scene: plain data, so that it can be stored, compared and sent elsewhere.
 ///
 /// ```
-/// use shading_lab::analysis::{ReportContext, Answer, NormalsQuestion, Question, Subject, unwatched};
+/// use shading_lab::analysis::{Answer, NormalsQuestion, Question, ReportContext, Subject, unwatched};
 /// use shading_lab::scene::{Scene, presets};
 ///
 /// let scene = presets::find("vertex-normals").expect("a built-in scene").scene();
