@@ -26,4 +26,4 @@ pub mod study;
 
 pub use question::{ANALYSES, Analysis, Format, Question, Subject, Watch, unwatched};
 #[doc(inline)]
-pub use report::{About, Answer, Report};
+pub use report::{Answer, Report, ReportContext};

@@ -155,7 +155,7 @@ impl Sweep {
             return Err(SweepError::Nothing);
         }
         for frame in 0..course.frames {
-            let sound = sweep.at(frame);
+            let sound = sweep.scene_at(frame);
             sound.map_err(|error| SweepError::Frame { frame, error })?;
         }
         Ok(sweep)
@@ -182,11 +182,13 @@ impl Sweep {
         let back = (1..self.course.frames - 1).rev();
         let back = back.filter(|_| self.course.back_and_forth);
         // Every one of them was valid when the sweep was made.
-        forth.chain(back).filter_map(|frame| self.at(frame).ok())
+        forth
+            .chain(back)
+            .filter_map(|frame| self.scene_at(frame).ok())
     }
 
     /// Returns the scene of a frame between the ends.
-    fn at(&self, frame: u32) -> Result<Scene, SceneError> {
+    fn scene_at(&self, frame: u32) -> Result<Scene, SceneError> {
         let share = f64::from(frame) / f64::from(self.course.frames - 1);
         let setting = |track: &Track| track.setting(share, self.course.logarithmic);
         let settings: Vec<String> = self.tracks.iter().map(setting).collect();

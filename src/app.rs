@@ -31,7 +31,7 @@ pub use views::scan::ScanView;
 use crate::document::{Loaded, picture_bytes};
 use crate::lesson::Lesson;
 use crate::link::is_link;
-use crate::render::{Frame, Renderer, Report};
+use crate::render::{Frame, FrameReport, Renderer};
 use crate::scene::{Choice as _, presets};
 use crate::text::{Language, language, set_language, text};
 use controls::scenes::scene_after;
@@ -138,7 +138,7 @@ impl App {
     }
 
     /// What drawing it did.
-    pub fn report(&self) -> &Report {
+    pub fn report(&self) -> &FrameReport {
         self.engine.report()
     }
 

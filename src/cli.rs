@@ -23,7 +23,7 @@ use clap::error::ErrorKind;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use input::SceneArguments;
 use output::Failure;
-use shading_lab::document::load;
+use shading_lab::document::load_scene;
 use shading_lab::lesson::Lesson;
 use shading_lab::render::check_mesh_memory;
 use shading_lab::scene::{nearest, presets};
@@ -122,11 +122,11 @@ pub fn run() -> ExitCode {
 /// Starts [`MOST_THREADS`] where `RAYON_NUM_THREADS` requests more: each takes memory and time to start, a hundred
 /// thousand minutes.
 fn bound_threads() {
-    let asked = env::var("RAYON_NUM_THREADS").ok();
-    let asked = asked.and_then(|count| count.trim().parse::<usize>().ok());
+    let requested = env::var("RAYON_NUM_THREADS").ok();
+    let requested = requested.and_then(|count| count.trim().parse::<usize>().ok());
     let cores = available_parallelism().map_or(1, usize::from);
     let most = cores.max(MOST_THREADS);
-    if asked.is_some_and(|asked| asked > most) {
+    if requested.is_some_and(|requested| requested > most) {
         // Another pool can exist only if something has used it before.
         let _ = rayon::ThreadPoolBuilder::new()
             .num_threads(most)
@@ -244,7 +244,7 @@ fn open_window(
     let (loaded, lesson) = match &arguments.source {
         Some(source) if Lesson::is_file(source) => {
             let lesson = Lesson::open(source).map_err(|error| Failure::input(error.to_string()))?;
-            (load(Path::new(presets::DEFAULT))?, Some(lesson))
+            (load_scene(Path::new(presets::DEFAULT))?, Some(lesson))
         }
         Some(source) if nearest_is_command(source) => {
             return Err(manual::no_command(

@@ -12,7 +12,7 @@ mod error;
 mod names;
 
 use crate::analysis::report::Figure;
-use crate::analysis::{About as Analysed, Answer, Format, Subject};
+use crate::analysis::{Answer, Format, ReportContext, Subject};
 use crate::animation::{FilmFormat, Sweep, write_film};
 use crate::export::Export;
 use crate::figure::{Drawing, Paper};
@@ -20,7 +20,9 @@ use crate::geometry::{Mesh, ObjError, read_obj};
 use crate::link::{self, Link, Shown};
 use crate::picture::{PictureError, PictureText, read_scene_text, write_png};
 use crate::render::{Frame, Renderer, can_be_had};
-use crate::scene::{About, Choice, NormalSource, Object, ObjectKind, Scene, nearest, presets};
+use crate::scene::{
+    Choice, NormalSource, Object, ObjectKind, Scene, SceneDescription, nearest, presets,
+};
 use crate::text::{Message, excerpt, text};
 #[cfg(not(target_arch = "wasm32"))]
 pub use disk::STDOUT;
@@ -89,26 +91,26 @@ pub type Progress<'a> = &'a mut dyn FnMut(u64, u64);
 ///
 /// # Examples
 /// ```
-/// use shading_lab::document::load;
+/// use shading_lab::document::load_scene;
 /// use std::path::Path;
 ///
-/// let teapot = load(Path::new("teapot"))?;
-/// let link = load(Path::new("?scene=teapot&set=material.n=5"))?;
+/// let teapot = load_scene(Path::new("teapot"))?;
+/// let link = load_scene(Path::new("?scene=teapot&set=material.n=5"))?;
 /// assert_eq!(link.scene.material.n, 5.0);
 /// assert_eq!(teapot.scene.object, link.scene.object);
 ///
-/// let error = load(Path::new("teapto")).expect_err("a misspelt name");
+/// let error = load_scene(Path::new("teapto")).expect_err("a misspelt name");
 /// assert!(error.to_string().contains("teapot"), "{error}");
 /// # Ok::<(), shading_lab::document::LoadError>(())
 /// ```
 ///
 /// # Errors
 /// See [`LoadError`].
-pub fn load(source: &Path) -> Result<Loaded, LoadError> {
+pub fn load_scene(source: &Path) -> Result<Loaded, LoadError> {
     load_with(source, &[] as &[&str], &mut |_, _| {})
 }
 
-/// Opens a scene like [`load`], with overrides in the form of [`Scene::with_overrides`], applied before the model is
+/// Opens a scene like [`load_scene`], with overrides in the form of [`Scene::with_overrides`], applied before the model is
 /// read. A model's path in an override is relative to the working directory.
 ///
 /// # Errors
@@ -340,7 +342,7 @@ fn scene_of_model(path: &Path) -> Result<Scene, LoadError> {
     let mut scene = presets::default_scene();
     let normals = NormalSource::File;
     let name = path.file_name().map(PathBuf::from);
-    scene.about = About::default();
+    scene.about = SceneDescription::default();
     scene.object = Object {
         kind: ObjectKind::Obj,
         path: name,
@@ -488,7 +490,7 @@ pub fn save_answer(
     path: &Path,
     format: Format,
     answer: &dyn Answer,
-    about: &Analysed<'_>,
+    about: &ReportContext<'_>,
     (size, paper): (Option<[u32; 2]>, Paper),
 ) -> Result<(), SaveError> {
     let figure = || {

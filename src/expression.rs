@@ -295,7 +295,7 @@ fn value(node: &Node, quantities: &dyn Quantities) -> Result<Value, String> {
                 .iter()
                 .map(|node| value(node, quantities))
                 .collect();
-            function.of(&values?)
+            function.apply(&values?)
         }
         Node::With(settings, inner) => quantities.with(settings, &|there| value(inner, there)),
         Node::At(parts) => {
@@ -309,7 +309,7 @@ fn value(node: &Node, quantities: &dyn Quantities) -> Result<Value, String> {
 
 impl Function {
     /// Applies the function to its arguments, whose number the parser has checked.
-    fn of(self, values: &[Value]) -> Result<Value, String> {
+    fn apply(self, values: &[Value]) -> Result<Value, String> {
         let number = |index: usize| values[index].number();
         let truth = |index: usize| match &values[index] {
             Value::Truth(holds) => Ok(*holds),

@@ -122,7 +122,7 @@ struct Reporter<A> {
 }
 
 impl<A: Clone + Send + Sync> Watch<A> for Reporter<A> {
-    fn at(&self, share: f32) -> bool {
+    fn progress(&self, share: f32) -> bool {
         self.progress
             .share
             .store((1000.0 * share) as u32, Ordering::Relaxed);

@@ -23,7 +23,7 @@
 //! assert!(middle[0] > middle[2], "the sphere is red");
 //! ```
 //!
-//! More examples are in `docs/library.md`, and at the items that most programs begin with: [`document::load`],
+//! More examples are in `docs/library.md`, and at the items that most programs begin with: [`document::load_scene`],
 //! [`scene::Scene`], [`render::Renderer`], [`analysis::probe`](fn@analysis::probe::probe), [`analysis::Question`], [`figure::Plot`], [`geometry::Mesh`],
 //! [`picture::write_png`], [`link::read`], [`export::glsl_330`] and [`lesson::Lesson`].
 

@@ -17,7 +17,7 @@ mod simd;
 pub use node::Memory;
 pub use rays::Transmission;
 pub use renderer::{
-    Cued, Frame, Per, Plan, Renderer, Report, Stage, StageRun, Term, TermName, TooLarge,
+    Cued, Frame, FrameReport, Per, Plan, Renderer, Stage, StageRun, Term, TermName, TooLarge,
     check_memory, check_memory_for, check_mesh_memory, coarseness, coarser_size, srgb,
 };
 pub(crate) use renderer::{Evaluation, Piece, WeightedPoint, can_be_had, displayed, stored_pixel};

@@ -28,7 +28,9 @@ mod symbol;
 mod validation;
 mod view;
 
-pub use camera::{About, Camera, Display, Encoding, Framing, Image, Overflow, Projection, Viewer};
+pub use camera::{
+    Camera, Display, Encoding, Framing, Image, Overflow, Projection, SceneDescription, Viewer,
+};
 pub(crate) use choice::choices;
 pub use choice::{Choice, ChoiceOption};
 pub use compare::{Compare, CompareView, DifferenceKind, Pane};
@@ -42,7 +44,7 @@ pub use object::{NormalSource, Object, ObjectKind, Weighting};
 pub use parameter::{GREATEST_INTENSITY, GREATEST_LENGTH, LEAST_LENGTH};
 pub use polygons::Polygons;
 pub(crate) use polygons::area_vector;
-pub use problem::{Cause, Place, Problem, SceneError};
+pub use problem::{Cause, Problem, ProblemLocation, SceneError};
 pub use setting::setting_words;
 pub use shading::{FlatAt, Interpolation, Shading, ShadingMode};
 pub use shared::Shared;
@@ -78,7 +80,7 @@ pub struct Scene {
     /// The version of the file format; 1.
     pub version: u32,
     /// `[about]`: title, sentence and topic.
-    pub about: About,
+    pub about: SceneDescription,
     /// `[camera]`: the eye and its projection.
     pub camera: Camera,
     /// `[image]`: its size and background.
@@ -116,7 +118,7 @@ impl Default for Scene {
     fn default() -> Self {
         Self {
             version: 1,
-            about: About::default(),
+            about: SceneDescription::default(),
             camera: Camera::default(),
             image: Image::default(),
             object: Object::default(),

@@ -11,12 +11,12 @@ pub use growth::Growth;
 use super::codec::Codec;
 use super::comparison::panes_on_sheet;
 use super::plan_words::stage_words;
-use super::report::{About, Answer, Column, Part, Report, Table, as_it_is, cells, fixed, word};
+use super::report::{
+    Answer, Column, Part, Report, ReportContext, Table, as_it_is, cells, fixed, word,
+};
 use super::study::median_and_spread;
 use super::{Question, Subject, Watch};
-use crate::render::{
-    Memory, Renderer, Report as Drawn, SimdLevel, Stage, coarseness, coarser_size,
-};
+use crate::render::{FrameReport, Memory, Renderer, SimdLevel, Stage, coarseness, coarser_size};
 use crate::scene::{LightKind, Object, ObjectKind, Rgb, Scene};
 use crate::text::{interned, text};
 use fearless_simd::Level;
@@ -48,7 +48,7 @@ pub struct Bench {
     #[serde(deserialize_with = "changes")]
     changes: Vec<(&'static str, Option<Changed>)>,
     /// Figures of a frame drawn from scratch; of a scene that compares panes those of the first.
-    drawn: Drawn,
+    drawn: FrameReport,
     memory: Memory,
     growth: Option<Growth>,
     frames: u32,
@@ -89,7 +89,7 @@ impl Question for BenchQuestion {
         #[expect(clippy::cast_precision_loss, reason = "a share for the eye")]
         let count = || {
             done.set(done.get() + 1);
-            watch.at(done.get() as f32 / total as f32);
+            watch.progress(done.get() as f32 / total as f32);
         };
         let growth = self
             .growth
@@ -216,7 +216,7 @@ impl Panes {
     }
 
     /// Returns the figures of the first pane.
-    fn figures(&self) -> (Drawn, Memory) {
+    fn figures(&self) -> (FrameReport, Memory) {
         self.renderers
             .first()
             .map(|first| (first.report().clone(), first.memory()))
@@ -321,7 +321,7 @@ fn dragged(subject: &Subject, level: Level, change: Change, whole: f64, frames: 
 pub(super) struct StageTimes(Vec<(Stage, Vec<u64>)>);
 
 impl StageTimes {
-    pub fn add(&mut self, drawn: &Drawn) {
+    pub fn add(&mut self, drawn: &FrameReport) {
         for run in &drawn.stages {
             match self.0.iter_mut().find(|(known, _)| *known == run.stage) {
                 Some((_, times)) => times.push(run.nanoseconds),
@@ -363,8 +363,8 @@ impl Bench {
 }
 
 impl Answer for Bench {
-    fn report(&self, about: &About<'_>) -> Report {
-        let Drawn {
+    fn report(&self, about: &ReportContext<'_>) -> Report {
+        let FrameReport {
             triangles, covered, ..
         } = self.drawn;
         let (
@@ -442,7 +442,7 @@ impl Answer for Bench {
         report
     }
 
-    fn value(&self, about: &About<'_>) -> Value {
+    fn value(&self, about: &ReportContext<'_>) -> Value {
         let stage = |(stage, ms): &(Stage, f64)| (word(stage), json!({ "median_ms": ms }));
         let change = |(name, changed): &(&str, Option<Changed>)| {
             let mut figures = json!({ "median_ms": changed.map(|changed| changed.whole) });

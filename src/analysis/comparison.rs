@@ -8,7 +8,9 @@ pub use sheet::{
 };
 
 use super::perception::pixel_luminance;
-use super::report::{About, Answer, Column, Part, Report, Table, as_it_is, cells, fixed, word};
+use super::report::{
+    Answer, Column, Part, Report, ReportContext, Table, as_it_is, cells, fixed, word,
+};
 use super::{Question, Subject, Watch};
 use crate::scene::Scene;
 use crate::text;
@@ -51,7 +53,7 @@ impl LinearPicture<'_> {
         std::array::from_fn(|channel| (a[channel] - b[channel]).abs())
     }
 
-    fn at(&self, index: usize) -> [u32; 2] {
+    fn position(&self, index: usize) -> [u32; 2] {
         let (index, width) = (index as u64, u64::from(self.width.max(1)));
         #[expect(
             clippy::cast_possible_truncation,
@@ -127,7 +129,7 @@ fn error_figures_where(
                 part.mean += difference;
                 part.rms += difference * difference;
                 if difference > part.greatest {
-                    (part.greatest, part.at) = (difference, Some(picture.at(index)));
+                    (part.greatest, part.at) = (difference, Some(picture.position(index)));
                     part.region = Some(region(index));
                 }
             }
@@ -247,7 +249,7 @@ pub fn brightest(picture: LinearPicture<'_>) -> Option<Brightest> {
         .reduce_with(brighter)
         .map(|(value, index)| Brightest {
             value,
-            at: picture.at(index),
+            at: picture.position(index),
         })
 }
 
@@ -288,7 +290,7 @@ impl Question for ComparisonQuestion {
         let which: Vec<_> = (0..scene.pane_count())
             .map(|index| (index, scene.image.size))
             .collect();
-        let mut progress = |done: u32| watch.at(done as f32 / which.len() as f32);
+        let mut progress = |done: u32| watch.progress(done as f32 / which.len() as f32);
         let nothing = |_: &mut _, _: &mut _, _: &_| Ok::<(), String>(());
         let panes = draw_panes(
             &mut subject.renderer(),
@@ -358,7 +360,7 @@ fn table(panes: &[PaneFigures]) -> Table {
 }
 
 impl Answer for Comparison {
-    fn report(&self, about: &About<'_>) -> Report {
+    fn report(&self, about: &ReportContext<'_>) -> Report {
         let panes = self.named(about.scene);
         let reference = panes.iter().find(|pane| pane.error.is_none());
         let mut report = Report::new(text!(
@@ -371,7 +373,7 @@ impl Answer for Comparison {
         report
     }
 
-    fn value(&self, about: &About<'_>) -> Value {
+    fn value(&self, about: &ReportContext<'_>) -> Value {
         let panes = self.named(about.scene);
         json!({ "scene": about.name, "size": about.scene.image.size, "panes": panes })
     }

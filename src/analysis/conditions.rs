@@ -11,7 +11,7 @@
 //! can.
 
 use super::comparison::{ErrorFigures, LinearPicture, error_figures, region_errors};
-use super::report::{About, Answer, Column, Report, Table, cells, grouped};
+use super::report::{Answer, Column, Report, ReportContext, Table, cells, grouped};
 use super::{Question, Subject, Watch};
 use crate::geometry::{Mesh, angle};
 use crate::render::{Cued, Plan, Renderer};
@@ -109,7 +109,7 @@ impl Question for ConditionsQuestion {
         watch: &dyn Watch<Conditions>,
     ) -> Result<Conditions, String> {
         let found = conditions(&mut subject.renderer(), &subject.scene);
-        watch.at(1.0);
+        watch.progress(1.0);
         Ok(found)
     }
 }
@@ -373,7 +373,7 @@ fn verdict(holds: bool) -> &'static str {
 
 impl Answer for Conditions {
     /// Returns a section for each condition, one for their assumptions, and one for the pictures.
-    fn report(&self, about: &About<'_>) -> Report {
+    fn report(&self, about: &ReportContext<'_>) -> Report {
         let mut report = Report::new(text!(
             "picture-conditions-of",
             scene = about.heading().as_str()
@@ -423,7 +423,7 @@ impl Answer for Conditions {
         Some(table)
     }
 
-    fn value(&self, about: &About<'_>) -> Value {
+    fn value(&self, about: &ReportContext<'_>) -> Value {
         let [light, viewer, surface] = CONDITIONS.map(|(_, holds)| holds(self));
         json!({
             "scene": about.name,

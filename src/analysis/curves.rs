@@ -14,7 +14,7 @@ pub use reflectance::{READ_AT, reflectance_plot};
 use super::lobe::ReflectionLobe;
 use super::probe::{Probe, ProbeHit};
 use super::probe::{clearest_pixel, probe};
-use super::report::{About, Answer, Part, Report};
+use super::report::{Answer, Part, Report, ReportContext};
 use super::{Question, Subject, Watch};
 use crate::figure::{Plot, PlotKind};
 use crate::render::Renderer;
@@ -156,7 +156,7 @@ impl Question for CurvesQuestion {
 }
 
 impl Answer for Curves {
-    fn report(&self, about: &About<'_>) -> Report {
+    fn report(&self, about: &ReportContext<'_>) -> Report {
         let [x, y] = self.pixel;
         let mut report = Report::new(text!(
             "point-curves-title",
@@ -170,7 +170,7 @@ impl Answer for Curves {
         report
     }
 
-    fn value(&self, about: &About<'_>) -> Value {
+    fn value(&self, about: &ReportContext<'_>) -> Value {
         let plots = self.plots(about.scene);
         json!({ "pixel": self.pixel, "light": self.light, "plots": plots })
     }

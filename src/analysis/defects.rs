@@ -15,7 +15,7 @@ pub use inside::{Orientation, PerspectiveDistortion, VertexNormals};
 use super::codec::Codec;
 use super::probe::clearest_pixel;
 use super::question::{Watch, unwatched};
-use super::report::{About, Answer, Column, Part, Report, Table, cells};
+use super::report::{Answer, Column, Part, Report, ReportContext, Table, cells};
 use super::{Question, Subject};
 use crate::figure::PlotKind;
 use crate::render::Renderer;
@@ -26,37 +26,37 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Value, json};
 
 /// A measurement, or the key of the sentence that explains why there is none.
-pub type Finding<T> = Result<T, &'static str>;
+pub type Measurement<T> = Result<T, &'static str>;
 
 /// Measurements of the defects in a scene.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Defects {
     /// The outline, which is that of the polygons.
     #[serde(serialize_with = "or_missing", deserialize_with = "found")]
-    pub silhouette: Finding<Silhouette>,
+    pub silhouette: Measurement<Silhouette>,
     /// Difference between intensities interpolated in the picture and perspective-correct ones.
     #[serde(serialize_with = "or_missing", deserialize_with = "found")]
-    pub perspective: Finding<PerspectiveDistortion>,
+    pub perspective: Measurement<PerspectiveDistortion>,
     /// Change of an interpolated intensity while the picture is rotated.
     #[serde(serialize_with = "or_missing", deserialize_with = "found")]
-    pub orientation: Finding<Orientation>,
+    pub orientation: Measurement<Orientation>,
     /// Discontinuities of intensity at vertices that one side of an edge lacks.
     #[serde(serialize_with = "or_missing", deserialize_with = "found")]
-    pub shared_vertices: Finding<SharedVertices>,
+    pub shared_vertices: Measurement<SharedVertices>,
     /// Angles between vertex normals and polygons, and the contrast lost to averaging.
     #[serde(serialize_with = "or_missing", deserialize_with = "found")]
-    pub vertex_normals: Finding<VertexNormals>,
+    pub vertex_normals: Measurement<VertexNormals>,
 }
 
 /// Serializes a missing measurement as its reason for people and as its key for programs of this kind.
 fn or_missing<T: Serialize, S: Serializer>(
-    finding: &Finding<T>,
+    measurement: &Measurement<T>,
     serializer: S,
 ) -> Result<S::Ok, S::Error> {
     if !serializer.is_human_readable() {
-        return finding.serialize(serializer);
+        return measurement.serialize(serializer);
     }
-    match finding {
+    match measurement {
         Ok(measured) => measured.serialize(serializer),
         Err(missing) => {
             let missing = text::in_language(Language::English, || text!(missing));
@@ -67,14 +67,14 @@ fn or_missing<T: Serialize, S: Serializer>(
 
 fn found<'de, T: Deserialize<'de>, D: Deserializer<'de>>(
     deserializer: D,
-) -> Result<Finding<T>, D::Error> {
-    let finding: Result<T, String> = Deserialize::deserialize(deserializer)?;
-    Ok(finding.map_err(|key| text::interned(&key)))
+) -> Result<Measurement<T>, D::Error> {
+    let measurement: Result<T, String> = Deserialize::deserialize(deserializer)?;
+    Ok(measurement.map_err(|key| text::interned(&key)))
 }
 
 /// Continues a measurement unless the caller has cancelled it.
-fn goes_on(watch: &dyn Watch<()>, share: f32) -> Finding<()> {
-    if watch.at(share) {
+fn goes_on(watch: &dyn Watch<()>, share: f32) -> Measurement<()> {
+    if watch.progress(share) {
         Ok(())
     } else {
         Err("picture-missing-stopped")
@@ -82,7 +82,7 @@ fn goes_on(watch: &dyn Watch<()>, share: f32) -> Finding<()> {
 }
 
 /// Returns the reason why a scene interpolates nothing, if so.
-fn interpolates(scene: &Scene) -> Finding<()> {
+fn interpolates(scene: &Scene) -> Measurement<()> {
     match scene.shading.mode {
         ShadingMode::Flat => Err("picture-missing-flat"),
         ShadingMode::Exact => Err("picture-missing-exact"),
@@ -108,7 +108,7 @@ pub fn defects_with_progress(
         compare: Compare::default(),
         ..scene.clone()
     };
-    let along = |share: f32| watch.at(0.5 + 0.3 * share);
+    let along = |share: f32| watch.progress(0.5 + 0.3 * share);
     let found = Defects {
         silhouette: edges::silhouette(renderer, alone, watch),
         perspective: goes_on(watch, 0.3).and_then(|()| inside::perspective(renderer, alone)),
@@ -117,7 +117,7 @@ pub fn defects_with_progress(
             .and_then(|()| edges::shared_vertices(renderer, alone, &along)),
         vertex_normals: goes_on(watch, 0.8).and_then(|()| inside::vertex_normals(renderer, alone)),
     };
-    watch.at(1.0);
+    watch.progress(1.0);
     found
 }
 
@@ -151,7 +151,8 @@ impl Question for DefectsQuestion {
         let pixel = self
             .pixel
             .unwrap_or_else(|| clearest_pixel(&mut renderer, scene).pixel);
-        let defects = defects_with_progress(&mut renderer, scene, pixel, &|share| watch.at(share));
+        let defects =
+            defects_with_progress(&mut renderer, scene, pixel, &|share| watch.progress(share));
         Ok(MeasuredDefects { pixel, defects })
     }
 }
@@ -165,7 +166,7 @@ pub struct Defect {
     pub scene: &'static str,
     /// The plot that shows it, if there is one.
     pub plot: Option<PlotKind>,
-    figures: fn(&Defects) -> Finding<Figures>,
+    figures: fn(&Defects) -> Measurement<Figures>,
 }
 
 /// Numbers with their descriptions.
@@ -312,7 +313,7 @@ fn code(value: f64, name: impl Into<String>) -> (String, String) {
 }
 
 impl Answer for MeasuredDefects {
-    fn report(&self, about: &About<'_>) -> Report {
+    fn report(&self, about: &ReportContext<'_>) -> Report {
         let mut report = Report::new(text!(
             "picture-defects-of",
             scene = about.heading().as_str()
@@ -359,7 +360,7 @@ impl Answer for MeasuredDefects {
         [1600, 900]
     }
 
-    fn value(&self, about: &About<'_>) -> Value {
+    fn value(&self, about: &ReportContext<'_>) -> Value {
         json!({ "scene": about.name, "size": about.scene.image.size, "pixel": self.pixel, "defects": self.defects })
     }
 }

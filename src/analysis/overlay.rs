@@ -243,9 +243,9 @@ impl Sketch {
         let depth = (self.position - self.view.eye).dot(self.view.forward);
         let reach = vector * self.length;
         let approach = -reach.dot(self.view.forward);
-        let room = (1.0 - NEAREST) * depth;
-        let share = if approach > room {
-            room / approach
+        let limit = (1.0 - NEAREST) * depth;
+        let share = if approach > limit {
+            limit / approach
         } else {
             1.0
         };
@@ -273,18 +273,18 @@ impl Sketch {
 
     /// Returns the last point of the line from the origin to `point` inside the pane, `margin` from its edge.
     pub fn inside(&self, point: DVec2, margin: f64) -> DVec2 {
-        let room = Area {
+        let bounds = Area {
             min: self.pane.min + margin,
             max: (self.pane.max - margin).max(self.pane.min + margin),
         };
-        let from = room.nearest(self.origin);
+        let from = bounds.nearest(self.origin);
         let way = point - from;
         let mut share = 1.0f64;
         for axis in 0..2 {
             if way[axis] > 0.0 {
-                share = share.min((room.max[axis] - from[axis]) / way[axis]);
+                share = share.min((bounds.max[axis] - from[axis]) / way[axis]);
             } else if way[axis] < 0.0 {
-                share = share.min((room.min[axis] - from[axis]) / way[axis]);
+                share = share.min((bounds.min[axis] - from[axis]) / way[axis]);
             }
         }
         from + way * share

@@ -56,8 +56,8 @@ impl Default for Viewing {
     }
 }
 
-fn bounded(value: f64, [least, most]: [f64; 2], usual: f64) -> f64 {
-    if (least..=most).contains(&value) {
+fn bounded(value: f64, [min, max]: [f64; 2], usual: f64) -> f64 {
+    if (min..=max).contains(&value) {
         value
     } else {
         usual

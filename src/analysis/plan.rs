@@ -3,7 +3,7 @@
 use super::bench::{CHANGES, StageTimes, WARM_UP, change_name, changed, median_ms};
 use super::plan_words::{per_words, stage_words};
 use super::report::{
-    About, Answer, Column, Part, Report, Table, as_it_is, cells, fixed, grouped, word,
+    Answer, Column, Part, Report, ReportContext, Table, as_it_is, cells, fixed, grouped, word,
 };
 use super::{Question, Subject, Watch};
 use crate::render::{Renderer, Stage, StageRun, Term};
@@ -67,7 +67,7 @@ impl Question for PlanQuestion {
                     stages.add(renderer.report());
                 }
             }
-            watch.at(frame as f32 / (WARM_UP + frames) as f32);
+            watch.progress(frame as f32 / (WARM_UP + frames) as f32);
         }
         let count =
             |renderer: &Renderer| renderer.terms().iter().map(|term| term.evaluations).sum();
@@ -150,7 +150,7 @@ impl FramePlan {
 }
 
 impl Answer for FramePlan {
-    fn report(&self, about: &About<'_>) -> Report {
+    fn report(&self, about: &ReportContext<'_>) -> Report {
         let total: u64 = self.terms.iter().map(|term| term.evaluations).sum();
         let mut report = Report::new(match &self.measured {
             Some(Saved { frames, .. }) => {
@@ -252,7 +252,7 @@ impl Answer for FramePlan {
         Some(table)
     }
 
-    fn value(&self, about: &About<'_>) -> Value {
+    fn value(&self, about: &ReportContext<'_>) -> Value {
         let mut object =
             json!({ "scene": about.name, "size": about.scene.image.size, "terms": self.terms });
         let Some(saved) = &self.measured else {

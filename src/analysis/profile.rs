@@ -20,7 +20,7 @@ pub use plots::{Abscissa, Compared, compared_plots, mode_dash, profile_plots};
 
 use super::codec::Codec;
 use super::perception::{Perception, Viewing, blur_line};
-use super::report::{About, Answer, Cell, Column, Part, Report, Table};
+use super::report::{Answer, Cell, Column, Part, Report, ReportContext, Table};
 use super::{Question, Subject, Watch};
 use crate::render::{Piece, Renderer};
 use crate::scene::{Choice, Scene, ShadingMode};
@@ -140,7 +140,7 @@ pub struct Trace {
     /// Perceived brightness, by the question's model.
     pub perceived: Vec<f64>,
     /// Intensities at each border; none where the mode knows no polygons.
-    pub corners: Vec<Option<Corner>>,
+    pub corners: Vec<Option<Discontinuity>>,
 }
 
 /// A border between polygons on the line.
@@ -157,9 +157,9 @@ pub struct Border {
     pub faces: [Option<u32>; 2],
 }
 
-/// The intensity on both sides of a border.
+/// The discontinuity of the intensity and its slope at a border.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Corner {
+pub struct Discontinuity {
     /// Jump of the intensity.
     pub step: f64,
     /// One-sided slopes before and after, per pixel.
@@ -206,7 +206,7 @@ pub fn profile(
         let corner = |(t, sides)| {
             let [before, after] = source.sides(t, sides);
             let slopes = [before.1, after.1];
-            Some(Corner {
+            Some(Discontinuity {
                 step: after.0 - before.0,
                 slopes,
                 jump: slopes[1] - slopes[0],
@@ -302,7 +302,7 @@ impl TakenProfile {
 }
 
 impl Answer for TakenProfile {
-    fn report(&self, _: &About<'_>) -> Report {
+    fn report(&self, _: &ReportContext<'_>) -> Report {
         let mut report = Report::default();
         for plot in profile_plots(&self.profile, &self.question) {
             report.section("").push(Part::Plot(plot.into()));
@@ -319,7 +319,7 @@ impl Answer for TakenProfile {
         [1600, 1200]
     }
 
-    fn value(&self, _: &About<'_>) -> Value {
+    fn value(&self, _: &ReportContext<'_>) -> Value {
         let Self { profile, question } = self;
         let table = self.samples();
         let keys = || {

@@ -80,14 +80,14 @@ impl Subject {
 /// return whether to continue.
 pub trait Watch<A>: Sync {
     /// Takes the share of the work done; returns whether to continue.
-    fn at(&self, share: f32) -> bool;
+    fn progress(&self, share: f32) -> bool;
 
     /// Takes the part of the answer that is known so far.
     fn found(&self, _so_far: &A) {}
 }
 
 impl<A, F: Fn(f32) -> bool + Sync> Watch<A> for F {
-    fn at(&self, share: f32) -> bool {
+    fn progress(&self, share: f32) -> bool {
         self(share)
     }
 }

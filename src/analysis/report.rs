@@ -15,16 +15,16 @@ use serde_json::Value;
 use std::borrow::Cow;
 use std::fmt::Debug;
 
-/// The subject of an analysis.
+/// The name and the scene that a report mentions beside the answer.
 #[derive(Clone, Copy, Debug)]
-pub struct About<'a> {
+pub struct ReportContext<'a> {
     /// Name of the scene.
     pub name: &'a str,
     /// The scene.
     pub scene: &'a Scene,
 }
 
-impl About<'_> {
+impl ReportContext<'_> {
     /// Returns the name, if there is one, and the picture's size.
     pub fn heading(&self) -> String {
         let [width, height] = self.scene.image.size;
@@ -38,10 +38,10 @@ impl About<'_> {
 /// The result of an analysis.
 pub trait Answer: Debug + Send + Sync {
     /// Returns text, numbers, tables and plots, in the current language.
-    fn report(&self, about: &About<'_>) -> Report;
+    fn report(&self, about: &ReportContext<'_>) -> Report;
 
     /// Returns what [`Self::object`] returns, with its words in the current language.
-    fn value(&self, about: &About<'_>) -> Value;
+    fn value(&self, about: &ReportContext<'_>) -> Value;
 
     /// Returns the rows for a file, where they are more than the report shows.
     fn table(&self) -> Option<Table> {
@@ -54,13 +54,18 @@ pub trait Answer: Debug + Send + Sync {
     }
 
     /// Returns the figure; by default the plots of the report on one sheet. Returns none if there is nothing to draw.
-    fn figure(&self, about: &About<'_>, size: Option<[u32; 2]>, paper: Paper) -> Option<Figure> {
+    fn figure(
+        &self,
+        about: &ReportContext<'_>,
+        size: Option<[u32; 2]>,
+        paper: Paper,
+    ) -> Option<Figure> {
         let report = self.report(about);
         let plots: Vec<Plot> = report.plots().cloned().collect();
         let size = size.unwrap_or_else(|| self.figure_size(plots.len()));
-        let room = DVec2::from_array(size.map(f64::from));
+        let extent = DVec2::from_array(size.map(f64::from));
         let titles: Vec<&str> = plots.iter().map(|plot| plot.title.as_str()).collect();
-        let drawing = || lay_out_sheet(&plots, room, &PlotStyle::of(size, plots.len(), paper));
+        let drawing = || lay_out_sheet(&plots, extent, &PlotStyle::of(size, plots.len(), paper));
         (!plots.is_empty()).then(|| Figure::Drawing {
             drawing: drawing(),
             title: titles.join("; "),
@@ -68,7 +73,7 @@ pub trait Answer: Debug + Send + Sync {
     }
 
     /// Returns the rows as CSV: the answer's own table, or that of the report which has keys, or the samples of all curves.
-    fn csv(&self, about: &About<'_>) -> String {
+    fn csv(&self, about: &ReportContext<'_>) -> String {
         in_language(Language::English, || {
             self.table()
                 .unwrap_or_else(|| self.report(about).rows())
@@ -77,17 +82,17 @@ pub trait Answer: Debug + Send + Sync {
     }
 
     /// Returns the object that programs read, whatever the language.
-    fn object(&self, about: &About<'_>) -> Value {
+    fn object(&self, about: &ReportContext<'_>) -> Value {
         in_language(Language::English, || self.value(about))
     }
 
     /// Returns that object as text, as `--json` prints it. JSON has no infinity; it becomes null.
-    fn json(&self, about: &About<'_>) -> String {
+    fn json(&self, about: &ReportContext<'_>) -> String {
         format!("{:#}\n", self.object(about))
     }
 
     /// Returns the report for a terminal. One without a title is its table.
-    fn text(&self, about: &About<'_>) -> String {
+    fn text(&self, about: &ReportContext<'_>) -> String {
         let report = self.report(about);
         if report.title.is_empty() {
             self.csv(about)
@@ -442,7 +447,7 @@ impl Table {
     }
 
     /// Creates a table with a row for each of `rows`; every column provides its cell.
-    pub fn of<T, const N: usize>(rows: &[T], columns: [Filled<T>; N]) -> Self {
+    pub fn from_rows<T, const N: usize>(rows: &[T], columns: [Filled<T>; N]) -> Self {
         let rows = rows
             .iter()
             .map(|row| columns.iter().map(|(_, cell)| cell(row)).collect())

@@ -132,7 +132,7 @@ pub struct ScanLine {
 
 impl ScanLine {
     /// Returns y of its pixels' centres.
-    pub fn at(&self) -> f64 {
+    pub fn centre_y(&self) -> f64 {
         f64::from(self.y) + 0.5
     }
 }
@@ -403,7 +403,7 @@ impl Scan {
             point
                 .pixel
                 .map_or(crossing, |pixel| f64::from(pixel.x) + 0.5),
-            point.line.at(),
+            point.line.centre_y(),
         )
     }
 }

@@ -18,7 +18,7 @@ use crate::app::session::appearance::{Overlays, ViewName};
 use crate::app::session::place::ProbePoint;
 use crate::app::session::window::WindowState;
 use crate::figure::Area;
-use crate::render::{Frame, Report, Term, coarseness};
+use crate::render::{Frame, FrameReport, Term, coarseness};
 use crate::scene::{CompareView, DifferenceKind, Image, Scene};
 use crate::text;
 use crate::text::Language;
@@ -377,7 +377,7 @@ impl Engine {
     }
 
     /// What drawing the active pane last did.
-    pub fn report(&self) -> &Report {
+    pub fn report(&self) -> &FrameReport {
         self.active().report()
     }
 

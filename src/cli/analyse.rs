@@ -20,7 +20,7 @@ use shading_lab::analysis::profile::{PERCEIVED_WIDTH, ProfileQuestion, perceived
 use shading_lab::analysis::scan::{Scan, ScanQuestion, Stop};
 use shading_lab::analysis::stability::{StabilityQuestion, stability_cases};
 use shading_lab::analysis::study::{Method, StudyQuestion};
-use shading_lab::analysis::{About, Analysis, Answer, Format, Question, Subject};
+use shading_lab::analysis::{Analysis, Answer, Format, Question, ReportContext, Subject};
 use shading_lab::document::{check_target, save_answer, save_picture};
 use shading_lab::figure::{Paper, PlotKind};
 use shading_lab::jobs::nanoseconds;
@@ -30,7 +30,7 @@ use shading_lab::text::text;
 use std::path::{Path, PathBuf};
 
 /// The arguments of one analysis.
-pub trait Asks: Args {
+pub trait AnalysisArguments: Args {
     type Question: Question;
 
     /// Name in the list of analyses.
@@ -62,14 +62,14 @@ pub struct Analyse<A: Args> {
     #[command(flatten)]
     scene: SceneArguments,
     #[command(flatten)]
-    about: Catalogued<A>,
+    analysis: Catalogued<A>,
 }
 
 /// A command that analyses scenes of its own.
 #[derive(Args)]
 pub struct Catalogued<A: Args> {
     #[command(flatten)]
-    asked: A,
+    arguments: A,
     #[command(flatten)]
     output: OutputArguments,
 }
@@ -89,15 +89,15 @@ struct OutputArguments {
     dark: bool,
 }
 
-impl<A: Asks> Analyse<A> {
+impl<A: AnalysisArguments> Analyse<A> {
     pub fn run(self, earlier: &[String]) -> Result<(), Failure> {
-        self.about.check()?;
+        self.analysis.check()?;
         let loaded = self.scene.load(earlier)?;
-        self.about.run(&loaded.name.clone(), loaded.into())
+        self.analysis.run(&loaded.name.clone(), loaded.into())
     }
 }
 
-impl<A: Asks> Catalogued<A> {
+impl<A: AnalysisArguments> Catalogued<A> {
     pub fn run_alone(self) -> Result<(), Failure> {
         self.check()?;
         self.run(A::NAME, Subject::new(Scene::default()))
@@ -135,12 +135,15 @@ impl<A: Asks> Catalogued<A> {
     /// Answers the question with a bar on stderr; writes and prints the answer according to the arguments, as text if
     /// nothing else is requested.
     fn run(self, name: &str, mut subject: Subject) -> Result<(), Failure> {
-        let Self { asked, mut output } = self;
+        let Self {
+            arguments,
+            mut output,
+        } = self;
         subject.clock = nanoseconds;
         if !A::SIZES_FIGURE {
             subject.scene.image.size = output.size.take().unwrap_or(subject.scene.image.size);
         }
-        let question = asked.question(&mut subject.scene)?;
+        let question = arguments.question(&mut subject.scene)?;
         check_memory_for(&subject.scene, subject.model.as_deref(), A::MESHES)
             .map_err(Failure::work)?;
         let bar = progress_bar(1000, text!("cli-working"));
@@ -150,7 +153,7 @@ impl<A: Asks> Catalogued<A> {
         };
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(
-                asked
+                arguments
                     .threads()
                     .map_or_else(rayon::current_num_threads, usize::from),
             )
@@ -160,8 +163,8 @@ impl<A: Asks> Catalogued<A> {
             .install(|| question.answer(&subject, &watch))
             .map_err(Failure::input);
         let answer = answer?;
-        let mut silent = asked.also(&subject)?;
-        let about = About {
+        let mut silent = arguments.also(&subject)?;
+        let about = ReportContext {
             name,
             scene: &subject.scene,
         };
@@ -221,7 +224,7 @@ pub struct Probe {
     pixel: [u32; 2],
 }
 
-impl Asks for Probe {
+impl AnalysisArguments for Probe {
     type Question = ProbeQuestion;
     const NAME: &'static str = "probe";
     const MESHES: u64 = 1;
@@ -238,7 +241,7 @@ pub struct Compare {
     panes: PaneArguments,
 }
 
-impl Asks for Compare {
+impl AnalysisArguments for Compare {
     type Question = ComparisonQuestion;
     const NAME: &'static str = "compare";
 
@@ -258,7 +261,7 @@ pub struct Curves {
     light: Option<usize>,
 }
 
-impl Asks for Curves {
+impl AnalysisArguments for Curves {
     type Question = CurvesQuestion;
     const NAME: &'static str = "curves";
     const SIZES_FIGURE: bool = true;
@@ -278,7 +281,7 @@ pub struct Defects {
     pixel: Option<[u32; 2]>,
 }
 
-impl Asks for Defects {
+impl AnalysisArguments for Defects {
     type Question = DefectsQuestion;
     const NAME: &'static str = "defects";
 
@@ -292,7 +295,7 @@ impl Asks for Defects {
 #[derive(Args)]
 pub struct Conditions;
 
-impl Asks for Conditions {
+impl AnalysisArguments for Conditions {
     type Question = ConditionsQuestion;
     const NAME: &'static str = "conditions";
 
@@ -309,7 +312,7 @@ pub struct Normals {
     pixel: Option<[u32; 2]>,
 }
 
-impl Asks for Normals {
+impl AnalysisArguments for Normals {
     type Question = NormalsQuestion;
     const NAME: &'static str = "normals";
     // The polygons and their normals of each kind stand beside the mesh.
@@ -347,7 +350,7 @@ fn parse_stop(text: &str, stop: fn(u32) -> Stop) -> Result<Stop, String> {
     }
 }
 
-impl Asks for Scanline {
+impl AnalysisArguments for Scanline {
     type Question = ScanQuestion;
     const NAME: &'static str = "scanline";
     const SIZES_FIGURE: bool = true;
@@ -372,7 +375,7 @@ pub struct Explain {
     frames: u32,
 }
 
-impl Asks for Explain {
+impl AnalysisArguments for Explain {
     type Question = PlanQuestion;
     const NAME: &'static str = "explain";
     // Separate renderers measure the omissions.
@@ -397,7 +400,7 @@ pub struct Bench {
     simd: Option<SimdLevel>,
 }
 
-impl Asks for Bench {
+impl AnalysisArguments for Bench {
     type Question = BenchQuestion;
     const NAME: &'static str = "bench";
 
@@ -432,7 +435,7 @@ pub struct Study {
     threads: Option<u16>,
 }
 
-impl Asks for Study {
+impl AnalysisArguments for Study {
     type Question = StudyQuestion;
     const NAME: &'static str = "study";
 
@@ -476,7 +479,7 @@ fn parse_case(text: &str) -> Result<String, String> {
         .ok_or_else(|| text!("cli-expected", choices = one_of(&names)))
 }
 
-impl Asks for Stability {
+impl AnalysisArguments for Stability {
     type Question = StabilityQuestion;
     const NAME: &'static str = "stability";
     const SIZES_FIGURE: bool = true;
@@ -567,7 +570,7 @@ impl Profile {
     }
 }
 
-impl Asks for Profile {
+impl AnalysisArguments for Profile {
     type Question = ProfileQuestion;
     const NAME: &'static str = "profile";
     const SIZES_FIGURE: bool = true;

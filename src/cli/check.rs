@@ -7,7 +7,7 @@ use clap::Args;
 use serde_json::{Value, json};
 use shading_lab::document::{LoadError, Loaded};
 use shading_lab::lesson::{Lesson, OpenError, check};
-use shading_lab::scene::{Choice, Place};
+use shading_lab::scene::{Choice, ProblemLocation};
 use shading_lab::text::{Language, in_language, text};
 use std::path::{Path, PathBuf};
 
@@ -168,7 +168,9 @@ fn problems(error: &OpenError) -> Vec<Value> {
             let all = error.problems().iter();
             all.map(|found| {
                 let (file, line) = match &found.place {
-                    Place::Line { file, line } => (Some(file.clone()), Some(*line as u64)),
+                    ProblemLocation::Line { file, line } => {
+                        (Some(file.clone()), Some(*line as u64))
+                    }
                     _ => (None, None),
                 };
                 let key = Some(&*found.key).filter(|key| !key.is_empty());

@@ -90,8 +90,8 @@ fn write_text(target: &Path, text: &str) -> Result<(), Failure> {
 /// Returns the questions without a correct answer, each with its line in the lesson's file, or in the first picture
 /// with that lesson inside.
 fn failures(group: &Group, lesson: Option<&Path>) -> impl Iterator<Item = String> {
-    let line = |asked: &ClassQuestion| {
-        let step = group.lesson.steps.get(asked.step);
+    let line = |class_question: &ClassQuestion| {
+        let step = group.lesson.steps.get(class_question.step);
         step.map_or(0, |step| step.line)
     };
     let told = move |line: u64, failure: &str| match (lesson, group.students.first()) {
@@ -107,7 +107,9 @@ fn failures(group: &Group, lesson: Option<&Path>) -> impl Iterator<Item = String
         _ => format!("{}:{line}: {failure}", group.lesson.name),
     };
     let failed = group.questions.iter();
-    let failed = failed.filter_map(move |asked| Some((line(asked), asked.failure.as_ref()?)));
+    let failed = failed.filter_map(move |class_question| {
+        Some((line(class_question), class_question.failure.as_ref()?))
+    });
     failed.flat_map(move |(line, failure)| {
         let lines = failure.lines().map(|words| told(line, words));
         lines.collect::<Vec<_>>()
@@ -116,11 +118,11 @@ fn failures(group: &Group, lesson: Option<&Path>) -> impl Iterator<Item = String
 
 /// Returns every hand-in with its group, in the order of the files.
 fn in_order(class: &Class) -> Vec<(&Group, &Student)> {
-    let of = |group| move |student| (group, student);
+    let with_group = |group| move |student| (group, student);
     let mut all: Vec<(&Group, &Student)> = class
         .groups
         .iter()
-        .flat_map(|group| group.students.iter().map(of(group)))
+        .flat_map(|group| group.students.iter().map(with_group(group)))
         .collect();
     all.sort_by_key(|(_, student)| student.index);
     all
@@ -128,17 +130,17 @@ fn in_order(class: &Class) -> Vec<(&Group, &Student)> {
 
 fn object(class: &Class) -> Value {
     let answer = |group: &Group, question: usize, given: Option<&Given>| {
-        let asked = &group.questions[question];
-        let kind = asked
+        let class_question = &group.questions[question];
+        let kind = class_question
             .question(&group.lesson)
             .map(|question| question.kind.name());
         let value = |answer| answer_parts(answer).1;
         json!({
             "question": question + 1,
-            "step": asked.step + 1,
+            "step": class_question.step + 1,
             "kind": kind,
             "given": given.map(|given| value(&given.answered.answer)),
-            "right": match (&asked.failure, given) {
+            "right": match (&class_question.failure, given) {
                 (Some(_), _) => None,
                 (None, given) => Some(given.is_some_and(Given::is_right)),
             },
@@ -292,12 +294,15 @@ fn table(group: &Group) -> String {
 
 /// Formats the predictions of the class and the correct answer.
 fn question_line(group: &Group, index: usize) -> String {
-    let asked = &group.questions[index];
-    let Some(question) = asked.question(&group.lesson) else {
+    let class_question = &group.questions[index];
+    let Some(question) = class_question.question(&group.lesson) else {
         return String::new();
     };
     let number = index + 1;
-    let mut line = format!("{number}  {}", one_line(&without_marks(&asked.ask)));
+    let mut line = format!(
+        "{number}  {}",
+        one_line(&without_marks(&class_question.ask))
+    );
     let counted = group.counted(index);
     if let Some([least, lower, median, upper, greatest]) = spread(&group.predicted(index)) {
         let own = question.kind.asks().predicts_number();
@@ -319,7 +324,7 @@ fn question_line(group: &Group, index: usize) -> String {
             .collect();
         line += &format!("\n   {}", counts.join(", "));
     }
-    if let Some(solution) = &asked.solution
+    if let Some(solution) = &class_question.solution
         && !question.kind.asks().is_drawn()
     {
         let right = question.kind.short_solution(solution);

@@ -47,8 +47,8 @@ impl Completions {
         let script = String::from_utf8_lossy(&script);
         // clap_complete 4.6 writes a name with a hyphen in one way where it looks for the command and in another
         // where it answers.
-        let (asked, answered) = (name.replace('-', "__"), name.replace('-', "__subcmd__"));
-        print(&script.replace(&answered, &asked))
+        let (expected, generated) = (name.replace('-', "__"), name.replace('-', "__subcmd__"));
+        print(&script.replace(&generated, &expected))
     }
 }
 

@@ -255,16 +255,15 @@ fn depths(mesh: &VertexMesh, view: &View) -> impl Iterator<Item = f64> {
 /// Returns the depths that the depth buffer spans: those of the vertices in front of the eye.
 fn planes(camera: &Camera, view: &View, mesh: &VertexMesh) -> [f64; 2] {
     let nearest = NEAR * camera.distance();
-    let (least, greatest) = depths(mesh, view)
-        .fold((f64::INFINITY, 0.0_f64), |(low, high), depth| {
-            (low.min(depth), high.max(depth))
-        });
-    let near = if least.is_finite() {
-        (least / MARGIN).max(nearest)
+    let (min, max) = depths(mesh, view).fold((f64::INFINITY, 0.0_f64), |(low, high), depth| {
+        (low.min(depth), high.max(depth))
+    });
+    let near = if min.is_finite() {
+        (min / MARGIN).max(nearest)
     } else {
         nearest
     };
-    [near, (greatest * MARGIN).max(2.0 * near)]
+    [near, (max * MARGIN).max(2.0 * near)]
 }
 
 /// Writes depth cueing as OpenGL's linear fog, which mixes with f = (end − z)/(end − start), clamped to 0..1, at

@@ -4,7 +4,7 @@
 //! code of the equation is the same.
 
 use super::limit::limit;
-use super::sources::{Emitter, Place, emitters, flat, interpolation, surroundings};
+use super::sources::{Emitter, EmitterPosition, emitters, flat, interpolation, surroundings};
 use super::text::{filled, float, head, said, vec3};
 use super::{Export, Part};
 use crate::illumination::{Index, SpecularForm};
@@ -302,12 +302,12 @@ fn lights(scene: &Scene) -> String {
 fn light(emitter: &Emitter<'_>) -> String {
     let index = emitter.index.to_string();
     let (what, direction) = match &emitter.place {
-        Place::Among(points) => return area(emitter, points, &index),
-        Place::Towards(l) => (
+        EmitterPosition::Among(points) => return area(emitter, points, &index),
+        EmitterPosition::Towards(l) => (
             "L is the same everywhere",
             format!("    const vec3 L = {};\n", vec3(*l)),
         ),
-        Place::At(place) => {
+        EmitterPosition::At(place) => {
             let to_light = format!("    vec3 to_light = {} - P;\n{DIRECTION}", vec3(*place));
             ("L points to its place from each point", to_light)
         }

@@ -19,13 +19,13 @@ pub(super) struct Emitter<'a> {
     /// Index in the scene's list.
     pub index: usize,
     pub light: &'a Light,
-    pub place: Place,
+    pub place: EmitterPosition,
     /// f if it is constant: for a light without a distance, or with one that does not vary.
     pub constant: Option<f64>,
 }
 
 /// The position of a light.
-pub(super) enum Place {
+pub(super) enum EmitterPosition {
     /// L, a unit vector, constant.
     Towards(DVec3),
     At(DVec3),
@@ -47,10 +47,10 @@ pub(super) fn emitters(scene: &Scene) -> Vec<Emitter<'_>> {
         let distance = offset.length();
         let far = distance > PARALLEL_BEYOND * scene.camera.distance();
         let place = match light.kind {
-            LightKind::Directional => Place::Towards(-direction(light.direction)),
-            _ if far => Place::Towards(direction(offset)),
-            LightKind::Area => Place::Among(area_samples(light)),
-            LightKind::Point | LightKind::Spot => Place::At(light.position),
+            LightKind::Directional => EmitterPosition::Towards(-direction(light.direction)),
+            _ if far => EmitterPosition::Towards(direction(offset)),
+            LightKind::Area => EmitterPosition::Among(area_samples(light)),
+            LightKind::Point | LightKind::Spot => EmitterPosition::At(light.position),
         };
         let constant = match light.attenuation {
             Attenuation::None => Some(1.0),
@@ -128,7 +128,7 @@ pub(super) fn flat(scene: &Scene) -> Option<Limit> {
     // If L and V do not vary, a polygon with one normal has one shade.
     let parallel = emitters(scene)
         .iter()
-        .all(|emitter| matches!(emitter.place, Place::Towards(_)));
+        .all(|emitter| matches!(emitter.place, EmitterPosition::Towards(_)));
     let constant = parallel
         && (scene.camera.viewer == Viewer::Infinite
             || SpecularForm::of(scene) == SpecularForm::None);

@@ -121,14 +121,15 @@ impl Placer {
     }
 
     fn try_anywhere(&mut self, wish: &Wish) {
-        let room = self.bounds.max - self.bounds.min - wish.size;
-        if room.min_element() < 0.0 {
+        let slack = self.bounds.max - self.bounds.min - wish.size;
+        if slack.min_element() < 0.0 {
             return;
         }
         for row in 0..=GRID {
             for column in 0..=GRID {
                 let share = DVec2::new(f64::from(column), f64::from(row)) / f64::from(GRID);
-                let area = Area::about(self.bounds.min + wish.size * 0.5 + room * share, wish.size);
+                let area =
+                    Area::about(self.bounds.min + wish.size * 0.5 + slack * share, wish.size);
                 let distance = (area.nearest(wish.anchor) - wish.anchor).length() / self.text_size;
                 self.consider(area, COST[0] * distance);
             }
@@ -137,14 +138,14 @@ impl Placer {
 
     /// Keeps a place that costs `base` besides the lines it covers, if it is free and better than the best so far.
     fn consider(&mut self, area: Area, base: f64) {
-        let least = self.best.map_or(f64::INFINITY, |(cost, _)| cost);
+        let lowest = self.best.map_or(f64::INFINITY, |(cost, _)| cost);
         let inside = area.min.is_finite() && self.bounds.holds(&area);
-        if least <= base || !inside || self.taken.iter().any(|taken| taken.overlaps(&area)) {
+        if lowest <= base || !inside || self.taken.iter().any(|taken| taken.overlaps(&area)) {
             return;
         }
         let covered: f64 = self.segments.iter().map(|[a, b]| area.covers(*a, *b)).sum();
         let cost = base + COST[2] * covered / self.text_size;
-        if cost < least {
+        if cost < lowest {
             self.best = Some((cost, area));
         }
     }

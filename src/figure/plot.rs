@@ -4,12 +4,12 @@
 //! curve is distinguished by colour alone: each has its own dashes, and the legend names it.
 
 mod axes;
+mod canvas;
 mod cartesian;
 mod data;
 mod legend;
 mod paper;
 mod polar;
-mod sheet;
 
 pub use axes::{magnitude, round_up, scientific, short, ticks};
 pub use data::{Axis, Curve, Dash, Direction, Ink, Mark, Plot, PlotKind, Point, Tag};
@@ -17,9 +17,9 @@ pub use paper::{Paper, PlotStyle, dashes};
 
 use super::area::Area;
 use super::drawing::Drawing;
+use canvas::PlotCanvas;
 use glam::DVec2;
 use legend::Legend;
-use sheet::Sheet;
 
 /// Lays out `plot` in an area of `size` (width, height).
 pub fn lay_out(plot: &Plot, size: DVec2, style: &PlotStyle) -> Drawing {
@@ -35,12 +35,12 @@ pub fn lay_out_bare(
     style: &PlotStyle,
 ) -> Drawing {
     let mut drawing = Drawing::new(size, style.paper.ground);
-    let mut sheet = Sheet::new(&mut drawing, plot, style);
-    let room = sheet.heading(Area {
+    let mut canvas = PlotCanvas::new(&mut drawing, plot, style);
+    let bounds = canvas.heading(Area {
         min: DVec2::ZERO,
         max: size,
     });
-    cartesian::draw(&mut sheet, room, span);
+    cartesian::draw(&mut canvas, bounds, span);
     drawing
 }
 
@@ -52,18 +52,18 @@ pub fn lay_out_sheet(plots: &[Plot], size: DVec2, style: &PlotStyle) -> Drawing 
     for (index, plot) in (0u32..).zip(plots) {
         let index = f64::from(index);
         let min = cell * DVec2::new(index % grid.x, (index / grid.x).floor());
-        let mut sheet = Sheet::new(&mut drawing, plot, style);
-        let room = sheet.heading(Area {
+        let mut canvas = PlotCanvas::new(&mut drawing, plot, style);
+        let bounds = canvas.heading(Area {
             min,
             max: min + cell,
         });
-        let (legend, room) = Legend::new(&sheet, room);
+        let (legend, bounds) = Legend::new(&canvas, bounds);
         if plot.kind.is_polar() {
-            polar::draw(&mut sheet, room);
+            polar::draw(&mut canvas, bounds);
         } else {
-            cartesian::draw(&mut sheet, room, None);
+            cartesian::draw(&mut canvas, bounds, None);
         }
-        legend.draw(&mut sheet);
+        legend.draw(&mut canvas);
     }
     drawing
 }

@@ -25,10 +25,10 @@ impl QrCode {
     /// bytes.
     pub fn new(text: &str) -> Option<Self> {
         let code = |level| QRBuilder::new(text).ecl(level).build().ok();
-        let least = code(ECL::L)?;
+        let smallest = code(ECL::L)?;
         let better = [ECL::H, ECL::Q, ECL::M].into_iter().filter_map(code);
-        let best = better.into_iter().find(|code| code.size == least.size);
-        let code = best.unwrap_or(least);
+        let best = better.into_iter().find(|code| code.size == smallest.size);
+        let code = best.unwrap_or(smallest);
         let modules = code.data.iter().take(code.size * code.size);
         Some(Self {
             side: code.size,

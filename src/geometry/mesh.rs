@@ -339,14 +339,14 @@ impl Mesh {
         let mut volumes = vec![0.0; self.positions.len()];
         for f in 0..self.face_count() {
             if let Some(corner) = self.face(f).first() {
-                let part = parts.of(corner.position) as usize;
+                let part = parts.root(corner.position) as usize;
                 volumes[part] += self.face_volume(f, self.positions[part].as_dvec3());
             }
         }
         (0..self.face_count()).all(|f| {
             self.face(f)
                 .first()
-                .is_none_or(|c| volumes[parts.of(c.position) as usize] > 0.0)
+                .is_none_or(|c| volumes[parts.root(c.position) as usize] > 0.0)
         })
     }
 }
@@ -405,7 +405,7 @@ impl Parts {
         }
     }
 
-    fn of(&mut self, mut point: u32) -> u32 {
+    fn root(&mut self, mut point: u32) -> u32 {
         while self.parents[point as usize] != point {
             let grandparent = self.parents[self.parents[point as usize] as usize];
             self.parents[point as usize] = grandparent;
@@ -415,7 +415,7 @@ impl Parts {
     }
 
     fn join(&mut self, a: u32, b: u32) {
-        let (a, b) = (self.of(a), self.of(b));
+        let (a, b) = (self.root(a), self.root(b));
         self.parents[a.max(b) as usize] = a.min(b);
     }
 }

@@ -12,7 +12,7 @@ mod prepare;
 use super::mesh::{Corner, Mesh, NO_NORMAL};
 use glam::Vec3;
 pub use prepare::ObjError;
-use prepare::{About, Lines, Prepared};
+use prepare::{FileFacts, Lines, Prepared};
 use std::collections::HashMap;
 use std::io::{BufRead, BufReader};
 
@@ -50,20 +50,20 @@ pub fn read_obj(reader: impl BufRead, progress: &mut dyn FnMut(u64)) -> Result<M
         &tobj::LoadOptions::default(),
         no_materials,
     );
-    let about = prepared.finish()?;
+    let facts = prepared.finish()?;
     let (pieces, _) = loaded.map_err(ObjError::Refused)?;
-    put_together(pieces, about)
+    put_together(pieces, facts)
 }
 
 /// Joins all pieces into one mesh, with positions relative to the origin. Each piece is freed once it is in.
-fn put_together(pieces: Vec<tobj::Model>, about: About) -> Result<Mesh, ObjError> {
+fn put_together(pieces: Vec<tobj::Model>, facts: FileFacts) -> Result<Mesh, ObjError> {
     let corners: usize = pieces.iter().map(|piece| piece.mesh.indices.len()).sum();
     if u32::try_from(corners).is_err() {
         return Err(ObjError::TooLarge);
     }
     let mut mesh = Mesh {
-        origin: about.origin,
-        names_materials: about.names_materials,
+        origin: facts.origin,
+        names_materials: facts.names_materials,
         starts: vec![0],
         ..Mesh::default()
     };

@@ -28,7 +28,7 @@ pub use count::{divisions_for, triangles};
 ///
 /// Numbers of divisions that [`Scene::validate`](crate::scene::Scene) would reject are replaced by the nearest that it accepts.
 pub fn tessellate(object: &Object) -> Mesh {
-    let divisions = |number: u32, least: u32| number.clamp(least, Object::MAX_DIVISIONS);
+    let divisions = |number: u32, min: u32| number.clamp(min, Object::MAX_DIVISIONS);
     let segments = divisions(object.segments, 3);
     let rings = divisions(object.rings, 1);
     match object.kind {

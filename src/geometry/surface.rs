@@ -90,7 +90,7 @@ impl Surface {
         let mut near = [UnitRay::default(); TOGETHER];
         // The conversion from the length along the unit ray to t.
         let mut scale = [(0.0, 1.0); TOGETHER];
-        let mut asked = 0;
+        let mut requested = 0;
         for (k, ray) in rays.iter().enumerate().take(TOGETHER) {
             let length = ray.direction.length();
             let direction = ray.direction / length;
@@ -104,16 +104,16 @@ impl Surface {
                     s_min: t_min * length - shift,
                 };
                 scale[k] = (shift, length);
-                asked |= 1 << k;
+                requested |= 1 << k;
             }
         }
         let mut meetings = [None; TOGETHER];
         if self.kind == ObjectKind::Teapot {
-            if asked != 0 {
-                meetings = dispatch!(level, simd => patches::teapot(simd, &near, asked));
+            if requested != 0 {
+                meetings = dispatch!(level, simd => patches::teapot(simd, &near, requested));
             }
         } else {
-            for k in (0..TOGETHER).filter(|k| asked >> k & 1 == 1) {
+            for k in (0..TOGETHER).filter(|k| requested >> k & 1 == 1) {
                 meetings[k] = self.meet(&near[k]);
             }
         }

@@ -297,7 +297,7 @@ impl<T: Scalar> Equation<T> {
             turned.normal = site.normal.scale(sign);
             n_dot_l = n_dot_l.abs();
         }
-        let [height, cosine] = self.grazing.map(|least| zero.constant(least));
+        let [height, cosine] = self.grazing.map(|min| zero.constant(min));
         let lit = n_dot_l.greater_than(nearness.mul_add(height, cosine));
         let specular = if form != SpecularForm::None && R::any(lit) {
             let factor = form.factor(&turned, l, n_dot_l, &self.lobe);

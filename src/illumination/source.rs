@@ -20,7 +20,7 @@ const SHORTEST: f64 = 1e-9;
 /// One light, or one sample of an area light. Lengths are in camera distances, positions relative to the eye.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Source<T> {
-    place: Place<T>,
+    place: SourcePosition<T>,
     falloff: Falloff<T>,
     cone: Option<Cone<T>>,
     /// `Ip·kd·color` per channel; `Ip·kd` where a pattern gives the colour.
@@ -81,7 +81,7 @@ impl<T: Scalar> Cone<T> {
 const HARD_EDGE: f64 = 1e-6;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Place<T> {
+enum SourcePosition<T> {
     /// Parallel rays: L, unit.
     Towards([T; 3]),
     /// A point.
@@ -89,19 +89,19 @@ enum Place<T> {
 }
 
 /// The attenuation factor f as a function of a distance in camera distances. It is limited by the source's intensity (see
-/// `Share`): divisors are raised to `least`, or f is lowered to `greatest`.
+/// `Share`): divisors are raised to `min_divisor`, or f is lowered to `max`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Falloff<T> {
     /// A constant f.
     Constant(T),
     /// `1/(scale·r + k)`, r to the viewer.
-    Viewer { scale: T, k: T, least: T },
+    Viewer { scale: T, k: T, min_divisor: T },
     /// `1/(scale·r + k)`, r to the light.
-    Light { scale: T, k: T, least: T },
+    Light { scale: T, k: T, min_divisor: T },
     /// `min(1, 1/(c1 + c2·d + c3·d²))`.
     Quadratic { c1: T, c2: T, c3: T },
     /// `1/(scale·d)²`, given 1/scale².
-    InverseSquare { factor: T, greatest: T },
+    InverseSquare { factor: T, max: T },
 }
 
 /// The limit of what one source may add to an intensity, so that all of them together stay below [`BRIGHTEST`] wherever they are.
@@ -145,7 +145,7 @@ impl<T: Scalar> Source<T> {
         let color = light.color / f64::from(light.sample_count().max(1));
         let diffuse = (color * kd_color).min(Rgb::splat(share.diffuse));
         let specular = (color * ks).min(Rgb::splat(share.specular));
-        let greatest = share.attenuation(diffuse, specular);
+        let max = share.attenuation(diffuse, specular);
         let at = |position: DVec3| {
             let offset = (position - eye) / unit;
             let distance = length(offset);
@@ -153,11 +153,13 @@ impl<T: Scalar> Source<T> {
             let far = (light.kind.has_position() && parallel).then_some(distance);
             Self {
                 place: match light.kind {
-                    LightKind::Directional => Place::Towards(scalars(-direction(light.direction))),
-                    _ if parallel => Place::Towards(scalars(direction(offset))),
-                    _ => Place::At(scalars(offset)),
+                    LightKind::Directional => {
+                        SourcePosition::Towards(scalars(-direction(light.direction)))
+                    }
+                    _ if parallel => SourcePosition::Towards(scalars(direction(offset))),
+                    _ => SourcePosition::At(scalars(offset)),
                 },
-                falloff: Falloff::new(light, unit, far, greatest),
+                falloff: Falloff::new(light, unit, far, max),
                 cone: Cone::of(light),
                 diffuse: scalars(diffuse),
                 specular: scalars(specular),
@@ -177,8 +179,8 @@ impl<T: Scalar> Source<T> {
         let like = position.x;
         let (shortest, one) = (like.number(SHORTEST), like.number(1.0));
         let (l, inverse_distance, nearness) = match self.place {
-            Place::Towards(l) => (V3::constant(like, l), one, like.number(0.0)),
-            Place::At(place) => {
+            SourcePosition::Towards(l) => (V3::constant(like, l), one, like.number(0.0)),
+            SourcePosition::At(place) => {
                 let to_light = V3::constant(like, place) - position;
                 let inverse = to_light
                     .dot(to_light)
@@ -189,14 +191,24 @@ impl<T: Scalar> Source<T> {
         };
         let f = match self.falloff {
             Falloff::Constant(f) => like.constant(f),
-            Falloff::Viewer { scale, k, least } => {
-                one / (one / inverse_depth * scale + like.constant(k)).max(like.constant(least))
+            Falloff::Viewer {
+                scale,
+                k,
+                min_divisor,
+            } => {
+                one / (one / inverse_depth * scale + like.constant(k))
+                    .max(like.constant(min_divisor))
             }
-            Falloff::Light { scale, k, least } => {
-                one / (one / inverse_distance * scale + like.constant(k)).max(like.constant(least))
+            Falloff::Light {
+                scale,
+                k,
+                min_divisor,
+            } => {
+                one / (one / inverse_distance * scale + like.constant(k))
+                    .max(like.constant(min_divisor))
             }
-            Falloff::InverseSquare { factor, greatest } => {
-                (inverse_distance * inverse_distance * factor).min(like.constant(greatest))
+            Falloff::InverseSquare { factor, max } => {
+                (inverse_distance * inverse_distance * factor).min(like.constant(max))
             }
             Falloff::Quadratic { c1, c2, c3 } => {
                 let d = one / inverse_distance;
@@ -235,8 +247,10 @@ impl<T: Scalar> Source<T> {
         T: Real<Scalar = T>,
     {
         match self.place {
-            Place::Towards(l) => (V3::constant(position.x, l), T::from_f64(f64::MAX)),
-            Place::At(place) => (V3::constant(position.x, place) - position, T::from_f64(1.0)),
+            SourcePosition::Towards(l) => (V3::constant(position.x, l), T::from_f64(f64::MAX)),
+            SourcePosition::At(place) => {
+                (V3::constant(position.x, place) - position, T::from_f64(1.0))
+            }
         }
     }
 
@@ -259,7 +273,7 @@ impl<T: Scalar> Source<T> {
 
     /// Returns whether L is the same everywhere.
     pub fn is_parallel(&self) -> bool {
-        matches!(self.place, Place::Towards(_))
+        matches!(self.place, SourcePosition::Towards(_))
     }
 }
 
@@ -268,11 +282,11 @@ impl Source<f32> {
     pub(super) fn greatest_specular(&self) -> f64 {
         let f = match self.falloff {
             Falloff::Constant(f) => f,
-            Falloff::Viewer { k, least, .. } | Falloff::Light { k, least, .. } => {
-                1.0 / k.max(least)
+            Falloff::Viewer { k, min_divisor, .. } | Falloff::Light { k, min_divisor, .. } => {
+                1.0 / k.max(min_divisor)
             }
             Falloff::Quadratic { .. } => 1.0,
-            Falloff::InverseSquare { greatest, .. } => greatest,
+            Falloff::InverseSquare { max, .. } => max,
         };
         let [r, g, b] = self.specular;
         f64::from(r.max(g).max(b)) * f64::from(f)
@@ -280,22 +294,30 @@ impl Source<f32> {
 }
 
 impl<T: Scalar> Falloff<T> {
-    /// Prepares f, limited to `greatest`. `far` is the distance of a point light that is treated as parallel. A directional
+    /// Prepares f, limited to `max`. `far` is the distance of a point light that is treated as parallel. A directional
     /// light has no distance, so attenuation by the distance to it has no effect.
-    fn new(light: &Light, unit: f64, far: Option<f64>, greatest: f64) -> Self {
+    fn new(light: &Light, unit: f64, far: Option<f64>, max: f64) -> Self {
         let t = T::from_f64;
-        let (least, scale, k) = (t(SHORTEST.max(1.0 / greatest)), t(unit), t(light.k));
+        let (min_divisor, scale, k) = (t(SHORTEST.max(1.0 / max)), t(unit), t(light.k));
         match (light.attenuation, far) {
-            (Attenuation::Viewer, _) => Self::Viewer { scale, k, least },
+            (Attenuation::Viewer, _) => Self::Viewer {
+                scale,
+                k,
+                min_divisor,
+            },
             (Attenuation::None, _) => Self::Constant(t(1.0)),
             _ if !light.kind.has_position() => Self::Constant(t(1.0)),
             (law, Some(distance)) => {
-                Self::Constant(t(attenuation_at(light, law, distance * unit).min(greatest)))
+                Self::Constant(t(attenuation_at(light, law, distance * unit).min(max)))
             }
-            (Attenuation::Light, None) => Self::Light { scale, k, least },
+            (Attenuation::Light, None) => Self::Light {
+                scale,
+                k,
+                min_divisor,
+            },
             (Attenuation::InverseSquare, None) => Self::InverseSquare {
                 factor: t(1.0 / (unit * unit)),
-                greatest: t(greatest),
+                max: t(max),
             },
             (Attenuation::Quadratic, None) => Self::Quadratic {
                 c1: t(light.c1),

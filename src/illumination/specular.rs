@@ -331,9 +331,9 @@ fn squares<R: Real>(gap: R) -> (R, R) {
 /// 2(N·H)(N·V)/(V·H), 2(N·H)(N·L)/(V·H)).
 #[inline(always)]
 fn geometric_over_view<R: Real>(n_dot_h: R, n_dot_l: R, n_dot_v: R, v_dot_h: R) -> R {
-    let least = n_dot_v.number(SMALLEST_COSINE);
-    let inverse_view = n_dot_v.number(1.0) / n_dot_v.max(least);
-    let cavity = (n_dot_h + n_dot_h) / v_dot_h.max(least);
+    let min_cosine = n_dot_v.number(SMALLEST_COSINE);
+    let inverse_view = n_dot_v.number(1.0) / n_dot_v.max(min_cosine);
+    let cavity = (n_dot_h + n_dot_h) / v_dot_h.max(min_cosine);
     inverse_view
         .min(cavity)
         .min(cavity * n_dot_l * inverse_view)
@@ -356,8 +356,8 @@ fn seen<R: Real>(n_dot_v: R) -> R {
 /// G₁(x) = 2x/(x + √(α² + (1 − α²)x²)).
 #[inline(always)]
 fn smith_over_view<R: Real>(n_dot_l: R, n_dot_v: R, lobe: &Lobe<R::Scalar>) -> R {
-    let least = n_dot_v.number(SMALLEST_COSINE);
-    let (l, v) = (n_dot_l.max(least), n_dot_v.max(least));
+    let min_cosine = n_dot_v.number(SMALLEST_COSINE);
+    let (l, v) = (n_dot_l.max(min_cosine), n_dot_v.max(min_cosine));
     let four = l * R::Scalar::from_f64(4.0);
     four / (smith_divisor(l, lobe) * smith_divisor(v, lobe))
 }

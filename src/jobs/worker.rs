@@ -96,7 +96,7 @@ impl<W> Reporter<W> {
 
 impl<W: Work> Watch<W::Answer> for Reporter<W> {
     /// Always continues: the page ends the worker to cancel.
-    fn at(&self, share: f32) -> bool {
+    fn progress(&self, share: f32) -> bool {
         if self.is_due(0) {
             tell(MessageKind::Share, &share.into());
         }

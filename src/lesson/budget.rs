@@ -1,7 +1,7 @@
 //! The work that a lesson may cause, counted before it is done: a file from anybody ends soon, and at the same place on every machine.
 
 use crate::geometry::{Mesh, triangles};
-use crate::render::{Plan, Report, Stage, TooLarge, check_memory_for};
+use crate::render::{FrameReport, Plan, Stage, TooLarge, check_memory_for};
 use crate::scene::{AmbientSource, ObjectKind, Scene};
 use crate::text::text;
 use std::sync::Arc;
@@ -139,7 +139,7 @@ impl Account {
         &mut self,
         scene: &Scene,
         model: Option<&Mesh>,
-        report: &Report,
+        report: &FrameReport,
     ) -> Result<(), TooHeavy> {
         let ran = |stage| {
             report

@@ -13,7 +13,7 @@ use crate::analysis::perception::luminance;
 use crate::analysis::plan::{FramePlan, PlanQuestion};
 use crate::analysis::probe::{Probe, Probed, probe};
 use crate::analysis::profile::ProfileQuestion;
-use crate::analysis::{About, Answer, Question, Subject, unwatched};
+use crate::analysis::{Answer, Question, ReportContext, Subject, unwatched};
 use crate::expression::{Expression, Part, Quantities, Todo, Value};
 use crate::geometry::Mesh;
 use crate::render::{Frame, Renderer};
@@ -402,7 +402,7 @@ impl LabPlace<'_> {
 
     fn find(&self, name: &str) -> Result<Json, String> {
         let scene = self.scene();
-        let about = About {
+        let about = ReportContext {
             name: "",
             scene: &scene,
         };

@@ -1,7 +1,7 @@
 //! The scene of a step, and what is shown of it.
 
 use super::LessonError;
-use crate::document::{ending, load, load_named, stays_here};
+use crate::document::{ending, load_named, load_scene, stays_here};
 use crate::geometry::Mesh;
 use crate::link::{Shown, VIEWS};
 use crate::scene::{Compare, CompareView, Pane, Scene};
@@ -72,7 +72,7 @@ impl Stage {
             Some(_) if !stays_here(&self.scene) => {
                 return Err(wrong(text!("document-elsewhere").to_owned()));
             }
-            Some(folder) if self.is_file() => load(&folder.join(&self.scene)),
+            Some(folder) if self.is_file() => load_scene(&folder.join(&self.scene)),
             _ => load_named(&self.scene),
         };
         let loaded = loaded.map_err(|error| wrong(error.to_string()))?;

@@ -5,7 +5,7 @@ use super::shown::Shown;
 use super::{
     DEFAULTS, Link, LinkError, LinkProblem, MOST_LINK, MOST_QUERY, MOST_TEXT, did_you_mean,
 };
-use crate::scene::{Compare, Pane, Place, Problem, Scene, SceneError, presets};
+use crate::scene::{Compare, Pane, Problem, ProblemLocation, Scene, SceneError, presets};
 use crate::text::text;
 use miniz_oxide::inflate::TINFLStatus;
 use miniz_oxide::inflate::decompress_to_vec_with_limit;
@@ -324,7 +324,7 @@ impl Reader<'_> {
     fn in_file(&self, at: usize, error: &SceneError) -> LinkError {
         let problem = |problem: &Problem| {
             let line = match problem.place {
-                Place::Line { line, .. } => line,
+                ProblemLocation::Line { line, .. } => line,
                 _ => 1,
             };
             let key = if problem.key.is_empty() {
@@ -348,7 +348,7 @@ impl Reader<'_> {
         let place = |problem: &Problem| {
             let set = |text: &String| parts.set.iter().rfind(|(_, setting)| setting == text);
             let own = match &problem.place {
-                Place::Override(text) => set(text).map(|(at, _)| *at),
+                ProblemLocation::Override(text) => set(text).map(|(at, _)| *at),
                 _ => None,
             };
             let panes = || {

@@ -1,7 +1,7 @@
 //! The geometry stage's output: polygons, and a mesh as structures of arrays.
 
 use super::lens::DEEPEST;
-use super::node::{Memory, room, room_of_planes};
+use super::node::{Memory, capacity, capacity_of_planes};
 use crate::geometry::{Mesh, VertexMesh, tessellate};
 use crate::scene::{Camera, Object};
 use glam::{DVec3, Vec3};
@@ -47,8 +47,10 @@ impl MeshSource {
 
     pub fn count(&self, memory: &mut Memory) {
         if let Some(mesh) = self.mesh.get() {
-            memory.vertices += room(&mesh.positions) + room(&mesh.normals) + room(&mesh.mirrored);
-            memory.triangles += room(&mesh.starts) + room(&mesh.corners) + room(&mesh.cut);
+            memory.vertices +=
+                capacity(&mesh.positions) + capacity(&mesh.normals) + capacity(&mesh.mirrored);
+            memory.triangles +=
+                capacity(&mesh.starts) + capacity(&mesh.corners) + capacity(&mesh.cut);
         }
     }
 }
@@ -105,9 +107,11 @@ impl Model {
     }
 
     pub fn count(&self, memory: &mut Memory) {
-        memory.vertices += room_of_planes(&self.position) + room_of_planes(&self.normal);
-        memory.triangles +=
-            room(&self.triangles) + room(&self.faces) + room(&self.starts) + room(&self.indices);
+        memory.vertices += capacity_of_planes(&self.position) + capacity_of_planes(&self.normal);
+        memory.triangles += capacity(&self.triangles)
+            + capacity(&self.faces)
+            + capacity(&self.starts)
+            + capacity(&self.indices);
     }
 
     /// Returns the world units to one camera distance.
@@ -139,15 +143,15 @@ impl Model {
 
     /// Returns the position of a vertex relative to `origin`.
     pub fn place(&self, vertex: u32) -> Vec3 {
-        at(&self.position, vertex)
+        vector_at(&self.position, vertex)
     }
 
     pub fn position(&self, vertex: u32) -> DVec3 {
-        self.origin + at(&self.position, vertex).as_dvec3()
+        self.origin + vector_at(&self.position, vertex).as_dvec3()
     }
 
     pub fn normal(&self, vertex: u32) -> DVec3 {
-        at(&self.normal, vertex).as_dvec3()
+        vector_at(&self.normal, vertex).as_dvec3()
     }
 
     /// Returns the mean of a face's corners, world.
@@ -182,7 +186,7 @@ impl Model {
         let corners = self.face(face);
         let sum: DVec3 = corners
             .iter()
-            .map(|&v| at(&self.position, v).as_dvec3())
+            .map(|&v| vector_at(&self.position, v).as_dvec3())
             .sum();
         let count = corners.len().max(1) as f64;
         sum / count
@@ -194,11 +198,11 @@ impl Model {
             return DVec3::ZERO;
         };
         // Relative to the first corner, so that nothing cancels far from the origin.
-        let base = at(&self.position, first).as_dvec3();
+        let base = vector_at(&self.position, first).as_dvec3();
         let mut sum = DVec3::ZERO;
         for pair in rest.windows(2) {
-            let a = at(&self.position, pair[0]).as_dvec3() - base;
-            let b = at(&self.position, pair[1]).as_dvec3() - base;
+            let a = vector_at(&self.position, pair[0]).as_dvec3() - base;
+            let b = vector_at(&self.position, pair[1]).as_dvec3() - base;
             sum += a.cross(b);
         }
         let largest = sum.abs().max_element();
@@ -210,7 +214,7 @@ impl Model {
     }
 }
 
-fn at(planes: &[Vec<f32>; 3], vertex: u32) -> Vec3 {
+fn vector_at(planes: &[Vec<f32>; 3], vertex: u32) -> Vec3 {
     let v = vertex as usize;
     Vec3::new(planes[0][v], planes[1][v], planes[2][v])
 }

@@ -72,11 +72,11 @@ impl Memory {
 }
 
 /// Returns the capacity of a buffer, bytes.
-pub fn room<T>(buffer: &Vec<T>) -> u64 {
+pub fn capacity<T>(buffer: &Vec<T>) -> u64 {
     (buffer.capacity() * size_of::<T>()) as u64
 }
 
 /// Returns the capacity of planes, bytes.
-pub fn room_of_planes<T>(planes: &[Vec<T>; 3]) -> u64 {
-    planes.iter().map(room).sum()
+pub fn capacity_of_planes<T>(planes: &[Vec<T>; 3]) -> u64 {
+    planes.iter().map(capacity).sum()
 }

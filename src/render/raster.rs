@@ -11,7 +11,7 @@ mod triangles;
 
 pub use cover::{Band, Coverage, DepthScratch, ROWS, meet, meet_band};
 pub use fragments::{Block, Fragment, fragment, is_seen, join};
-pub use grid::{BAND, BandPlace, Place, SUBPIXELS, UNPLACED, doubled_area};
+pub use grid::{BAND, BandExtent, GridPosition, SUBPIXELS, UNPLACED, doubled_area};
 pub use interpolate::{SHORTEST_NORMAL, carry, interpolate};
 pub use scan_line::{Crossing, Outline, crossing_pair};
 pub use triangles::{PlacedTriangles, Triangles};

@@ -3,7 +3,7 @@
 use super::Scene;
 use super::choice::{Choice, ChoiceOption};
 use super::format::Datum;
-use super::problem::Finding;
+use super::problem::UnlocatedProblem;
 use std::fmt::{self, Debug};
 use toml::de::DeValue;
 use toml::{Spanned, Value};
@@ -32,7 +32,7 @@ pub trait Field: Debug + Sync {
         scene: &mut Scene,
         index: usize,
         value: &Spanned<DeValue<'_>>,
-    ) -> Result<(), Finding>;
+    ) -> Result<(), UnlocatedProblem>;
     /// Copies its value from another scene.
     fn copy(&self, from: &Scene, to: &mut Scene, index: usize);
     /// Returns whether two scenes agree in it, for numbers bit by bit.
@@ -49,7 +49,7 @@ impl<T: Datum> Field for Access<T> {
         scene: &mut Scene,
         index: usize,
         value: &Spanned<DeValue<'_>>,
-    ) -> Result<(), Finding> {
+    ) -> Result<(), UnlocatedProblem> {
         let value = T::read(value)?;
         (self.get_mut)(scene, index)
             .into_iter()

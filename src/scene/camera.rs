@@ -11,7 +11,7 @@ use std::ops::RangeInclusive;
 
 table! {
     /// The description of a scene for its readers. All of it may be empty.
-    pub struct About = [about] in about {
+    pub struct SceneDescription = [about] in about {
         /// The scene's title; one line of at most 80 characters.
         TITLE title: String = String::new(), Text(80);
         /// A sentence on what to look at and what to try; one line of at most 300 characters.

@@ -7,7 +7,7 @@ use super::format::list_of;
 use super::material::ReflectionModel;
 use super::overrides::{is_inside, key_and_value};
 use super::parameter::{Limits, Parameter, Slider, at_most, table};
-use super::problem::{Cause, Finding, Place, Problem, SceneError};
+use super::problem::{Cause, Problem, ProblemLocation, SceneError, UnlocatedProblem};
 use super::setting::setting_words;
 
 use super::shading::{Interpolation, MODE, ShadingMode};
@@ -372,16 +372,22 @@ fn short_words(setting: &str) -> Option<String> {
 }
 
 /// Returns the problems of the panes of an otherwise valid scene.
-pub(super) fn problems(scene: &Scene) -> Vec<Finding> {
+pub(super) fn problems(scene: &Scene) -> Vec<UnlocatedProblem> {
     let Compare { panes, view, .. } = &scene.compare;
     if panes.len() > Compare::MAX_PANES {
         let expected = text!("expected-panes", count = Compare::MAX_PANES);
         let found = list_of(panes.len());
-        return vec![Finding::new("compare.pane", Cause::value(found, expected))];
+        return vec![UnlocatedProblem::new(
+            "compare.pane",
+            Cause::value(found, expected),
+        )];
     }
     if *view != CompareView::Single && panes.is_empty() {
         let words = text!("problem-nothing-to-compare");
-        return vec![Finding::new("compare.view", Cause::Key(words.to_owned()))];
+        return vec![UnlocatedProblem::new(
+            "compare.view",
+            Cause::Key(words.to_owned()),
+        )];
     }
     panes
         .iter()
@@ -390,11 +396,11 @@ pub(super) fn problems(scene: &Scene) -> Vec<Finding> {
         .collect()
 }
 
-fn pane_problems(scene: &Scene, index: usize, pane: &Pane) -> Vec<Finding> {
+fn pane_problems(scene: &Scene, index: usize, pane: &Pane) -> Vec<UnlocatedProblem> {
     let key = format!("compare.pane.{index}.set");
     if pane.set.len() > Compare::MAX_SETTINGS {
         let expected = at_most(Compare::MAX_SETTINGS);
-        return vec![Finding::new(
+        return vec![UnlocatedProblem::new(
             key,
             Cause::value(list_of(pane.set.len()), expected),
         )];
@@ -405,7 +411,7 @@ fn pane_problems(scene: &Scene, index: usize, pane: &Pane) -> Vec<Finding> {
     };
     if let Some(at) = pane.set.iter().position(shared) {
         let expected = text!("expected-pane-key");
-        return vec![Finding::new(
+        return vec![UnlocatedProblem::new(
             format!("{key}.{at}"),
             Cause::value(format_args!("{:?}", pane.set[at]), expected),
         )];
@@ -414,14 +420,13 @@ fn pane_problems(scene: &Scene, index: usize, pane: &Pane) -> Vec<Finding> {
         return vec![];
     };
     let found = |problem: &Problem| {
-        let at = pane
-            .set
-            .iter()
-            .position(|setting| matches!(&problem.place, Place::Override(text) if text == setting));
+        let at = pane.set.iter().position(
+            |setting| matches!(&problem.place, ProblemLocation::Override(text) if text == setting),
+        );
         let key = at.map_or_else(|| key.clone(), |at| format!("{key}.{at}"));
-        let words = Finding::in_words(&problem.key, &problem.cause);
+        let words = UnlocatedProblem::in_words(&problem.key, &problem.cause);
         let sentence = format!("`{key}`: {words}");
-        Finding::new(key, Cause::Text(sentence))
+        UnlocatedProblem::new(key, Cause::Text(sentence))
     };
     error.problems().iter().map(found).collect()
 }

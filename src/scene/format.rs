@@ -8,7 +8,7 @@ mod reader;
 
 use super::Scene;
 use super::parameter::{Kind, List, Parameter, defaults};
-use super::problem::{Cause, Finding, Place, SceneError};
+use super::problem::{Cause, ProblemLocation, SceneError, UnlocatedProblem};
 use crate::text::{text, with_short_names};
 use reader::read;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
@@ -51,11 +51,11 @@ impl Scene {
             offset: 0,
             line: 1,
         };
-        let (mut scene, mut findings) = (Self::default(), vec![]);
+        let (mut scene, mut problems) = (Self::default(), vec![]);
         let mut whole = |offset: usize, words: String| {
-            findings.push(Finding {
+            problems.push(UnlocatedProblem {
                 offset: Some(offset),
-                ..Finding::new("", Cause::Text(words))
+                ..UnlocatedProblem::new("", Cause::Text(words))
             });
         };
         if text.len() > Self::MAX_TEXT {
@@ -67,25 +67,25 @@ impl Scene {
                     text!("problem-toml", message = with_short_names(error.message())),
                 ),
                 Ok(document) => {
-                    (scene, findings) = read(document.get_ref());
-                    if findings
+                    (scene, problems) = read(document.get_ref());
+                    if problems
                         .iter()
-                        .all(|finding| matches!(finding.cause, Cause::UnknownKey { .. }))
+                        .all(|problem| matches!(problem.cause, Cause::UnknownKey { .. }))
                     {
-                        findings.extend(scene.range_problems().into_iter().map(|finding| {
-                            Finding {
-                                offset: Some(offset_of(document.get_ref(), &finding.key)),
-                                ..finding
+                        problems.extend(scene.range_problems().into_iter().map(|problem| {
+                            UnlocatedProblem {
+                                offset: Some(offset_of(document.get_ref(), &problem.key)),
+                                ..problem
                             }
                         }));
                     }
                 }
             }
         }
-        findings.sort_by_key(|finding| finding.offset);
-        SceneError::check(findings, |finding| Place::Line {
+        problems.sort_by_key(|problem| problem.offset);
+        SceneError::check(problems, |problem| ProblemLocation::Line {
             file: name.to_owned(),
-            line: lines.line_of(finding.offset.unwrap_or(0)),
+            line: lines.line_of(problem.offset.unwrap_or(0)),
         })?;
         Ok(scene)
     }

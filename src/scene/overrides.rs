@@ -2,7 +2,7 @@
 
 use super::Scene;
 use super::format::set;
-use super::problem::{Cause, Finding, Place, SceneError};
+use super::problem::{Cause, ProblemLocation, SceneError, UnlocatedProblem};
 use crate::text::text;
 use std::borrow::Cow;
 use toml::Spanned;
@@ -27,26 +27,27 @@ impl Scene {
         let mut scene = self.clone();
         for assignment in assignments.iter().map(AsRef::as_ref) {
             SceneError::check(replace(&mut scene, assignment), |_| {
-                Place::Override(assignment.to_owned())
+                ProblemLocation::Override(assignment.to_owned())
             })?;
         }
-        SceneError::check(scene.range_problems(), |finding| {
-            at_fault(&finding.key, assignments)
-                .map_or(Place::Scene, |text| Place::Override(text.to_owned()))
+        SceneError::check(scene.range_problems(), |problem| {
+            at_fault(&problem.key, assignments).map_or(ProblemLocation::Scene, |text| {
+                ProblemLocation::Override(text.to_owned())
+            })
         })?;
         Ok(scene)
     }
 }
 
 /// Replaces one key without checking limits.
-fn replace(scene: &mut Scene, assignment: &str) -> Vec<Finding> {
+fn replace(scene: &mut Scene, assignment: &str) -> Vec<UnlocatedProblem> {
     let Some((key, value)) = key_and_value(assignment) else {
         let words = text!("problem-no-equals").to_owned();
-        return vec![Finding::new("", Cause::Text(words))];
+        return vec![UnlocatedProblem::new("", Cause::Text(words))];
     };
     match parse_value(value) {
         Ok(value) => set(scene, key, value),
-        Err(cause) => vec![Finding::new(key, cause)],
+        Err(cause) => vec![UnlocatedProblem::new(key, cause)],
     }
 }
 

@@ -9,7 +9,7 @@
 pub use super::access::{Access, ChoiceField, Field, List};
 use super::choice::ChoiceOption;
 use super::format::{Datum, read_coefficient, value_text};
-use super::problem::Finding;
+use super::problem::UnlocatedProblem;
 use super::symbol::Symbol;
 use super::{Rgb, Scene};
 use crate::text::text;
@@ -131,10 +131,10 @@ impl Unit {
 }
 
 /// A struct whose fields are the keys of a table of the scene file.
-pub(super) trait Table: Sized + 'static {
+pub(super) trait ParameterTable: Sized + 'static {
     const PARAMETERS: &'static [&'static Parameter];
-    fn of(scene: &Scene, index: usize) -> Option<&Self>;
-    fn of_mut(scene: &mut Scene, index: usize) -> Option<&mut Self>;
+    fn get(scene: &Scene, index: usize) -> Option<&Self>;
+    fn get_mut(scene: &mut Scene, index: usize) -> Option<&mut Self>;
 }
 
 /// Defines a struct of a scene, which is a table of the scene file, and describes each of its keys: the parameter's
@@ -180,10 +180,10 @@ macro_rules! table {
                 $crate::scene::parameter::Kind::$kind(
                     &$crate::scene::parameter::Access {
                         get: |scene, index| {
-                            <$struct as $crate::scene::parameter::Table>::of(scene, index).map(|table| &table.$field)
+                            <$struct as $crate::scene::parameter::ParameterTable>::get(scene, index).map(|table| &table.$field)
                         },
                         get_mut: |scene, index| {
-                            <$struct as $crate::scene::parameter::Table>::of_mut(scene, index)
+                            <$struct as $crate::scene::parameter::ParameterTable>::get_mut(scene, index)
                                 .map(|table| &mut table.$field)
                         },
                     }
@@ -206,27 +206,27 @@ macro_rules! table {
         concat!($(stringify!($table), ".",)+ stringify!($field))
     };
     (@place $struct:ident $parameters:tt [$($list:ident).+]) => {
-        impl $crate::scene::parameter::Table for $struct {
+        impl $crate::scene::parameter::ParameterTable for $struct {
             const PARAMETERS: &'static [&'static $crate::scene::parameter::Parameter] = &$parameters;
 
-            fn of(scene: &$crate::scene::Scene, index: usize) -> Option<&Self> {
+            fn get(scene: &$crate::scene::Scene, index: usize) -> Option<&Self> {
                 scene.$($list).+.get(index)
             }
 
-            fn of_mut(scene: &mut $crate::scene::Scene, index: usize) -> Option<&mut Self> {
+            fn get_mut(scene: &mut $crate::scene::Scene, index: usize) -> Option<&mut Self> {
                 scene.$($list).+.get_mut(index)
             }
         }
     };
     (@place $struct:ident $parameters:tt $section:ident) => {
-        impl $crate::scene::parameter::Table for $struct {
+        impl $crate::scene::parameter::ParameterTable for $struct {
             const PARAMETERS: &'static [&'static $crate::scene::parameter::Parameter] = &$parameters;
 
-            fn of(scene: &$crate::scene::Scene, _: usize) -> Option<&Self> {
+            fn get(scene: &$crate::scene::Scene, _: usize) -> Option<&Self> {
                 Some(&scene.$section)
             }
 
-            fn of_mut(scene: &mut $crate::scene::Scene, _: usize) -> Option<&mut Self> {
+            fn get_mut(scene: &mut $crate::scene::Scene, _: usize) -> Option<&mut Self> {
                 Some(&mut scene.$section)
             }
         }
@@ -396,7 +396,7 @@ impl Parameter {
     /// Returns every parameter, in the order of the scene file.
     pub fn all() -> impl Iterator<Item = &'static Self> {
         let tables = [
-            super::About::PARAMETERS,
+            super::SceneDescription::PARAMETERS,
             super::Camera::PARAMETERS,
             super::Image::PARAMETERS,
             super::Display::PARAMETERS,
@@ -498,7 +498,7 @@ impl Parameter {
         scene: &mut Scene,
         index: usize,
         value: &Spanned<DeValue<'_>>,
-    ) -> Result<(), Finding> {
+    ) -> Result<(), UnlocatedProblem> {
         let Kind::Coefficient(at, ..) = self.kind else {
             return self.field().read(scene, index, value);
         };

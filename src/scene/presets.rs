@@ -1,7 +1,7 @@
 //! The built-in scenes: the scene files of `assets/scenes`, compiled in and read at first use. Their texts for people are
 //! in the catalogue: `scene-NAME` with its `.sentence`, and `topic-TOPIC`.
 
-use super::{About, Scene};
+use super::{Scene, SceneDescription};
 use crate::text::{Language, in_language, text};
 use std::sync::LazyLock;
 
@@ -47,8 +47,8 @@ impl Preset {
     }
 
     /// Returns title, sentence, topic and view in the current language.
-    pub fn about(&self) -> About {
-        About {
+    pub fn about(&self) -> SceneDescription {
+        SceneDescription {
             title: self.title().to_owned(),
             sentence: self.sentence().to_owned(),
             topic: self.topic_title().to_owned(),

@@ -17,18 +17,22 @@ pub struct SceneError {
 const MOST_LISTED: usize = 100;
 
 impl SceneError {
-    /// Returns `Err` with the findings, or `Ok` if there are none.
+    /// Returns `Err` with the problems, or `Ok` if there are none.
     pub(super) fn check(
-        findings: Vec<Finding>,
-        mut place: impl FnMut(&Finding) -> Place,
+        unlocated: Vec<UnlocatedProblem>,
+        mut place: impl FnMut(&UnlocatedProblem) -> ProblemLocation,
     ) -> Result<(), Self> {
-        let unlisted = findings.len().saturating_sub(MOST_LISTED);
-        let placed = |finding: Finding| Problem {
-            place: place(&finding),
-            key: finding.key,
-            cause: finding.cause,
+        let unlisted = unlocated.len().saturating_sub(MOST_LISTED);
+        let located = |problem: UnlocatedProblem| Problem {
+            place: place(&problem),
+            key: problem.key,
+            cause: problem.cause,
         };
-        let problems: Vec<Problem> = findings.into_iter().take(MOST_LISTED).map(placed).collect();
+        let problems: Vec<Problem> = unlocated
+            .into_iter()
+            .take(MOST_LISTED)
+            .map(located)
+            .collect();
         if problems.is_empty() {
             Ok(())
         } else {
@@ -57,7 +61,7 @@ impl fmt::Display for SceneError {
             self.problems.last().map(|problem| &problem.place),
         ) {
             (0, _) => Ok(()),
-            (more, Some(Place::Line { file, .. })) => {
+            (more, Some(ProblemLocation::Line { file, .. })) => {
                 write!(f, "\n{file}: {}", text!("problem-more", count = more))
             }
             (more, _) => write!(f, "\n{}", text!("problem-more", count = more)),
@@ -69,7 +73,7 @@ impl fmt::Display for SceneError {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Problem {
     /// The place of the problem.
-    pub place: Place,
+    pub place: ProblemLocation,
     /// The key as `--set` takes it, for example `light.0.position`; empty for a problem of the whole text.
     pub key: String,
     /// The fault.
@@ -79,7 +83,7 @@ pub struct Problem {
 /// The place of a problem.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum Place {
+pub enum ProblemLocation {
     /// A line of a text.
     Line {
         /// The text's name: its file's path, or a built-in scene's name.
@@ -141,7 +145,7 @@ impl Cause {
 
 /// A problem before its place is known.
 #[derive(Debug)]
-pub struct Finding {
+pub struct UnlocatedProblem {
     /// The key; while a value is read, the part after the value's own key, for example `.2`.
     pub key: String,
     /// The byte of the text, if it is not the key's own.
@@ -149,7 +153,7 @@ pub struct Finding {
     pub cause: Cause,
 }
 
-impl Finding {
+impl UnlocatedProblem {
     pub fn new(key: impl Into<String>, cause: Cause) -> Self {
         Self {
             key: key.into(),
@@ -158,7 +162,7 @@ impl Finding {
         }
     }
 
-    /// Creates a finding about the value that is being read.
+    /// Creates a problem of the value that is being read.
     pub fn value(found: impl fmt::Display, expected: impl fmt::Display) -> Self {
         Self::new("", Cause::value(found, expected))
     }
@@ -181,16 +185,18 @@ impl Finding {
 impl Problem {
     /// Describes the problem without its place.
     pub fn words(&self) -> String {
-        Finding::in_words(&self.key, &self.cause)
+        UnlocatedProblem::in_words(&self.key, &self.cause)
     }
 }
 
 impl fmt::Display for Problem {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match &self.place {
-            Place::Line { file, line } => write!(f, "{file}:{line}: ")?,
-            Place::Override(assignment) => write!(f, "--set {}: ", shortened(assignment))?,
-            Place::Scene => {}
+            ProblemLocation::Line { file, line } => write!(f, "{file}:{line}: ")?,
+            ProblemLocation::Override(assignment) => {
+                write!(f, "--set {}: ", shortened(assignment))?
+            }
+            ProblemLocation::Scene => {}
         }
         f.write_str(&self.words())
     }

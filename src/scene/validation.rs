@@ -8,7 +8,7 @@ use super::object::ObjectKind;
 use super::parameter::{
     GREATEST_LENGTH, Kind, LEAST_LENGTH, Limits, Parameter, Unit, at_most, is_grey,
 };
-use super::problem::{Cause, Finding, Place, SceneError};
+use super::problem::{Cause, ProblemLocation, SceneError, UnlocatedProblem};
 use super::{Image, Rgb, Scene};
 use crate::text::text;
 use glam::DVec3;
@@ -42,16 +42,17 @@ impl Scene {
     /// # Errors
     /// Every number that is out of range and every contradiction, with its key.
     pub fn validate(&self) -> Result<(), SceneError> {
-        SceneError::check(self.range_problems(), |_| Place::Scene)
+        SceneError::check(self.range_problems(), |_| ProblemLocation::Scene)
     }
 
     /// Returns the problems that [`Scene::validate`] reports.
-    pub(super) fn range_problems(&self) -> Vec<Finding> {
+    pub(super) fn range_problems(&self) -> Vec<UnlocatedProblem> {
         let mut checks = Checks::default();
         if self.version != Self::VERSION {
-            checks
-                .found
-                .push(Finding::new("version", Cause::version(self.version)));
+            checks.found.push(UnlocatedProblem::new(
+                "version",
+                Cause::version(self.version),
+            ));
         }
         if self.lights.len() > Self::MAX_LIGHTS {
             checks.value(
@@ -182,14 +183,14 @@ impl Scene {
 /// The problems found so far.
 #[derive(Default)]
 pub(super) struct Checks {
-    found: Vec<Finding>,
+    found: Vec<UnlocatedProblem>,
 }
 
 impl Checks {
     /// Adds a problem of `key`; `words` follow the key in the message.
     pub(super) fn found(&mut self, key: &str, words: &str) {
         self.found
-            .push(Finding::new(key, Cause::Key(words.to_owned())));
+            .push(UnlocatedProblem::new(key, Cause::Key(words.to_owned())));
     }
 
     pub(super) fn value(
@@ -199,12 +200,12 @@ impl Checks {
         expected: impl fmt::Display,
     ) {
         self.found
-            .push(Finding::new(key, Cause::value(found, expected)));
+            .push(UnlocatedProblem::new(key, Cause::value(found, expected)));
     }
 
     /// Returns whether no problem of a key has been found.
     fn sound(&self, key: &str) -> bool {
-        self.found.iter().all(|finding| finding.key != key)
+        self.found.iter().all(|problem| problem.key != key)
     }
 
     /// Returns whether a value is within its limits, and reports it if not: `outside` then holds the value and what was expected.
@@ -236,7 +237,7 @@ impl Parameter {
             })
         };
         let one = |value: f64, limits: Limits| {
-            (!limits.contains(value)).then(|| (number(value), in_unit(limits)))
+            (!limits.contains(value)).then(|| (format_number(value), in_unit(limits)))
         };
         match self.kind {
             // Written as one number where the channels agree, as it was typed.
@@ -277,7 +278,10 @@ pub(super) fn point_outside(value: DVec3) -> Option<(String, String)> {
     (!sound).then(|| {
         (
             triple(value),
-            text!("expected-coordinates", greatest = number(GREATEST_LENGTH)),
+            text!(
+                "expected-coordinates",
+                greatest = format_number(GREATEST_LENGTH)
+            ),
         )
     })
 }
@@ -286,7 +290,7 @@ pub(super) fn direction_outside(value: DVec3) -> Option<(String, String)> {
     let short = || {
         (
             triple(value),
-            text!("expected-direction", least = number(LEAST_LENGTH)),
+            text!("expected-direction", least = format_number(LEAST_LENGTH)),
         )
     };
     point_outside(value).or_else(|| (value.length() < LEAST_LENGTH).then(short))
@@ -298,8 +302,8 @@ impl fmt::Display for Limits {
             &Self::FINITE => f.write_str(text!("range-finite")),
             Self { least, greatest } => f.write_str(&text!(
                 "range-between",
-                least = number(*least),
-                greatest = number(*greatest)
+                least = format_number(*least),
+                greatest = format_number(*greatest)
             )),
         }
     }
@@ -308,14 +312,14 @@ impl fmt::Display for Limits {
 fn triple(value: DVec3) -> String {
     format!(
         "[{}, {}, {}]",
-        number(value.x),
-        number(value.y),
-        number(value.z)
+        format_number(value.x),
+        format_number(value.y),
+        format_number(value.z)
     )
 }
 
 /// Returns a number as a scene's author would write it.
-fn number(value: f64) -> String {
+fn format_number(value: f64) -> String {
     if value.is_nan() {
         return "nan".to_owned();
     }

@@ -21,7 +21,7 @@ impl Work for Sum {
             Self::To(last) => Ok((1..=*last).sum()),
             Self::Panic => std::panic::panic_any("no answer"),
             Self::Endless => {
-                while watch.at(0.25) {
+                while watch.progress(0.25) {
                     watch.found(&3);
                 }
                 Ok(7)

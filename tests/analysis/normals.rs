@@ -6,7 +6,7 @@ use shading_lab::analysis::normals::{
     LitVertex, NeedleKind, Needles, NormalField, NormalsQuestion, VertexNormal,
 };
 use shading_lab::analysis::overlay::{OverlayLayer, OverlayOptions};
-use shading_lab::analysis::{About, Answer, Question, Subject, unwatched};
+use shading_lab::analysis::{Answer, Question, ReportContext, Subject, unwatched};
 use shading_lab::export::glsl_330;
 use shading_lab::geometry::{Corner, Mesh, NO_NORMAL, NormalOrigin, tessellate};
 use shading_lab::render::Renderer;
@@ -556,7 +556,7 @@ fn a_built_in_shape_has_no_normals_of_a_file() {
         clock: || 0,
     };
     let question = NormalsQuestion::default();
-    let about = About {
+    let about = ReportContext {
         name: "sphere",
         scene: &subject.scene,
     };

@@ -7,7 +7,7 @@ use shading_lab::analysis::scan::{
     Grid, Rule, Scan, ScanError, ScanLevel, ScanLine, ScanPixel, ScanSpan, ScanStep, ScanStop,
     corner_name, face_at, scan, scan_in_grid,
 };
-use shading_lab::analysis::{About, Answer};
+use shading_lab::analysis::{Answer, ReportContext};
 use shading_lab::geometry::{Corner, Mesh, NO_NORMAL};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{Interpolation, NormalSource, ObjectKind, Projection, presets};
@@ -95,7 +95,7 @@ fn on_a_quadrilateral_it_is_the_formula_of_the_course() {
         // The corners run counter-clockwise from the lower left: P lies on one of the left edges, Q on a right one.
         let on = |a: usize, b: usize| {
             let (from, to) = (corners[a].place, corners[b].place);
-            let share = (line.at() - from.y) / (to.y - from.y);
+            let share = (line.centre_y() - from.y) / (to.y - from.y);
             (0.0..1.0).contains(&share).then(|| {
                 (
                     from.x + share * (to.x - from.x),
@@ -391,7 +391,7 @@ fn the_formula_is_filled_in_as_the_course_writes_it() {
     let count = pixels(&scan).count();
     let (answer, about) = (
         ScanStop { step, scan },
-        About {
+        ReportContext {
             name: "",
             scene: &scene,
         },

@@ -122,7 +122,7 @@ fn the_command_line_tells_and_draws_the_cases() {
     let (status, out, err) = program(&[&["stability", "--case", "w-0"], &files[..]].concat());
     assert_eq!((status, out.as_str(), err.as_str()), (Some(0), "", ""));
     // The sheet of one case opens as its scene.
-    let opened = shading_lab::document::load(&sheet)
+    let opened = shading_lab::document::load_scene(&sheet)
         .expect("a picture with a scene")
         .scene;
     assert_eq!(

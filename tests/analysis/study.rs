@@ -189,7 +189,7 @@ fn the_historic_methods_come_near_phong_shading_and_are_of_its_order() {
 struct Seen(Mutex<Vec<Vec<u32>>>);
 
 impl Watch<Study> for Seen {
-    fn at(&self, _: f32) -> bool {
+    fn progress(&self, _: f32) -> bool {
         true
     }
 

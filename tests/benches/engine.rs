@@ -9,7 +9,7 @@ use divan::{Bencher, black_box};
 use fearless_simd::Level;
 use rayon::ThreadPoolBuilder;
 use shading_lab::geometry::divisions_for;
-use shading_lab::render::{Renderer, Report};
+use shading_lab::render::{FrameReport, Renderer};
 use shading_lab::scene::{
     Display, Distribution, Encoding, Interpolation, NormalSource, ObjectKind, Overflow,
     ReflectionModel, Rgb, Scene, ShadingMode,
@@ -61,7 +61,7 @@ fn alternate(
     threads: usize,
     mut renderer: Renderer,
     scenes: [Scene; 2],
-    count: fn(&Report) -> u64,
+    count: fn(&FrameReport) -> u64,
 ) {
     let pool = ThreadPoolBuilder::new()
         .num_threads(threads)
@@ -92,11 +92,11 @@ fn camera_moved(scene: &Scene) -> [Scene; 2] {
     changed(scene, |scene| scene.camera.eye.x += 0.1)
 }
 
-fn covered(report: &Report) -> u64 {
+fn covered(report: &FrameReport) -> u64 {
     report.covered
 }
 
-fn vertices(report: &Report) -> u64 {
+fn vertices(report: &FrameReport) -> u64 {
     report.vertices
 }
 

@@ -126,7 +126,7 @@ fn named_materials_are_listed_and_applied() {
         ],
     ] {
         assert_eq!(folder.prints(arguments), "");
-        let scene = shading_lab::document::load(&folder.0.join("a.png"))
+        let scene = shading_lab::document::load_scene(&folder.0.join("a.png"))
             .expect("an exported picture")
             .scene;
         let gold = shading_lab::scene::materials::find("gold")
@@ -164,7 +164,7 @@ fn a_picture_restores_its_scene() {
         fs::read(&a).expect("a picture"),
         fs::read(&b).expect("a picture")
     );
-    let loaded = shading_lab::document::load(&a).expect("a scene");
+    let loaded = shading_lab::document::load_scene(&a).expect("a scene");
     let mut expected = presets::find("torus").expect("a scene").scene();
     expected.material.n = 7.25;
     expected.image.size = [60, 40];
@@ -192,7 +192,7 @@ fn a_picture_finds_its_model_again_from_elsewhere() {
         "--set",
         "object={kind='obj', path='models/t.obj'}",
     ]);
-    let overridden = shading_lab::document::load(&folder.0.join("b.png")).expect("a scene");
+    let overridden = shading_lab::document::load_scene(&folder.0.join("b.png")).expect("a scene");
     assert_eq!(
         overridden.scene.object.path,
         Some(folder.0.join("models/t.obj"))
@@ -351,7 +351,7 @@ fn an_override_is_taken_before_and_after_the_command() {
         "--size",
         "9x9",
     ]);
-    let scene = shading_lab::document::load(&folder.0.join("a.png"))
+    let scene = shading_lab::document::load_scene(&folder.0.join("a.png"))
         .expect("a scene")
         .scene;
     assert_eq!(
@@ -562,7 +562,7 @@ fn a_material_by_its_name_is_that_material() {
             "--material",
             named.name,
         ]);
-        let scene = shading_lab::document::load(&folder.0.join("a.png"))
+        let scene = shading_lab::document::load_scene(&folder.0.join("a.png"))
             .expect("an exported picture")
             .scene;
         assert_eq!(scene.material, named.material(), "{}", named.name);

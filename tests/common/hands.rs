@@ -6,7 +6,7 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use egui_kittest::{Harness, TestRenderer};
 use serde::Serialize;
 use shading_lab::app::{App, Appearance, SavedProgress};
-use shading_lab::document::{Loaded, load};
+use shading_lab::document::{Loaded, load_scene};
 use shading_lab::scene::parameter::Parameter;
 use shading_lab::scene::{Choice, Scene};
 use shading_lab::text::{Language, has, in_language, interned};
@@ -14,7 +14,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 pub fn built_in(scene: &str) -> Loaded {
-    load(Path::new(scene)).expect("a scene")
+    load_scene(Path::new(scene)).expect("a scene")
 }
 
 pub fn window(scene: &str) -> Harness<'static, App> {

@@ -252,7 +252,7 @@ fn an_animated_png_shows_each_frame_as_it_is_drawn_alone() {
         assert_eq!(buffer, pixels_of(&folder.0.join(name)), "{name}");
     }
     let exponent = |name: &str| {
-        let loaded = shading_lab::document::load(&folder.0.join(name));
+        let loaded = shading_lab::document::load_scene(&folder.0.join(name));
         loaded.expect("a scene").scene.material.n
     };
     assert_eq!((exponent("a.png"), exponent(single[3])), (5.0, 1005.0));

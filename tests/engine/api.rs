@@ -7,14 +7,14 @@ use shading_lab::analysis::probe::Probe;
 use shading_lab::analysis::profile::{ProfileError, ProfileQuestion};
 use shading_lab::analysis::scan::ScanError;
 use shading_lab::animation::SweepError;
-use shading_lab::document::{LoadError, Loaded, SaveError, load};
+use shading_lab::document::{LoadError, Loaded, SaveError, load_scene};
 use shading_lab::export::{Export, ExportError};
 use shading_lab::figure::{Drawing, Plot};
 use shading_lab::geometry::{Mesh, ObjError};
 use shading_lab::lesson::{HandInError, Lesson, LessonError, OpenError};
 use shading_lab::link::{Link, LinkError, WriteError};
 use shading_lab::picture::PictureError;
-use shading_lab::render::{Frame, Renderer, Report};
+use shading_lab::render::{Frame, FrameReport, Renderer};
 use shading_lab::scene::{Polygons, Scene, SceneError, ShadingMode, Shared};
 use std::error::Error;
 use std::fmt::Debug;
@@ -49,7 +49,7 @@ fn data_can_be_copied_compared_printed_and_sent() {
     data::<Scene>();
     data::<Loaded>();
     data::<Frame>();
-    data::<Report>();
+    data::<FrameReport>();
     data::<Mesh>();
     data::<Polygons>();
     data::<Shared<u32>>();
@@ -72,7 +72,7 @@ fn a_renderer_and_a_question_s_subject_move_to_another_thread() {
 
 #[test]
 fn an_error_is_downcast_from_a_box_to_its_cause() {
-    let boxed: Box<dyn Error + Send + Sync> = load(Path::new("?set=material.n=x"))
+    let boxed: Box<dyn Error + Send + Sync> = load_scene(Path::new("?set=material.n=x"))
         .expect_err("x is no number")
         .into();
     let error = boxed.downcast_ref::<LoadError>();

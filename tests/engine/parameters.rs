@@ -2,7 +2,7 @@
 
 use crate::common::program::Folder;
 use shading_lab::scene::parameter::{Kind, Parameter};
-use shading_lab::scene::{About, Pane, Scene, presets};
+use shading_lab::scene::{Pane, Scene, SceneDescription, presets};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::{env, fs};
@@ -12,7 +12,7 @@ use toml::Value;
 fn full() -> Scene {
     let mut scene = Scene::default();
     let text = || "text".to_owned();
-    scene.about = About {
+    scene.about = SceneDescription {
         title: text(),
         sentence: text(),
         topic: text(),

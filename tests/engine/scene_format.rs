@@ -5,8 +5,8 @@ mod faults;
 use crate::common::value;
 use glam::DVec3;
 use shading_lab::scene::{
-    About, Cause, Choice, Light, Material, ObjectKind, Rgb, Scene, ShadingMode, materials, nearest,
-    presets,
+    Cause, Choice, Light, Material, ObjectKind, Rgb, Scene, SceneDescription, ShadingMode,
+    materials, nearest, presets,
 };
 
 /// Everything that reading `text` as the file `s.toml` objects to, a line each.
@@ -289,7 +289,7 @@ fn every_name_is_its_own_and_every_scene_says_what_it_is_about() {
             "{}",
             preset.name
         );
-        let About {
+        let SceneDescription {
             title,
             sentence,
             topic,

@@ -4,11 +4,12 @@ use crate::common::properties;
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use shading_lab::scene::{
-    About, Ambient, AmbientSource, AreaShape, Attenuation, Backdrop, Backfacing, Camera, Compare,
+    Ambient, AmbientSource, AreaShape, Attenuation, Backdrop, Backfacing, Camera, Compare,
     CompareView, CuedBy, DepthCueing, DifferenceKind, Display, Distribution, Encoding, FlatAt,
     Framing, Ground, Image, Interpolation, Light, LightKind, Material, NormalSource, Object,
     ObjectKind, Overflow, Pane, Pattern, PatternKind, Projection, Reflectance, Reflection,
-    ReflectionModel, Scene, Shading, ShadingMode, Shared, Through, Transparency, Viewer, Weighting,
+    ReflectionModel, Scene, SceneDescription, Shading, ShadingMode, Shared, Through, Transparency,
+    Viewer, Weighting,
 };
 use std::f64::consts::TAU;
 
@@ -235,7 +236,7 @@ prop_compose! {
 prop_compose! {
     fn scene()(
         about in ["\\PC{0,80}", "\\PC{0,300}", "\\PC{0,80}", "[a-z-]{0,9}"]
-            .prop_map(|[title, sentence, topic, view]| About { title, sentence, topic, view }),
+            .prop_map(|[title, sentence, topic, view]| SceneDescription { title, sentence, topic, view }),
         camera in camera(),
         object in object(),
         (reflection, shading, display) in settings(),

@@ -10,7 +10,7 @@ use eframe::egui::{Key, Modifiers, OpenUrl, OutputCommand, Pos2, Style, pos2, ve
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use shading_lab::app::{App, Appearance, ViewName};
-use shading_lab::document::{load, save_scene};
+use shading_lab::document::{load_scene, save_scene};
 use shading_lab::lesson::{Answer, Answered, Lesson, find, read_hand_in};
 use std::path::Path;
 
@@ -479,7 +479,7 @@ fn so_does_a_scene_from_a_file() {
     let built_in = hands::built_in("torus");
     let own = built_in.scene.with_overrides(&["material.n=77"]);
     save_scene(&path, &own.expect("settings")).expect("a file");
-    let mut harness = hands::window_of(load(&path).expect("a scene"));
+    let mut harness = hands::window_of(load_scene(&path).expect("a scene"));
     meet_target(&mut harness);
     assert_eq!(scene(&harness).material.n, 77.0);
 }

@@ -1,7 +1,7 @@
 //! The real program in a real window, under Xvfb: it draws, takes a dragged slider, exports a picture that opens again,
 //! and then rests. Skipped, with a message, where Xvfb, xdotool or ImageMagick is not installed.
 
-use shading_lab::document::load;
+use shading_lab::document::load_scene;
 use shading_lab::render::Renderer;
 use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
@@ -281,8 +281,10 @@ fn export_and_compare(desktop: &Desktop) {
     );
     desktop.run("xdotool", &["key", "Return"]);
     wait("the exported picture", || target.is_file());
-    let opened = load(&target).expect("an exported picture opens");
-    let mut expected = load(Path::new("sphere")).expect("a built-in scene").scene;
+    let opened = load_scene(&target).expect("an exported picture opens");
+    let mut expected = load_scene(Path::new("sphere"))
+        .expect("a built-in scene")
+        .scene;
     expected.image.size = opened.scene.image.size;
     assert_eq!(
         opened.scene, expected,

@@ -12,7 +12,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use glam::DVec2;
 use shading_lab::app::{App, Appearance, ProbePoint, ProfileLine, ViewName};
-use shading_lab::document::load;
+use shading_lab::document::load_scene;
 use shading_lab::link::read;
 use shading_lab::scene::presets;
 use std::path::Path;
@@ -110,7 +110,7 @@ fn a_link_that_is_wrong_is_told_and_what_is_open_stays() {
 #[test]
 fn a_window_opens_on_a_link_with_its_view_probe_and_line() {
     let link = "?scene=gold&view=plan&probe=0.25,-0.125&line=-0.5,0,0.5,0.25";
-    let harness = window_of(load(Path::new(link)).expect("a link"));
+    let harness = window_of(load_scene(Path::new(link)).expect("a link"));
     let state = harness.state().state();
     assert_eq!(
         (state.window.appearance.view, state.window.probe),

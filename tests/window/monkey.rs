@@ -22,7 +22,7 @@ use crate::common::monkey::act;
 use eframe::egui::Shape;
 use egui_kittest::Harness;
 use shading_lab::app::App;
-use shading_lab::document::{Loaded, load};
+use shading_lab::document::{Loaded, load_scene};
 use shading_lab::scene::{Scene, presets};
 use std::path::Path;
 use std::process::{Command, Stdio, abort};
@@ -173,7 +173,7 @@ fn beginning(dice: &mut Dice, seed: u64) -> Loaded {
         };
     }
     let preset = &presets::ALL[(dice.unit() * presets::ALL.len() as f64) as usize];
-    load(Path::new(preset.name)).expect("a built-in scene")
+    load_scene(Path::new(preset.name)).expect("a built-in scene")
 }
 
 /// Whether drawing a scene is slow by right, so that little else would be tried.

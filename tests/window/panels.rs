@@ -15,7 +15,7 @@ use shading_lab::analysis::ANALYSES;
 use shading_lab::analysis::comparison::pane_areas;
 use shading_lab::analysis::probe::{ProbeHit, probe};
 use shading_lab::app::{App, Profiles, ViewName};
-use shading_lab::document::load;
+use shading_lab::document::load_scene;
 use shading_lab::export::{glsl_330, opengl_c, opengl_c_snippet};
 use shading_lab::geometry::tessellate;
 use shading_lab::render::Renderer;
@@ -455,7 +455,7 @@ fn the_picture_is_shown_as_it_is_perceived() {
 #[test]
 fn a_profile_of_any_height_is_clipped_to_its_pane() {
     for bright in [1e4, 1e8, 1e30] {
-        let mut loaded = load(Path::new("mach-bands")).expect("a built-in scene");
+        let mut loaded = load_scene(Path::new("mach-bands")).expect("a built-in scene");
         loaded.scene.lights[0].color = Rgb::splat(bright);
         loaded.scene.compare = Compare::default();
         let mut harness = window_of(loaded);

@@ -10,7 +10,7 @@ use eframe::egui::{Key, Modifiers, ViewportCommand, ViewportEvent, ViewportId};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use shading_lab::app::{App, Origin, ViewName};
-use shading_lab::document::{load, save_scene};
+use shading_lab::document::{load_scene, save_scene};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -104,7 +104,10 @@ fn a_name_without_an_ending_is_given_one_that_opens() {
     );
     for name in folder.names() {
         assert_eq!(
-            load(&folder.0.join(&name)).expect(&name).scene.material,
+            load_scene(&folder.0.join(&name))
+                .expect(&name)
+                .scene
+                .material,
             scene(&window).material
         );
     }
@@ -282,7 +285,7 @@ fn a_changed_scene_is_not_closed_without_a_question() {
     assert!(stays_when_closed(&mut window));
     assert!(closes_by(&mut window, "save"), "it has a file by now");
     assert_eq!(
-        load(&folder.0.join("first.toml"))
+        load_scene(&folder.0.join("first.toml"))
             .expect("a scene")
             .scene
             .material

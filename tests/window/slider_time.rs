@@ -5,7 +5,7 @@ use crate::common::hands::{named, picture, scene, unfold_all, window_looking};
 use eframe::egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
 use shading_lab::app::Appearance;
-use shading_lab::document::load;
+use shading_lab::document::load_scene;
 use shading_lab::render::Renderer;
 use std::path::Path;
 use std::time::Instant;
@@ -42,7 +42,7 @@ fn a_slider_costs_little_more_than_its_picture() {
 
 fn measure(built_in: &str, settings: &[&str]) {
     let settings: Vec<_> = settings.iter().map(|&setting| setting.to_owned()).collect();
-    let mut loaded = load(Path::new(built_in)).expect("a built-in scene");
+    let mut loaded = load_scene(Path::new(built_in)).expect("a built-in scene");
     loaded.scene = loaded.scene.with_overrides(&settings).expect("settings");
     // While a slider is held no smoother picture is drawn.
     let appearance = Appearance {

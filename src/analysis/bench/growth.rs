@@ -225,7 +225,7 @@ impl Growth {
             .into_iter()
             .filter_map(|(name, series)| Some((name, series?)))
         {
-            let table = Table::of(
+            let table = Table::from_rows(
                 &series.rows,
                 [
                     (Column::shown(text!("engine-pixels"), as_it_is), |row| {

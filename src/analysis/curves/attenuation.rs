@@ -153,9 +153,9 @@ pub fn attenuation_plot(light: &Light, distances: &Distances) -> Plot {
     let marks: Vec<Mark> = marks.collect();
     // Near the light f may grow without bound; the axis ends at the scene's own largest value, or at 1 if those
     // values are large enough to be seen then.
-    let greatest = marks.iter().map(|mark| f(mark.x)).fold(f64::NAN, f64::max);
-    let top = if greatest.is_finite() && greatest > 0.0 {
-        greatest
+    let max = marks.iter().map(|mark| f(mark.x)).fold(f64::NAN, f64::max);
+    let top = if max.is_finite() && max > 0.0 {
+        max
     } else {
         f(0.5 * reach)
     };

@@ -1,6 +1,6 @@
 //! Defects of edges: the polygonal silhouette, and edges with a vertex on one side only.
 
-use super::{Finding, goes_on, interpolates};
+use super::{Measurement, goes_on, interpolates};
 use crate::analysis::Watch;
 use crate::analysis::perception::luminance;
 use crate::geometry::Mesh;
@@ -97,7 +97,7 @@ pub fn silhouette(
     renderer: &mut Renderer,
     scene: &Scene,
     watch: &dyn Watch<()>,
-) -> Finding<Silhouette> {
+) -> Measurement<Silhouette> {
     let mut drawn = scene.clone();
     drawn.shading.mode = ShadingMode::Flat;
     let seen: Vec<bool> = renderer
@@ -123,7 +123,7 @@ pub fn silhouette(
     let sees = |place: DVec2| renderer.evaluation_at(place, None).is_some();
     let reach = DVec2::from_array(size.map(f64::from)).length();
     let of_edge = |&[a, b]: &[DVec2; 2]| {
-        if !watch.at(0.0) {
+        if !watch.progress(0.0) {
             return None;
         }
         let along = b - a;
@@ -222,7 +222,7 @@ struct Touched {
 
 /// Finds the edges with vertices on them. An edge that has a face on either side has none: both faces end at its
 /// ends.
-fn touched(mesh: &Mesh) -> Finding<Vec<Touched>> {
+fn touched(mesh: &Mesh) -> Measurement<Vec<Touched>> {
     // If every edge has a face on either side, there is none to examine.
     let open = if mesh.closed {
         Vec::new()
@@ -271,7 +271,7 @@ pub fn shared_vertices(
     renderer: &mut Renderer,
     scene: &Scene,
     watch: &dyn Watch<()>,
-) -> Finding<SharedVertices> {
+) -> Measurement<SharedVertices> {
     interpolates(scene)?;
     renderer.render(scene);
     let mesh = renderer.mesh_shown();

@@ -1,6 +1,6 @@
 //! Defects inside the outline: the perspective distortion, the dependence on orientation, and unrepresentative vertex normals.
 
-use super::{Finding, interpolates};
+use super::{Measurement, interpolates};
 use crate::analysis::comparison::{ErrorFigures, LinearPicture, error_figures};
 use crate::analysis::perception::luminance;
 use crate::analysis::perception::pixel_luminance;
@@ -29,7 +29,7 @@ pub struct PerspectiveDistortion {
     pub error: ErrorFigures,
 }
 
-pub fn perspective(renderer: &mut Renderer, scene: &Scene) -> Finding<PerspectiveDistortion> {
+pub fn perspective(renderer: &mut Renderer, scene: &Scene) -> Measurement<PerspectiveDistortion> {
     interpolates(scene)?;
     if scene.camera.projection == Projection::Orthographic {
         return Err("picture-missing-parallel");
@@ -82,7 +82,7 @@ pub fn orientation(
     renderer: &mut Renderer,
     scene: &Scene,
     pixel: [u32; 2],
-) -> Finding<Orientation> {
+) -> Measurement<Orientation> {
     interpolates(scene)?;
     let missed = "picture-missing-background";
     let point = probe(renderer, scene, pixel[0], pixel[1])
@@ -160,7 +160,7 @@ pub struct VertexNormals {
     pub true_contrast: f64,
 }
 
-pub fn vertex_normals(renderer: &mut Renderer, scene: &Scene) -> Finding<VertexNormals> {
+pub fn vertex_normals(renderer: &mut Renderer, scene: &Scene) -> Measurement<VertexNormals> {
     match scene.shading.mode {
         ShadingMode::Gouraud | ShadingMode::Phong => {}
         ShadingMode::Flat | ShadingMode::Interpolated => {

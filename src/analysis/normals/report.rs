@@ -1,7 +1,9 @@
 //! A vertex normal with the faces that it comes from: the question and its report.
 
 use super::{NormalField, VertexNormal};
-use crate::analysis::report::{About, Answer, Column, Part, Report, Table, as_it_is, cells, fixed};
+use crate::analysis::report::{
+    Answer, Column, Part, Report, ReportContext, Table, as_it_is, cells, fixed,
+};
 use crate::analysis::{Question, Subject, Watch};
 use crate::geometry::NormalOrigin;
 use crate::scene::{NormalSource, View, Weighting};
@@ -122,7 +124,7 @@ impl FoundNormal {
 }
 
 impl Answer for FoundNormal {
-    fn report(&self, about: &About<'_>) -> Report {
+    fn report(&self, about: &ReportContext<'_>) -> Report {
         let vertex = &self.vertex;
         let (number, count, place) = (vertex.vertex, self.vertices, triple(vertex.position));
         let mut report = Report::new(text!(
@@ -172,7 +174,7 @@ impl Answer for FoundNormal {
         report
     }
 
-    fn value(&self, about: &About<'_>) -> Value {
+    fn value(&self, about: &ReportContext<'_>) -> Value {
         json!({
             "scene": about.name,
             "normals": self.source,

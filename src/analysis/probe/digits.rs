@@ -48,12 +48,12 @@ pub fn digits_below(values: Rgb) -> [String; 3] {
                     },
                 )
             };
-            let room = |value: &f64| decimals(*value, 4);
+            let allowed = |value: &f64| decimals(*value, 4);
             values
                 .iter()
                 .map(needed)
                 .max()
-                .min(values.iter().map(room).min())
+                .min(values.iter().map(allowed).min())
                 .unwrap_or(4)
         },
         |decimals| decimals as usize,

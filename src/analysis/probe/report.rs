@@ -5,8 +5,9 @@ use super::filled::FilledPart;
 use super::letters::{attenuation_law, equation_letters, plain_formula};
 use super::products::{Here, LightHere, Product};
 use super::{CueTerms, Probe, ProbeHit, probe};
-use crate::analysis::report::{About, Answer, Cell, Column, Report, Section, Table};
-use crate::analysis::report::{Part, cells};
+use crate::analysis::report::{
+    Answer, Cell, Column, Part, Report, ReportContext, Section, Table, cells,
+};
 use crate::analysis::sampling::{REFERENCE_SAMPLES, SamplingError, sampling_error};
 use crate::analysis::{Question, Subject, Watch};
 use crate::figure::palette::Vector;
@@ -61,12 +62,12 @@ pub fn channels() -> [&'static str; 3] {
 }
 
 impl Answer for Probed {
-    fn report(&self, about: &About<'_>) -> Report {
+    fn report(&self, about: &ReportContext<'_>) -> Report {
         let (scene, [x, y]) = (about.scene, self.probe.pixel);
         let Some(hit) = &self.probe.hit else {
             return Report::new(text!("point-report-background", x = x, y = y));
         };
-        let depth = number(hit.depth);
+        let depth = format_number(hit.depth);
         let mut report = Report::new(match hit.face {
             Some(face) => text!(
                 "point-report-face",
@@ -106,7 +107,7 @@ impl Answer for Probed {
                         .light
                         .and_then(|index| self.sampling.get(index).copied().flatten());
                     if let Some(SamplingError { rms, greatest }) = sampling {
-                        let [rms, greatest] = [rms, greatest].map(number);
+                        let [rms, greatest] = [rms, greatest].map(format_number);
                         let note = text!(
                             "point-report-sampling",
                             rms = rms,
@@ -124,14 +125,14 @@ impl Answer for Probed {
             .section(text!("point-report-stored"))
             .push(Part::Table(stored(hit)));
         if let Some(fit) = self.probe.ambient_fit {
-            let [r, g, b] = fit.to_array().map(number);
+            let [r, g, b] = fit.to_array().map(format_number);
             let note = text!("point-report-fit", r = r, g = g, b = b);
             report.section("").note(note);
         }
         report
     }
 
-    fn value(&self, _: &About<'_>) -> Value {
+    fn value(&self, _: &ReportContext<'_>) -> Value {
         let Probe {
             pixel,
             hit,
@@ -216,7 +217,7 @@ fn say(section: &mut Section, part: FilledPart) {
 
 /// Returns the table of a term's factors and their product for each channel.
 fn product_table(product: &Product) -> Table {
-    let mut columns = vec![Column::shown("", number)];
+    let mut columns = vec![Column::shown("", format_number)];
     for (index, column) in product.columns.iter().enumerate() {
         let sign = match (index, column.added) {
             (0, _) => "",
@@ -229,9 +230,9 @@ fn product_table(product: &Product) -> Table {
         } else {
             formula
         };
-        columns.push(Column::shown(format!("{sign}{formula}"), number));
+        columns.push(Column::shown(format!("{sign}{formula}"), format_number));
     }
-    columns.push(Column::shown("=", number));
+    columns.push(Column::shown("=", format_number));
     let mut table = Table::new(columns);
     for (c, name) in channels().into_iter().enumerate() {
         let factors = product
@@ -249,10 +250,13 @@ fn product_table(product: &Product) -> Table {
 }
 
 fn stored(hit: &ProbeHit) -> Table {
-    let mut columns = vec![Column::both("channel", "", number), Column::key("ambient")];
+    let mut columns = vec![
+        Column::both("channel", "", format_number),
+        Column::key("ambient"),
+    ];
     columns.extend([
-        Column::both("sum", text!("point-sum"), number),
-        Column::both("stored", text!("point-stored"), number),
+        Column::both("sum", text!("point-sum"), format_number),
+        Column::both("stored", text!("point-stored"), format_number),
     ]);
     for index in 0..hit.lights.len() {
         columns.extend(
@@ -273,7 +277,7 @@ fn stored(hit: &ProbeHit) -> Table {
 }
 
 fn vectors(section: &mut Section, rows: &[(Option<Vector>, &str, DVec3)]) {
-    let mut table = Table::new(["", "x", "y", "z"].map(|head| Column::shown(head, number)));
+    let mut table = Table::new(["", "x", "y", "z"].map(|head| Column::shown(head, format_number)));
     for (vector, what, v) in rows {
         let letter = vector.map_or("P", Vector::letter);
         table
@@ -284,7 +288,7 @@ fn vectors(section: &mut Section, rows: &[(Option<Vector>, &str, DVec3)]) {
 }
 
 /// Formats a number with four decimals, or in scientific form where those say too little.
-fn number(value: f64) -> String {
+fn format_number(value: f64) -> String {
     let size = value.abs();
     if value == 0.0 || (1e-3..1e5).contains(&size) || !size.is_finite() {
         fixed(value, 4)

@@ -123,8 +123,8 @@ impl Line {
     }
 
     fn is_inner(&self, t: f64) -> bool {
-        let least = self.step * SAME;
-        t > least && t < 1.0 - least
+        let min_distance = self.step * SAME;
+        t > min_distance && t < 1.0 - min_distance
     }
 
     /// Selects from values at all places those at [`Line::samples`]; the value of an end itself where given,

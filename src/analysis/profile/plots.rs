@@ -66,20 +66,20 @@ fn ends(profile: &Profile) -> [f64; 2] {
 /// Returns the plots of a report: for each mode its intensity with the perceived brightness, on the same scale for
 /// all; then the slopes, and perceived minus actual, of all modes together.
 pub fn profile_plots(profile: &Profile, request: &ProfileQuestion) -> Vec<Plot> {
-    let sheet = Sheet::new(profile, Abscissa::Distance, true);
-    let y = sheet.intensity_axis(&profile.traces.iter().collect::<Vec<_>>());
+    let plotter = ProfilePlotter::new(profile, Abscissa::Distance, true);
+    let y = plotter.intensity_axis(&profile.traces.iter().collect::<Vec<_>>());
     let panels = profile.traces.iter().map(|trace| {
         let mode = trace.mode.label();
-        let actual = sheet.curve(trace, &trace.intensity, Dash::Solid);
+        let actual = plotter.curve(trace, &trace.intensity, Dash::Solid);
         let actual = Curve {
             name: text!("line-intensity").to_owned(),
             ..actual
         };
         let title = text!("line-mode-title", mode = mode);
-        let curves = vec![actual, sheet.perceived(trace)];
-        sheet.plot(PlotKind::Profile, &title, y.clone(), curves)
+        let curves = vec![actual, plotter.perceived(trace)];
+        plotter.plot(PlotKind::Profile, &title, y.clone(), curves)
     });
-    let others = [sheet.slopes(None), sheet.added(request, None)];
+    let others = [plotter.slopes(None), plotter.added(request, None)];
     panels.chain(others).collect()
 }
 
@@ -98,22 +98,22 @@ pub struct Compared {
 
 /// Returns the plots of such a view: intensity, slope, and perceived minus actual, each with the curves of all modes.
 pub fn compared_plots(profile: &Profile, request: &ProfileQuestion, view: Compared) -> [Plot; 3] {
-    let sheet = Sheet::new(profile, view.abscissa, view.edges);
+    let plotter = ProfilePlotter::new(profile, view.abscissa, view.edges);
     let own = Some(view.own);
     let traces = profile.traces.iter();
     let seen: Vec<&Trace> = traces
         .filter(|trace| view.perceived && trace.mode == view.own)
         .collect();
-    let mut curves = sheet.curves(own, |trace| trace.intensity.clone());
-    curves.extend(seen.iter().map(|trace| sheet.perceived(trace)));
+    let mut curves = plotter.curves(own, |trace| trace.intensity.clone());
+    curves.extend(seen.iter().map(|trace| plotter.perceived(trace)));
     let title = text!("line-intensity-title");
-    let y = sheet.intensity_axis(&seen);
-    let intensity = sheet.plot(PlotKind::Profile, title, y, curves);
-    [intensity, sheet.slopes(own), sheet.added(request, own)]
+    let y = plotter.intensity_axis(&seen);
+    let intensity = plotter.plot(PlotKind::Profile, title, y, curves);
+    [intensity, plotter.slopes(own), plotter.added(request, own)]
 }
 
-/// A profile over an axis.
-struct Sheet<'a> {
+/// A profile, to be plotted over a quantity on the x axis.
+struct ProfilePlotter<'a> {
     profile: &'a Profile,
     abscissa: Abscissa,
     /// Edges between polygons on the line, without the diagonals within polygons.
@@ -121,7 +121,7 @@ struct Sheet<'a> {
     marked: bool,
 }
 
-impl<'a> Sheet<'a> {
+impl<'a> ProfilePlotter<'a> {
     fn new(profile: &'a Profile, abscissa: Abscissa, marked: bool) -> Self {
         let borders = profile.borders.iter();
         Self {
@@ -213,9 +213,9 @@ impl<'a> Sheet<'a> {
         let [low, high] = bounds(values, 0.0);
         let y = axis(text!("line-axis-added"), [low.min(0.0), high.max(0.0)]);
         let outside = |curve: &Curve| {
-            let room = PADDING * (high - low);
+            let margin = PADDING * (high - low);
             let mut values = curve.points.iter().map(|[_, value]| *value);
-            values.any(|value| !(low - room..=high + room).contains(&value))
+            values.any(|value| !(low - margin..=high + margin).contains(&value))
         };
         let model = match request.perception.model {
             ResponseModel::LateralInhibition => text!("line-lateral-inhibition"),
@@ -351,7 +351,7 @@ fn bounds(mut values: Vec<f64>, off: f64) -> [f64; 2] {
     if high - low > 1e-6 * high.abs().max(low.abs()) {
         [low, high]
     } else {
-        let room = (0.5 * high.abs()).max(0.05);
-        [low - room, high + room]
+        let margin = (0.5 * high.abs()).max(0.05);
+        [low - margin, high + margin]
     }
 }

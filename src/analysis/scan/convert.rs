@@ -267,8 +267,8 @@ impl Shading {
             );
             (w1.is_finite() && w2.is_finite()).then_some((triangle, [1.0 - w1 - w2, w1, w2]))
         });
-        let least = |weights: &[f64; 3]| weights.iter().copied().fold(f64::INFINITY, f64::min);
-        let (triangle, affine) = weighted.max_by(|a, b| least(&a.1).total_cmp(&least(&b.1)))?;
+        let min_of = |weights: &[f64; 3]| weights.iter().copied().fold(f64::INFINITY, f64::min);
+        let (triangle, affine) = weighted.max_by(|a, b| min_of(&a.1).total_cmp(&min_of(&b.1)))?;
         let mut perspective = affine;
         if !self.orthographic {
             let [a, b, c] = [0, 1, 2].map(|i: usize| affine[i] / corners[triangle[i]].depth);

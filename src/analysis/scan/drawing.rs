@@ -45,27 +45,27 @@ fn pad(cell: f64, em: f64) -> DVec2 {
 /// with the formulas filled in.
 pub fn lay_out_scan(scan: &Scan, step: usize, size: DVec2, style: &PlotStyle) -> Drawing {
     let mut drawing = Drawing::new(size, style.paper.ground);
-    let mut room = Area {
+    let mut bounds = Area {
         min: DVec2::ZERO,
         max: size,
     };
     if style.titled {
-        room = draw_column(&mut drawing, scan, step, room, style);
+        bounds = draw_column(&mut drawing, scan, step, bounds, style);
     }
-    let (grid, extent) = (scan.grid.size(), room.max - room.min);
+    let (grid, extent) = (scan.grid.size(), bounds.max - bounds.min);
     let natural = (extent / grid).min_element();
     let cell = ((extent - 2.0 * pad(natural, style.text)) / grid)
         .min_element()
         .max(0.0);
-    let origin = (room.min + room.max - grid * cell) * 0.5;
+    let origin = (bounds.min + bounds.max - grid * cell) * 0.5;
     let (point, paper, em) = (scan.at(step), style.paper, style.text);
     let alpha = readable(ALPHA, paper.ground, 3.0);
-    let mut sheet = Sheet {
+    let mut canvas = ScanCanvas {
         scan,
         point,
         origin,
         cell,
-        room,
+        bounds,
         em,
         paper,
         alpha,
@@ -73,21 +73,21 @@ pub fn lay_out_scan(scan: &Scan, step: usize, size: DVec2, style: &PlotStyle) ->
         taken: Vec::new(),
     };
     for (y, pixel) in scan.filled(step) {
-        let square = sheet.square([pixel.x, y]);
-        sheet
+        let square = canvas.square([pixel.x, y]);
+        canvas
             .drawing
             .shapes
             .push(Shape::area(square.corners(), pixel.stored));
     }
-    sheet.grid_lines();
+    canvas.grid_lines();
     let corners = scan.corners.iter().chain(scan.corners.first());
-    let outline = corners.map(|corner| sheet.at(corner.place)).collect();
-    sheet.cased(outline, 0.12, paper.weak);
-    sheet.scan_line();
-    sheet.active_edges();
-    sheet.span();
-    sheet.letters();
-    sheet.drawing
+    let outline = corners.map(|corner| canvas.at(corner.place)).collect();
+    canvas.cased(outline, 0.12, paper.weak);
+    canvas.scan_line();
+    canvas.active_edges();
+    canvas.span();
+    canvas.letters();
+    canvas.drawing
 }
 
 /// Draws the title and the column of results so far; returns the area left for the picture.
@@ -95,13 +95,13 @@ fn draw_column(
     drawing: &mut Drawing,
     scan: &Scan,
     step: usize,
-    room: Area,
+    bounds: Area,
     style: &PlotStyle,
 ) -> Area {
     let (em, paper) = (style.text, &style.paper);
     let mut rest = Area {
-        min: room.min + em,
-        max: room.max - em,
+        min: bounds.min + em,
+        max: bounds.max - em,
     };
     let mode = match scan.mode {
         ShadingMode::Exact => ShadingMode::Phong,
@@ -194,14 +194,14 @@ fn draw_column(
 }
 
 /// The picture being drawn: the position of the grid, and the areas of the labels.
-struct Sheet<'a> {
+struct ScanCanvas<'a> {
     scan: &'a Scan,
     point: ScanPoint<'a>,
     /// The top left corner of the grid.
     origin: DVec2,
     /// The side of a pixel.
     cell: f64,
-    room: Area,
+    bounds: Area,
     em: f64,
     paper: Paper,
     /// Colour of the share α.
@@ -210,7 +210,7 @@ struct Sheet<'a> {
     taken: Vec<Area>,
 }
 
-impl Sheet<'_> {
+impl ScanCanvas<'_> {
     /// Returns the position of a place of the grid in the drawing.
     fn at(&self, place: DVec2) -> DVec2 {
         self.origin + place * self.cell
@@ -218,7 +218,7 @@ impl Sheet<'_> {
 
     /// Returns the position of a place of the scan line in the drawing.
     fn on_line(&self, x: f64) -> DVec2 {
-        self.at(DVec2::new(x, self.point.line.at()))
+        self.at(DVec2::new(x, self.point.line.centre_y()))
     }
 
     /// Returns the square of a pixel.
@@ -266,7 +266,7 @@ impl Sheet<'_> {
         let size = size * self.em;
         let text = Text::new(text, DVec2::ZERO, size, colour).bold();
         let half = DVec2::new(0.5 * text.width() + 0.15 * self.em, 0.6 * size);
-        let (low, high) = (self.room.min + half, self.room.max - half);
+        let (low, high) = (self.bounds.min + half, self.bounds.max - half);
         let about = |place: &DVec2| Area::about(place.max(low).min(high.max(low)), 2.0 * half);
         let free = |area: &Area| !self.taken.iter().any(|other| area.overlaps(other));
         let area = places

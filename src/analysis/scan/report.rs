@@ -6,7 +6,7 @@ use super::{
 };
 use crate::analysis::probe::clearest_pixel;
 use crate::analysis::report::{
-    About, Answer, Column, Figure, Part, Report, Table, as_it_is, cells,
+    Answer, Column, Figure, Part, Report, ReportContext, Table, as_it_is, cells,
 };
 use crate::analysis::{Question, Subject, Watch};
 use crate::figure::{Paper, PlotStyle};
@@ -104,7 +104,7 @@ impl Question for ScanQuestion {
 
 impl Answer for ScanStop {
     /// Returns the edge table, and the scan line of the step with all its pixels.
-    fn report(&self, _: &About<'_>) -> Report {
+    fn report(&self, _: &ReportContext<'_>) -> Report {
         let scan = &self.scan;
         let line = scan.at(self.step).line;
         let mut report = Report::new(text!(
@@ -120,12 +120,12 @@ impl Answer for ScanStop {
         report.section(text!(
             "line-scan-report-line",
             y = line.y,
-            at = line.at().to_string()
+            at = line.centre_y().to_string()
         ));
         let [first, last] = scan.steps_of_line(line.y).unwrap_or_default();
         for mix in (first..=last).filter_map(|step| scan.found(step).pop()) {
             let place = if mix.pixel.is_none() {
-                format!(", x = {}", number(mix.x, 3))
+                format!(", x = {}", format_number(mix.x, 3))
             } else {
                 String::new()
             };
@@ -167,11 +167,16 @@ impl Answer for ScanStop {
         Some(table)
     }
 
-    fn value(&self, _: &About<'_>) -> Value {
+    fn value(&self, _: &ReportContext<'_>) -> Value {
         json!(self)
     }
 
-    fn figure(&self, _: &About<'_>, size: Option<[u32; 2]>, paper: Paper) -> Option<Figure> {
+    fn figure(
+        &self,
+        _: &ReportContext<'_>,
+        size: Option<[u32; 2]>,
+        paper: Paper,
+    ) -> Option<Figure> {
         let size = DVec2::from_array(size.unwrap_or([1600, 1100]).map(f64::from));
         let text = (size / EMS).min_element().max(7.0);
         let drawing = lay_out_scan(
@@ -239,10 +244,10 @@ impl Mix<'_> {
 
     /// Formats α with its numbers, `α = (7.50 − 2.00) / (14.00 − 2.00) = 0.458`.
     pub fn alpha_text(&self) -> String {
-        let [from, here, to] = self.places.map(|place| number(place, 2));
+        let [from, here, to] = self.places.map(|place| format_number(place, 2));
         format!(
             "α = ({here} − {from}) / ({to} − {from}) = {}",
-            number(self.alpha, 3)
+            format_number(self.alpha, 3)
         )
     }
 
@@ -260,7 +265,7 @@ impl Mix<'_> {
     /// Formats the interpolation with the numbers of one component.
     pub fn row(&self, component: usize) -> String {
         let bracketed = |value: f64| {
-            let text = number(value, 4);
+            let text = format_number(value, 4);
             if text.starts_with('−') {
                 format!("({text})")
             } else {
@@ -268,10 +273,10 @@ impl Mix<'_> {
             }
         };
         let [a, b] = self.values.map(|value| bracketed(value[component]));
-        let [rest, alpha] = [1.0 - self.alpha, self.alpha].map(|share| number(share, 3));
+        let [rest, alpha] = [1.0 - self.alpha, self.alpha].map(|share| format_number(share, 3));
         format!(
             "{rest}·{a} + {alpha}·{b} = {}",
-            number(self.value[component], 4)
+            format_number(self.value[component], 4)
         )
     }
 
@@ -390,7 +395,7 @@ impl Scan {
             ),
             of,
             ends: edge.corners.map(corner_name),
-            places: [edge.y_top, line.at(), edge.y_bottom],
+            places: [edge.y_top, line.centre_y(), edge.y_bottom],
             x: crossing.x,
             alpha: crossing.alpha,
             values: edge.corners.map(|corner| self.corners[corner].value),
@@ -420,7 +425,7 @@ impl Scan {
         if self.carried != Carried::Normal {
             return Vec::new();
         }
-        let length = number(pixel.value.length(), 4);
+        let length = format_number(pixel.value.length(), 4);
         vec![
             if self.renormalise {
                 text!("line-scan-renormalised", length = length)
@@ -434,8 +439,8 @@ impl Scan {
     /// Returns the table of results up to a step, with the pixel's value by barycentric interpolation.
     pub fn found_table(&self, step: usize) -> Table {
         let [a, b, c] = self.carried.components();
-        let value = |head| Column::shown(head, |value| number(value, 3));
-        let alpha = Column::shown("α", |value| number(value, 2));
+        let value = |head| Column::shown(head, |value| format_number(value, 3));
+        let alpha = Column::shown("α", |value| format_number(value, 2));
         let name = Column::shown("", as_it_is);
         let mut table = Table::new([name, alpha, value(a), value(b), value(c)]);
         let mut row = |name: &str, alpha: Option<f64>, value: DVec3| {
@@ -478,7 +483,8 @@ impl Scan {
             text!("line-scan-x-from"),
             "dx/dy",
         ];
-        let mut table = Table::new(columns.map(|head| Column::shown(head, |v| number(v, 2))));
+        let mut table =
+            Table::new(columns.map(|head| Column::shown(head, |v| format_number(v, 2))));
         let many = self.edges.len() > MOST_EDGES;
         for (index, edge) in self
             .edges
@@ -501,7 +507,7 @@ impl Scan {
 }
 
 /// Formats a number with a fixed number of decimals and a true minus sign.
-fn number(value: f64, decimals: usize) -> String {
+fn format_number(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");
     // A number that rounds to zero has no sign.
     let zero = text
@@ -516,5 +522,8 @@ fn number(value: f64, decimals: usize) -> String {
 }
 
 fn triple(value: DVec3) -> String {
-    value.to_array().map(|part| number(part, 4)).join(", ")
+    value
+        .to_array()
+        .map(|part| format_number(part, 4))
+        .join(", ")
 }

@@ -131,13 +131,14 @@ fn unit(v: Vec3) -> Vec3 {
     v / length(v)
 }
 
+/// A corner of a polygon, world.
 #[derive(Clone, Copy)]
-struct Corner {
+struct NaiveVertex {
     position: Vec3,
     normal: Vec3,
 }
 
-fn triangles(scene: &Scene) -> Vec<[Corner; 3]> {
+fn triangles(scene: &Scene) -> Vec<[NaiveVertex; 3]> {
     let polygons = scene.object.polygons();
     let at = |v: u32| polygons.vertices[v as usize].as_vec3();
     let own = |face: &[u32]| unit((at(face[1]) - at(face[0])).cross(at(face[2]) - at(face[0])));
@@ -157,12 +158,12 @@ fn triangles(scene: &Scene) -> Vec<[Corner; 3]> {
             )
         }
     };
-    let corner = |face: &[u32], v: u32| Corner {
+    let corner = |face: &[u32], v: u32| NaiveVertex {
         position: at(v),
         normal: normal(face, v),
     };
-    let fan = |face: &[u32]| -> Vec<[Corner; 3]> {
-        let corners: Vec<Corner> = face.iter().map(|&v| corner(face, v)).collect();
+    let fan = |face: &[u32]| -> Vec<[NaiveVertex; 3]> {
+        let corners: Vec<NaiveVertex> = face.iter().map(|&v| corner(face, v)).collect();
         corners[1..]
             .windows(2)
             .map(|pair| [corners[0], pair[0], pair[1]])
@@ -175,7 +176,7 @@ fn triangles(scene: &Scene) -> Vec<[Corner; 3]> {
 fn fill(
     scene: &Scene,
     camera: &Camera,
-    corners: &[Corner; 3],
+    corners: &[NaiveVertex; 3],
     pixels: &mut [[f32; 3]],
     depths: &mut [f32],
 ) {
@@ -193,14 +194,14 @@ fn fill(
     let area = (at[1] - at[0]).perp_dot(at[2] - at[0]);
     let bounds = |axis: usize| {
         let values = at.map(|p| p[axis]);
-        let (least, greatest) = (
+        let (min, max) = (
             values[0].min(values[1]).min(values[2]),
             values[0].max(values[1]).max(values[2]),
         );
         let last = camera.size[axis] as i64;
         (
-            (least.floor() as i64).clamp(0, last),
-            (greatest.ceil() as i64).clamp(0, last),
+            (min.floor() as i64).clamp(0, last),
+            (max.ceil() as i64).clamp(0, last),
         )
     };
     let ((x0, x1), (y0, y1)) = (bounds(0), bounds(1));
@@ -224,7 +225,7 @@ fn fill(
         depths[index] = depth;
         let over_w = [0, 1, 2].map(|k| weights[k] / clip[k].w);
         let sum: f32 = over_w.iter().sum();
-        let mix = |of: fn(&Corner) -> Vec3| {
+        let mix = |of: fn(&NaiveVertex) -> Vec3| {
             over_w
                 .iter()
                 .zip(corners)

@@ -38,17 +38,18 @@ pub struct Truth {
 /// Draws `scene`, whose object is polygons or, in exact mode, the sphere: row by row from the top.
 pub fn draw(scene: &Scene) -> Vec<Truth> {
     let [width, height] = scene.image.size;
-    let stage = Stage::new(scene);
+    let reference = ReferenceScene::new(scene);
     let pixels: Vec<(u32, u32)> = (0..height)
         .flat_map(|y| (0..width).map(move |x| (x, y)))
         .collect();
     pixels
         .into_par_iter()
-        .map(|(x, y)| stage.pixel(DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5)))
+        .map(|(x, y)| reference.pixel(DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5)))
         .collect()
 }
 
-struct Stage<'a> {
+/// A scene with its triangles and camera in the reference's precision.
+struct ReferenceScene<'a> {
     scene: &'a Scene,
     triangles: Vec<Triangle>,
     eye: Precise3,
@@ -75,7 +76,7 @@ struct Hit {
     normal: Precise3,
 }
 
-impl<'a> Stage<'a> {
+impl<'a> ReferenceScene<'a> {
     fn new(scene: &'a Scene) -> Self {
         let camera = &scene.camera;
         let eye = Precise3::new(camera.eye);

@@ -4,7 +4,7 @@ use super::codec;
 use super::{CaseResult, HALF_A_CODE_VALUE, Verdict, case_pictures, stability, stability_cases};
 use crate::analysis::codec::Codec;
 use crate::analysis::report::{
-    About, Answer, Column, Figure, Part, Report, Section, Table, as_it_is,
+    Answer, Column, Figure, Part, Report, ReportContext, Section, Table, as_it_is,
 };
 use crate::analysis::{Question, Subject, Watch};
 use crate::figure::{Drawing, Paper, Text, magnitude};
@@ -49,7 +49,7 @@ impl Question for StabilityQuestion {
         for case in &cases {
             found.results.push(Arc::new(stability(&mut renderer, case)));
             watch.found(&found);
-            if !watch.at(found.results.len() as f32 / cases.len() as f32) {
+            if !watch.progress(found.results.len() as f32 / cases.len() as f32) {
                 break;
             }
         }
@@ -86,7 +86,7 @@ fn error(value: f64) -> String {
 
 /// Returns a table with a row for each case.
 fn rows(results: &[Arc<CaseResult>]) -> Table {
-    Table::of(
+    Table::from_rows(
         results,
         [
             (Column::shown(text!("engine-case"), as_it_is), |result| {
@@ -125,7 +125,7 @@ fn rows(results: &[Arc<CaseResult>]) -> Table {
 }
 
 impl Answer for Catalogue {
-    fn report(&self, _: &About<'_>) -> Report {
+    fn report(&self, _: &ReportContext<'_>) -> Report {
         let mut report = Report::new(text!("engine-stability-title"));
         for results in self.results.chunk_by(|a, b| a.case.topic == b.case.topic) {
             let section = report.section(results[0].case.topic.label());
@@ -154,7 +154,7 @@ impl Answer for Catalogue {
     }
 
     /// Draws each case as the naive renderer, the engine and the reference draw it.
-    fn figure(&self, _: &About<'_>, _: Option<[u32; 2]>, _: Paper) -> Option<Figure> {
+    fn figure(&self, _: &ReportContext<'_>, _: Option<[u32; 2]>, _: Paper) -> Option<Figure> {
         let results: Vec<CaseResult> = self
             .results
             .iter()
@@ -171,7 +171,7 @@ impl Answer for Catalogue {
         })
     }
 
-    fn value(&self, _: &About<'_>) -> Value {
+    fn value(&self, _: &ReportContext<'_>) -> Value {
         json!({ "cases": self.results.iter().map(|result| json!(**result)).collect::<Vec<_>>() })
     }
 }

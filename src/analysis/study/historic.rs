@@ -113,13 +113,13 @@ impl Historic {
             } else {
                 -depth
             };
-            (depth >= near).then(|| Corner {
+            (depth >= near).then(|| ScreenVertex {
                 at,
                 key,
                 normal: normal.as_dvec3(),
             })
         };
-        let corners: Vec<Option<Corner>> = mesh
+        let corners: Vec<Option<ScreenVertex>> = mesh
             .positions
             .iter()
             .zip(&mesh.normals)
@@ -139,7 +139,12 @@ impl Historic {
         evaluations
     }
 
-    fn triangle<K: Kernel>(&mut self, kernel: &mut K, corners: [Corner; 3], culls: bool) -> u64 {
+    fn triangle<K: Kernel>(
+        &mut self,
+        kernel: &mut K,
+        corners: [ScreenVertex; 3],
+        culls: bool,
+    ) -> u64 {
         let [a, b, c] = corners.map(|corner| corner.at);
         // Counter-clockwise from outside is clockwise in a picture whose y points downwards.
         let area = (b - a).perp_dot(c - a);
@@ -190,7 +195,7 @@ impl Historic {
 
 /// A vertex in the picture.
 #[derive(Clone, Copy, Debug)]
-struct Corner {
+struct ScreenVertex {
     /// Position in the picture, pixels.
     at: DVec2,
     /// Depth key that is linear in the picture over a flat polygon, larger for nearer points: 1/depth, or −depth
@@ -248,7 +253,7 @@ struct Linear<T> {
 }
 
 /// Returns the linear function that has its `value` at each corner.
-fn linear<T>(corners: &[Corner; 3], value: impl Fn(&Corner) -> T) -> Linear<T>
+fn linear<T>(corners: &[ScreenVertex; 3], value: impl Fn(&ScreenVertex) -> T) -> Linear<T>
 where
     T: Copy + Sub<Output = T> + Mul<f64, Output = T>,
 {
@@ -274,7 +279,7 @@ impl<T: Copy + Add<Output = T> + Mul<f64, Output = T>> Linear<T> {
 
 /// Returns normals as a linear function of the picture; only their directions count. Divided by the depth they are
 /// linear in space.
-fn carried(triangle: &[Corner; 3], perspective: bool) -> Linear<DVec3> {
+fn carried(triangle: &[ScreenVertex; 3], perspective: bool) -> Linear<DVec3> {
     linear(triangle, |corner| {
         corner.normal * if perspective { corner.key } else { 1.0 }
     })
@@ -343,7 +348,7 @@ trait Kernel {
     /// True if the equation is evaluated at each pixel instead of once per triangle.
     const PER_PIXEL: bool = true;
 
-    fn begin_triangle(&mut self, triangle: &[Corner; 3]);
+    fn begin_triangle(&mut self, triangle: &[ScreenVertex; 3]);
     fn begin_span(&mut self, span: &Span);
     /// Returns the intensity at a pixel of the span whose key is `key`.
     fn pixel(&self, place: DVec2, key: f64) -> Rgb;
@@ -360,7 +365,7 @@ struct Phong<'a> {
 }
 
 impl Kernel for Phong<'_> {
-    fn begin_triangle(&mut self, triangle: &[Corner; 3]) {
+    fn begin_triangle(&mut self, triangle: &[ScreenVertex; 3]) {
         self.carried = carried(triangle, self.perspective);
     }
 
@@ -402,7 +407,7 @@ impl<'a> Angular<'a> {
 }
 
 impl Kernel for Angular<'_> {
-    fn begin_triangle(&mut self, triangle: &[Corner; 3]) {
+    fn begin_triangle(&mut self, triangle: &[ScreenVertex; 3]) {
         self.normals = triangle.map(|corner| corner.normal.normalize_or(DVec3::Z));
     }
 
@@ -476,7 +481,7 @@ impl<'a> Taylor<'a> {
 impl Kernel for Taylor<'_> {
     const PER_PIXEL: bool = false;
 
-    fn begin_triangle(&mut self, triangle: &[Corner; 3]) {
+    fn begin_triangle(&mut self, triangle: &[ScreenVertex; 3]) {
         self.centre = triangle.iter().map(|corner| corner.at).sum::<DVec2>() / 3.0;
         let (normals, keys) = (
             carried(triangle, self.perspective),
@@ -563,7 +568,7 @@ mod tests {
     fn on_a_great_circle_angular_normals_are_exact() {
         let shade = Shade::new(&Scene::default());
         let normal = |angle: f64| DVec3::new(angle.sin(), 0.0, angle.cos());
-        let corner = |x: f64, y: f64, turn: f64| Corner {
+        let corner = |x: f64, y: f64, turn: f64| ScreenVertex {
             at: DVec2::new(x, y),
             key: 0.25,
             normal: normal(turn),
@@ -624,7 +629,7 @@ mod tests {
         let mut kernel = Taylor::new(&scene, &shade);
         let slope = 0.01;
         let tilt = |x: f64| view.right * (slope * x) - view.forward;
-        let corner = |x: f64, y: f64| Corner {
+        let corner = |x: f64, y: f64| ScreenVertex {
             at: DVec2::new(x, y),
             key: -4.0,
             normal: tilt(x),

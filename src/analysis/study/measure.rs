@@ -49,7 +49,7 @@ pub fn study(
             study.conclude();
             watch.found(&study);
             #[expect(clippy::cast_precision_loss, reason = "a share for the eye")]
-            if !watch.at(done as f32 / total as f32) && done < total {
+            if !watch.progress(done as f32 / total as f32) && done < total {
                 return study;
             }
         }

@@ -3,7 +3,7 @@
 use super::{Fit, Method, Series, Setting, Study, StudyQuestion, StudyRow, study, title};
 use crate::analysis::codec::Codec;
 use crate::analysis::report::{
-    About, Answer, Column, Figure, Part, Report, Table, as_it_is, fixed,
+    Answer, Column, Figure, Part, Report, ReportContext, Table, as_it_is, fixed,
 };
 use crate::analysis::{Question, Subject, Watch};
 use crate::figure::{Axis, Curve, Dash, Ink, Paper, Plot, PlotKind, PlotStyle, Point, lay_out};
@@ -61,7 +61,7 @@ fn row_object(row: &StudyRow) -> Value {
 }
 
 impl Answer for Study {
-    fn report(&self, about: &About<'_>) -> Report {
+    fn report(&self, about: &ReportContext<'_>) -> Report {
         let mut report = Report::new(text!(
             "engine-study-title",
             about = about.heading(),
@@ -98,7 +98,12 @@ impl Answer for Study {
         report
     }
 
-    fn figure(&self, _: &About<'_>, size: Option<[u32; 2]>, paper: Paper) -> Option<Figure> {
+    fn figure(
+        &self,
+        _: &ReportContext<'_>,
+        size: Option<[u32; 2]>,
+        paper: Paper,
+    ) -> Option<Figure> {
         let plot = study_plot(self)?;
         let style = PlotStyle {
             paper,
@@ -112,7 +117,7 @@ impl Answer for Study {
         })
     }
 
-    fn value(&self, about: &About<'_>) -> Value {
+    fn value(&self, about: &ReportContext<'_>) -> Value {
         let orders =
             |of: fn(&Series) -> Option<Fit>, value: fn(Fit) -> f64| -> Map<String, Value> {
                 let one = |method: &Method| {
@@ -153,7 +158,7 @@ fn codes(error: f64) -> String {
 
 /// Returns a table with a row for each setting.
 fn rows(study: &Study) -> Table {
-    Table::of(
+    Table::from_rows(
         &study.rows,
         [
             (Column::shown("", as_it_is), |row| {
@@ -226,7 +231,7 @@ fn orders(study: &Study) -> Table {
     fn text(fit: Option<Fit>) -> Option<String> {
         fit.map(|fit| format!("{:.2} ± {:.2}", fit.slope, fit.confidence))
     }
-    Table::of(
+    Table::from_rows(
         &study.series,
         [
             (Column::shown("", as_it_is), |series| {

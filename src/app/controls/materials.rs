@@ -50,7 +50,7 @@ impl Work for Spheres {
         for named in NAMED {
             pictures.push(picture(&mut renderer, named, self.0));
             watch.found(&pictures);
-            if !watch.at(pictures.len() as f32 / NAMED.len() as f32) {
+            if !watch.progress(pictures.len() as f32 / NAMED.len() as f32) {
                 break;
             }
         }

@@ -60,7 +60,7 @@ impl Work for Thumbnails {
                 frame.pixels.as_flattened(),
             ));
             watch.found(&pictures);
-            if !watch.at(pictures.len() as f32 / presets::ALL.len() as f32) {
+            if !watch.progress(pictures.len() as f32 / presets::ALL.len() as f32) {
                 break;
             }
         }

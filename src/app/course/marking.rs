@@ -126,7 +126,7 @@ impl Work for Marking {
         let mut progress = || {
             done += 1.0;
             // Whoever waits no longer does not read the answer.
-            let _ = watch.at(done / count);
+            let _ = watch.progress(done / count);
         };
         let group = mark(self.answers.clone(), lesson, text.foreign, &mut progress)?;
         let none = || text!("render-job-ended").to_owned();

@@ -11,7 +11,7 @@ use crate::app::session::document::same_model;
 use crate::app::widgets::theme::TEXT;
 use crate::geometry::Mesh;
 use crate::jobs::nanoseconds;
-use crate::render::{Frame, Renderer, Report, coarseness, coarser_size};
+use crate::render::{Frame, FrameReport, Renderer, coarseness, coarser_size};
 use crate::scene::{Rgb, Scene};
 use eframe::egui::{ColorImage, Context, ImageData, TextureHandle, TextureOptions};
 use std::sync::Arc;
@@ -22,12 +22,12 @@ struct Drawing {
     model: Option<Arc<Mesh>>,
     drawn: Option<Scene>,
     linear: bool,
-    report: Report,
+    report: FrameReport,
 }
 
 impl Default for Drawing {
     fn default() -> Self {
-        let (model, drawn, linear, report) = (None, None, false, Report::default());
+        let (model, drawn, linear, report) = (None, None, false, FrameReport::default());
         Self {
             renderer: Renderer::with_clock(nanoseconds),
             model,
@@ -241,7 +241,7 @@ impl PaneEngine {
     }
 
     /// What drawing the picture in sight did.
-    pub fn report(&self) -> &Report {
+    pub fn report(&self) -> &FrameReport {
         &self.in_sight().report
     }
 

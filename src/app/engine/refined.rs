@@ -96,7 +96,7 @@ impl Work for Supersampled {
                     let took = now - std::mem::replace(&mut before, now);
                     // The first sample of all makes the mesh as well.
                     let affordable = done + n < 2 || took.saturating_mul(u64::from(all)) <= MOST;
-                    goes_on = affordable && watch.at((done + n) as f32 / all as f32);
+                    goes_on = affordable && watch.progress((done + n) as f32 / all as f32);
                     goes_on
                 });
                 if !goes_on {

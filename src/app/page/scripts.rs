@@ -2,7 +2,7 @@
 //! `.bench(link, width, height, frames)`. What is wrong is thrown, in a sentence.
 
 use crate::analysis::bench::BenchQuestion;
-use crate::analysis::{About, Answer, Question, Subject, unwatched};
+use crate::analysis::{Answer, Question, ReportContext, Subject, unwatched};
 use crate::document::picture_bytes;
 use crate::jobs::nanoseconds;
 use crate::link::{Link, read, write};
@@ -76,7 +76,7 @@ fn timed(link: &str, size: [u32; 2], frames: u32) -> Result<String, JsValue> {
         simd: None,
     };
     let bench = question.answer(&subject, &unwatched).map_err(say)?;
-    let about = About {
+    let about = ReportContext {
         name: "",
         scene: &subject.scene,
     };

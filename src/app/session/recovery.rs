@@ -12,7 +12,7 @@ use crate::analysis::Watch;
 use crate::app::session::Session;
 use crate::app::session::window::WindowState;
 use crate::app::widgets::background::Task;
-use crate::document::load;
+use crate::document::load_scene;
 use crate::jobs::Job;
 use crate::text::text;
 use eframe::egui::Context;
@@ -186,7 +186,7 @@ fn around(path: &Path) -> Around {
 
 /// The document in a file of kept work, the one that it was made from, and what was around it.
 pub fn restore(path: &Path) -> Result<(Document, Document, Around), String> {
-    let loaded = load(path).map_err(|error| {
+    let loaded = load_scene(path).map_err(|error| {
         let path = path.display().to_string();
         text!("work-stays", error = error.to_string(), path = path)
     })?;
@@ -194,7 +194,7 @@ pub fn restore(path: &Path) -> Result<(Document, Document, Around), String> {
     let original = match &around.origin {
         Origin::New => None,
         Origin::BuiltIn(name) => Document::built_in(name),
-        Origin::File(path) => load(path).ok().map(Document::from),
+        Origin::File(path) => load_scene(path).ok().map(Document::from),
     };
     let original = original.unwrap_or_default();
     let document = Document {

@@ -135,7 +135,7 @@ impl Work for Exported {
         check_memory_for(&self.scene, model, 1).map_err(|error| error.to_string())?;
         let mut renderer = Renderer::default().with_model(self.model.clone());
         let total = f64::from(self.samples) * self.scene.shown_panes().len() as f64;
-        let mut progress = |done: u32| watch.at((f64::from(done) / total) as f32);
+        let mut progress = |done: u32| watch.progress((f64::from(done) / total) as f32);
         let frame = picture(
             &mut renderer,
             &self.scene,
@@ -182,7 +182,7 @@ impl Work for Filmed {
         let mut draw = |scene: &Scene| {
             let share = (done / count) as f32;
             done += 1.0;
-            let mut progress = |_| watch.at(share);
+            let mut progress = |_| watch.progress(share);
             if !progress(0) {
                 return None;
             }
@@ -271,7 +271,7 @@ impl Files {
             text!("not-opened"),
             move |watch| {
                 let mut progress =
-                    |read: u64, total: u64| _ = watch.at(read as f32 / total.max(1) as f32);
+                    |read: u64, total: u64| _ = watch.progress(read as f32 / total.max(1) as f32);
                 let loaded = load_with(&path, &[] as &[&str], &mut progress)
                     .map_err(|error| error.to_string())?;
                 let document = Document::from(loaded);
@@ -312,7 +312,7 @@ impl Files {
             let mut sized = scene.clone();
             sized.image.size = HANDED_IN;
             let mut renderer = Renderer::default().with_model(model.clone());
-            let mut progress = |_| watch.at(0.5);
+            let mut progress = |_| watch.progress(0.5);
             // Nobody reads why.
             let frame =
                 picture(&mut renderer, &sized, 4, None, &mut progress).ok_or_else(String::new)?;

@@ -14,7 +14,7 @@ use crate::app::shell::dialog::Dialog;
 use crate::app::shell::files::{Exported, Filmed};
 use crate::app::views::profile::Perceived;
 use crate::app::{App, system};
-use crate::document::{Loaded, load};
+use crate::document::{Loaded, load_scene};
 use crate::jobs::{Request, Served, serve, served};
 use crate::link;
 use crate::render::check_mesh_memory;
@@ -51,7 +51,7 @@ async fn start(canvas: HtmlCanvasElement) {
     let open = |cc: &eframe::CreationContext<'_>| -> Box<dyn eframe::App> {
         let (page, link) = address();
         let open = |link: &str| -> Result<Loaded, String> {
-            let loaded = load(Path::new(link)).map_err(|error| error.to_string())?;
+            let loaded = load_scene(Path::new(link)).map_err(|error| error.to_string())?;
             let small = check_mesh_memory(&loaded.scene, loaded.model.as_deref());
             small.map(|()| loaded).map_err(|error| error.to_string())
         };
@@ -61,8 +61,8 @@ async fn start(canvas: HtmlCanvasElement) {
             Some(Err(error)) => (None, Some(error)),
             None => (None, None),
         };
-        let loaded =
-            loaded.unwrap_or_else(|| load(Path::new(presets::DEFAULT)).expect("a built-in scene"));
+        let loaded = loaded
+            .unwrap_or_else(|| load_scene(Path::new(presets::DEFAULT)).expect("a built-in scene"));
         let shown = loaded.shown.clone();
         let mut app = App::new(cc, loaded).with_welcome().with_page(Some(page));
         if shown.embed {

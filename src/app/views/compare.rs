@@ -301,7 +301,7 @@ fn figures_ui(
     ui.label(RichText::new(text!("picture-against", name = reference.name.as_str())).strong());
     let mut view = ReportView::default();
     let scene = &session.document().scene;
-    view.set(Comparison(figures.to_vec()).report(&analysis::About { name: "", scene }));
+    view.set(Comparison(figures.to_vec()).report(&analysis::ReportContext { name: "", scene }));
     view.ui(ui);
     let size = engine.size;
     ui.horizontal_wrapped(|ui| {

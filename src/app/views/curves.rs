@@ -5,7 +5,7 @@
 
 use super::report::{ReportView, export_ui};
 use crate::analysis::curves::Curves;
-use crate::analysis::{About, Answer};
+use crate::analysis::{Answer, ReportContext};
 use crate::app::engine::Engine;
 use crate::app::session::Session;
 use crate::app::session::action::Requests;
@@ -37,7 +37,8 @@ pub fn curves_ui(
         own.sampled = Some((engine.revision, light));
         own.curves = engine.curves(light);
         let curves = own.curves.clone().unwrap_or_default();
-        own.view.set(curves.report(&About { name: "", scene }));
+        own.view
+            .set(curves.report(&ReportContext { name: "", scene }));
     }
     own.view.ui(ui);
     let kinds = own.curves.iter().flat_map(|curves| &curves.kinds);

@@ -5,7 +5,7 @@ use super::report::{Offer, Pending, ReportView, export_ui};
 use super::study::duration;
 use crate::analysis::bench::BenchQuestion;
 use crate::analysis::plan::FramePlan;
-use crate::analysis::{About, Answer};
+use crate::analysis::{Answer, ReportContext};
 use crate::app::engine::Engine;
 use crate::app::session::Session;
 use crate::app::session::action::Requests;
@@ -46,7 +46,7 @@ pub fn plan_ui(
     });
     if !same {
         own.made = Some((engine.revision, window.appearance.clone()));
-        let mut report = frame_plan().report(&About {
+        let mut report = frame_plan().report(&ReportContext {
             name: "",
             scene: &session.document().scene,
         });

@@ -1,7 +1,7 @@
 //! An answer as the window shows it: its words, numbers, tables and plots, how far it is known, and the ways to save it.
 
 use crate::analysis::report::{Part, Section};
-use crate::analysis::{About, Analysis, Answer, Format, Question, Report};
+use crate::analysis::{Analysis, Answer, Format, Question, Report, ReportContext};
 use crate::app::session::Session;
 use crate::app::session::action::{Action, Requests};
 use crate::app::session::document::Document;
@@ -321,7 +321,8 @@ impl<Q: Question> Pending<Q> {
         });
         let again = new || !self.view.is_current();
         if let Some(answer) = self.work.answer().filter(|_| again) {
-            self.view.set(answer.report(&About { name: "", scene }));
+            self.view
+                .set(answer.report(&ReportContext { name: "", scene }));
         }
     }
 
@@ -338,7 +339,7 @@ impl<Q: Question> Pending<Q> {
         if (self.work.take() || !self.view.is_current())
             && let (Some(answer), Some(asked)) = (self.work.answer(), self.work.answered())
         {
-            self.view.set(answer.report(&About {
+            self.view.set(answer.report(&ReportContext {
                 name: "",
                 scene: &asked.subject().scene,
             }));
@@ -417,8 +418,8 @@ pub struct Export {
 }
 
 impl Export {
-    fn about(&self) -> About<'_> {
-        About {
+    fn about(&self) -> ReportContext<'_> {
+        ReportContext {
             name: &self.name,
             scene: &self.scene,
         }

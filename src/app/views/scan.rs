@@ -460,7 +460,7 @@ pub fn paint(painter: &Painter, window: &WindowState, place: Place) {
     }
     let point = scan.at(view.step());
     let Some(span) = point.span else { return };
-    let ends = [span.p.x, span.q.x].map(|x| at(DVec2::new(x, point.line.at())));
+    let ends = [span.p.x, span.q.x].map(|x| at(DVec2::new(x, point.line.centre_y())));
     for stroke in strokes([3.0, 1.25]) {
         line(painter, ends, stroke, &[]);
     }

@@ -1,7 +1,7 @@
 //! The lights of fixed-function OpenGL, and their limitations.
 
 use crate::export::limit::{Limit, holding, limit};
-use crate::export::sources::{Emitter, Place, emitters};
+use crate::export::sources::{Emitter, EmitterPosition, emitters};
 use crate::export::text::{c_float, c_four, c_three, filled, said};
 use crate::geometry::VertexMesh;
 use crate::scene::{Attenuation, Backfacing, Light, LightKind, Scene, Viewer};
@@ -35,15 +35,15 @@ fn emitter_limits(emitter: &Emitter<'_>, mesh: &VertexMesh, whole: bool) -> Vec<
     let light = emitter.light;
     let spot = light.kind == LightKind::Spot;
     let points = match &emitter.place {
-        Place::Among(points) if light.kind == LightKind::Area && !whole => points.len(),
+        EmitterPosition::Among(points) if light.kind == LightKind::Area && !whole => points.len(),
         _ => 0,
     };
     let unclamped = match (light.attenuation, emitter.constant, &emitter.place) {
-        (Attenuation::Quadratic, None, Place::At(place)) => {
+        (Attenuation::Quadratic, None, EmitterPosition::At(place)) => {
             let [inside, outside] = sides(light, *place, mesh);
             inside && outside
         }
-        (Attenuation::Quadratic, None, Place::Among(_)) => light.c1 < 1.0,
+        (Attenuation::Quadratic, None, EmitterPosition::Among(_)) => light.c1 < 1.0,
         _ => false,
     };
     let number = emitter.index + 1;
@@ -78,7 +78,7 @@ fn emitter_limits(emitter: &Emitter<'_>, mesh: &VertexMesh, whole: bool) -> Vec<
 /// Returns whether all points of all area lights fit among the lights that OpenGL has.
 fn fits(emitters: &[Emitter<'_>]) -> bool {
     let count = |emitter: &Emitter<'_>| {
-        if let Place::Among(points) = &emitter.place {
+        if let EmitterPosition::Among(points) = &emitter.place {
             points.len()
         } else {
             1
@@ -148,9 +148,9 @@ fn lamps<'a>(emitter: &'a Emitter<'a>, whole: bool) -> Vec<Lamp<'a>> {
         share,
     };
     match &emitter.place {
-        Place::Towards(l) => vec![lamp(title, *l, true, 1.0)],
-        Place::At(place) => vec![lamp(title, *place, false, 1.0)],
-        Place::Among(points) if whole => {
+        EmitterPosition::Towards(l) => vec![lamp(title, *l, true, 1.0)],
+        EmitterPosition::At(place) => vec![lamp(title, *place, false, 1.0)],
+        EmitterPosition::Among(points) if whole => {
             let (count, share) = (points.len(), 1.0 / points.len() as f64);
             let titled = |index: usize| format!("{title}: point {} of {count}", index + 1);
             points
@@ -159,7 +159,7 @@ fn lamps<'a>(emitter: &'a Emitter<'a>, whole: bool) -> Vec<Lamp<'a>> {
                 .map(|(index, point)| lamp(titled(index), *point, false, share))
                 .collect()
         }
-        Place::Among(_) => vec![lamp(
+        EmitterPosition::Among(_) => vec![lamp(
             title + ": its middle",
             emitter.light.position,
             false,

@@ -12,21 +12,25 @@ const MOST: f64 = 40.0;
 
 /// Returns round numbers on `axis` with their texts: about as many as fit, at most twice `MOST` or those of three to
 /// a decade. An axis that [`Axis::can_span`] refuses has none.
-pub fn ticks(axis: &Axis, room: f64) -> Vec<(f64, String)> {
-    if room.is_nan() || !Axis::can_span(axis.low, axis.high) {
+pub fn ticks(axis: &Axis, max_ticks: f64) -> Vec<(f64, String)> {
+    if max_ticks.is_nan() || !Axis::can_span(axis.low, axis.high) {
         return vec![];
     }
-    let room = room.clamp(1.0, MOST);
+    let max_ticks = max_ticks.clamp(1.0, MOST);
     if axis.decades {
         let beyond = axis.low.abs().max(axis.high.abs()) > WIDEST;
-        return if beyond { vec![] } else { decades(axis, room) };
+        return if beyond {
+            vec![]
+        } else {
+            decades(axis, max_ticks)
+        };
     }
-    let least = (axis.high - axis.low) / room;
+    let min_step = (axis.high - axis.low) / max_ticks;
     let step = if axis.degrees {
-        let known = DEGREES.into_iter().find(|step| *step >= least);
-        known.unwrap_or_else(|| 90.0 * round_up(least / 90.0))
+        let known = DEGREES.into_iter().find(|step| *step >= min_step);
+        known.unwrap_or_else(|| 90.0 * round_up(min_step / 90.0))
     } else {
-        round_up(least)
+        round_up(min_step)
     };
     let (first, last) = (
         (axis.low / step - 1e-9).ceil() as i64,
@@ -49,14 +53,14 @@ const MANTISSAS: [&[u8]; 3] = [&[1, 2, 5], &[1, 3], &[1]];
 
 /// Returns the ticks of an axis of logarithms: 1, 2, 5 of each decade, or 1 and 3, or 1 alone, or that of every few
 /// decades.
-fn decades(axis: &Axis, room: f64) -> Vec<(f64, String)> {
+fn decades(axis: &Axis, max_ticks: f64) -> Vec<(f64, String)> {
     let span = axis.high - axis.low;
     #[expect(clippy::cast_precision_loss, reason = "three at most")]
     let mantissas = MANTISSAS
         .into_iter()
-        .find(|list| list.len() as f64 * span <= room)
+        .find(|list| list.len() as f64 * span <= max_ticks)
         .unwrap_or(&[1]);
-    let every = (span / room).ceil().max(1.0) as i32;
+    let every = (span / max_ticks).ceil().max(1.0) as i32;
     let (first, last) = (axis.low.floor() as i32, axis.high.ceil() as i32);
     let exponents = (first..=last).filter(|exponent| exponent % every == 0);
     let all =
@@ -100,17 +104,17 @@ pub fn round_up(value: f64) -> f64 {
 fn written(value: f64, step: f64, degrees: bool) -> String {
     let decimals = (-(step * (1.0 + 1e-9)).log10().floor()).clamp(0.0, 12.0) as usize;
     let unit = if degrees { "°" } else { "" };
-    number(value, decimals, (1e-4..1e6).contains(&step)) + unit
+    format_number(value, decimals, (1e-4..1e6).contains(&step)) + unit
 }
 
 /// Formats a number with three significant digits, a true minus sign, and no more zeros than it needs.
 pub fn short(value: f64) -> String {
     let size = value.abs();
     let decimals = 2i32.saturating_sub(size.log10().floor() as i32).clamp(0, 5) as usize;
-    number(value, decimals, (1e-3..1e5).contains(&size))
+    format_number(value, decimals, (1e-3..1e5).contains(&size))
 }
 
-fn number(value: f64, decimals: usize, plain: bool) -> String {
+fn format_number(value: f64, decimals: usize, plain: bool) -> String {
     match plain {
         _ if value == 0.0 => "0".to_owned(),
         true => fixed(value, decimals),
@@ -175,13 +179,13 @@ mod tests {
         let rooms = [f64::NAN, -1.0, 0.0, 6.0, 1e300];
         let mut ticked = 0;
         for (low, high) in ends().flat_map(|low| ends().map(move |high| (low, high))) {
-            for room in rooms {
+            for max_ticks in rooms {
                 for axis in [
                     Axis::new("", low, high),
                     Axis::degrees("", low, high),
                     Axis::decades("", low, high),
                 ] {
-                    let ticks = ticks(&axis, room);
+                    let ticks = ticks(&axis, max_ticks);
                     assert!(ticks.len() <= 130, "{axis:?}: {}", ticks.len());
                     assert!(
                         ticks.is_empty() || Axis::can_span(low, high),

@@ -1,8 +1,8 @@
 //! Curves over two straight axes.
 
 use super::axes::ticks;
+use super::canvas::PlotCanvas;
 use super::data::{Axis, Mark, Plot, Point};
-use super::sheet::Sheet;
 use crate::figure::area::{Area, clipped};
 use crate::figure::drawing::Scale;
 use crate::figure::text::width_of;
@@ -31,25 +31,25 @@ const GAP: f64 = 0.2;
 /// Size of the names of points, relative to other letters.
 const LETTERS: f64 = 0.85;
 
-/// Draws axes, marks and curves in `room`; the x axis over `span`, if given.
-pub fn draw(sheet: &mut Sheet<'_>, room: Area, span: Option<[f64; 2]>) {
-    let (em, plot) = (sheet.em, sheet.plot);
+/// Draws axes, marks and curves in `bounds`; the x axis over `span`, if given.
+pub fn draw(canvas: &mut PlotCanvas<'_>, bounds: Area, span: Option<[f64; 2]>) {
+    let (em, plot) = (canvas.em, canvas.plot);
     let y = Axis {
         high: plot.y.low + (plot.y.high - plot.y.low) * HEADROOM,
         ..plot.y.clone()
     };
-    let y_ticks = ticks(&y, (room.max.y - room.min.y) / (2.6 * em));
+    let y_ticks = ticks(&y, (bounds.max.y - bounds.min.y) / (2.6 * em));
     let widest = y_ticks
         .iter()
         .map(|(_, text)| width_of(text, em))
         .fold(0.0, f64::max);
     let mut area = Area {
-        min: room.min + DVec2::new(widest + 0.6 * em, 0.0),
-        max: room.max - DVec2::new(0.9 * em, 3.0 * em),
+        min: bounds.min + DVec2::new(widest + 0.6 * em, 0.0),
+        max: bounds.max - DVec2::new(0.9 * em, 3.0 * em),
     };
     // If there is no space beside the axis, its numbers are inside.
     let inside = span.is_some_and(|[from, _]| from < area.min.x);
-    let mut left = room.min.x;
+    let mut left = bounds.min.x;
     if let Some([from, to]) = span {
         (area.min.x, area.max.x) = (from, to);
         left = left.max(from - widest - 0.6 * em);
@@ -65,21 +65,21 @@ pub fn draw(sheet: &mut Sheet<'_>, room: Area, span: Option<[f64; 2]>) {
         x: [plot.x.low, plot.x.high],
         y: [y.low, y.high],
     };
-    axes(sheet, &scale, &area, &y_ticks, inside);
-    sheet.text(
+    axes(canvas, &scale, &area, &y_ticks, inside);
+    canvas.text(
         &plot.y.name,
         DVec2::new(left, area.min.y - 0.45 * em),
         1.0,
-        sheet.paper.text,
+        canvas.paper.text,
         0.0,
     );
     let marks = plot.marks.iter().zip(&rows).map(|(mark, row)| {
         let (from, _) = label_span(mark, plot, &area, em);
         let label = DVec2::new(from, area.min.y - (0.45 + ROW * row) * em);
         let colour = if mark.probe {
-            sheet.paper.text
+            canvas.paper.text
         } else {
-            sheet.paper.weak
+            canvas.paper.weak
         };
         (mark, label, colour)
     });
@@ -96,7 +96,7 @@ pub fn draw(sheet: &mut Sheet<'_>, room: Area, span: Option<[f64; 2]>) {
         let mut start = foot.y;
         let mut line = |from: f64, to: f64| {
             let ends = [from, to].map(|y| DVec2::new(foot.x, y));
-            sheet.axis(ends[0], ends[1], *colour).dashes = MARK_DASHES;
+            canvas.axis(ends[0], ends[1], *colour).dashes = MARK_DASHES;
         };
         for baseline in crossed {
             line(start, baseline + 0.25 * em);
@@ -105,11 +105,11 @@ pub fn draw(sheet: &mut Sheet<'_>, room: Area, span: Option<[f64; 2]>) {
         line(start, label.y + 0.25 * em);
     }
     for (mark, label, colour) in marks {
-        sheet
+        canvas
             .over_lines(&mark.label, label, 1.0, colour, 0.0)
             .strong = mark.probe;
     }
-    borders(sheet, &scale, &area);
+    borders(canvas, &scale, &area);
     // The scene's own curve is drawn over the others.
     for emphasised in [false, true] {
         for curve in plot
@@ -118,12 +118,12 @@ pub fn draw(sheet: &mut Sheet<'_>, room: Area, span: Option<[f64; 2]>) {
             .filter(|curve| curve.emphasised == emphasised)
         {
             for run in clipped(curve.points.iter().map(|point| scale.place(*point)), &area) {
-                sheet.curve(curve, &run.points);
+                canvas.curve(curve, &run.points);
             }
             let roomy = area.max.x - area.min.x >= TAGGED * em;
             if let Some(tag) = curve.tag.as_ref().filter(|_| roomy) {
                 let at = scale.place(tag.at) + DVec2::new(-0.3, 0.3) * em;
-                sheet.over_lines(&tag.text, at, 0.92, sheet.paper.letters(curve.ink), 1.0);
+                canvas.over_lines(&tag.text, at, 0.92, canvas.paper.letters(curve.ink), 1.0);
             }
         }
     }
@@ -144,11 +144,11 @@ pub fn draw(sheet: &mut Sheet<'_>, room: Area, span: Option<[f64; 2]>) {
         else {
             continue;
         };
-        sheet.disc(at, 0.36, sheet.paper.ground);
-        sheet.disc(at, 0.27, sheet.paper.line(curve.ink));
+        canvas.disc(at, 0.36, canvas.paper.ground);
+        canvas.disc(at, 0.27, canvas.paper.line(curve.ink));
     }
-    points(sheet, &scale, &area);
-    sheet.drawing.scales.push(scale);
+    points(canvas, &scale, &area);
+    canvas.drawing.scales.push(scale);
 }
 
 /// Returns the row above the plot, 0 the lowest, in which each mark's label overlaps neither the others nor the name
@@ -183,42 +183,42 @@ fn label_span(mark: &Mark, plot: &Plot, area: &Area, em: f64) -> (f64, f64) {
 }
 
 fn axes(
-    sheet: &mut Sheet<'_>,
+    canvas: &mut PlotCanvas<'_>,
     scale: &Scale,
     area: &Area,
     y_ticks: &[(f64, String)],
     inside: bool,
 ) {
-    let (em, paper, plot) = (sheet.em, sheet.paper, sheet.plot);
+    let (em, paper, plot) = (canvas.em, canvas.paper, canvas.plot);
     for (value, text) in y_ticks {
         let at = scale.place([plot.x.low, *value]);
-        sheet.axis(at, DVec2::new(area.max.x, at.y), paper.grid);
+        canvas.axis(at, DVec2::new(area.max.x, at.y), paper.grid);
         let beside = at + DVec2::new(if inside { 0.3 } else { -0.45 }, 0.34) * em;
         if inside {
-            sheet.over_lines(text, beside, 1.0, paper.weak, 0.0);
+            canvas.over_lines(text, beside, 1.0, paper.weak, 0.0);
         } else {
-            sheet.text(text, beside, 1.0, paper.weak, 1.0);
+            canvas.text(text, beside, 1.0, paper.weak, 1.0);
         }
     }
     for (value, text) in ticks(&plot.x, (area.max.x - area.min.x) / (3.4 * em)) {
         let at = scale.place([value, plot.y.low]);
-        sheet.axis(at, DVec2::new(at.x, area.min.y), paper.grid);
+        canvas.axis(at, DVec2::new(at.x, area.min.y), paper.grid);
         let half = 0.5 * width_of(&text, em);
-        let middle = at.x.max(half).min(sheet.drawing.size.x - half);
+        let middle = at.x.max(half).min(canvas.drawing.size.x - half);
         let below = DVec2::new(middle, at.y + 1.3 * em);
-        sheet.text(text, below, 1.0, paper.weak, 0.5);
+        canvas.text(text, below, 1.0, paper.weak, 0.5);
     }
     let corner = DVec2::new(area.min.x, area.max.y);
-    sheet.axis(corner, area.max, paper.weak);
-    sheet.axis(corner, area.min, paper.weak);
+    canvas.axis(corner, area.max, paper.weak);
+    canvas.axis(corner, area.min, paper.weak);
     let middle = DVec2::new(0.5 * (area.min.x + area.max.x), area.max.y + 2.65 * em);
-    sheet.text(&plot.x.name, middle, 1.0, paper.text, 0.5);
+    canvas.text(&plot.x.name, middle, 1.0, paper.text, 0.5);
 }
 
 /// Draws the edges between polygons: a faint line through the plot and a tick on the axis, or ticks alone; a word
 /// where there are too many to distinguish.
-fn borders(sheet: &mut Sheet<'_>, scale: &Scale, area: &Area) {
-    let (em, weak, plot) = (sheet.em, sheet.paper.weak, sheet.plot);
+fn borders(canvas: &mut PlotCanvas<'_>, scale: &Scale, area: &Area) {
+    let (em, weak, plot) = (canvas.em, canvas.paper.weak, canvas.plot);
     let places = plot.borders.iter().map(|x| scale.place([*x, plot.y.low]).x);
     let places: Vec<f64> = places
         .filter(|x| (area.min.x..=area.max.x).contains(x))
@@ -228,22 +228,22 @@ fn borders(sheet: &mut Sheet<'_>, scale: &Scale, area: &Area) {
     if gap < BORDER_GAP {
         let words = text!("line-edges-crowded", count = places.len());
         let at = area.max - DVec2::new(0.3, 0.5) * em;
-        sheet.over_lines(&words, at, 0.92, weak, 1.0);
+        canvas.over_lines(&words, at, 0.92, weak, 1.0);
         return;
     }
     for x in places {
         let foot = DVec2::new(x, area.max.y);
         if gap >= LINE_GAP {
-            sheet.axis(foot, DVec2::new(x, area.min.y), weak).dashes = BORDER_DASHES;
+            canvas.axis(foot, DVec2::new(x, area.min.y), weak).dashes = BORDER_DASHES;
         }
-        sheet.axis(foot, foot - DVec2::new(0.0, 0.5 * em), weak);
+        canvas.axis(foot, foot - DVec2::new(0.0, 0.5 * em), weak);
     }
 }
 
 /// Draws single points, then the names for which there is a free place, those of the strong ones first.
-fn points(sheet: &mut Sheet<'_>, scale: &Scale, area: &Area) {
-    let (em, paper) = (sheet.em, sheet.paper);
-    let places = sheet
+fn points(canvas: &mut PlotCanvas<'_>, scale: &Scale, area: &Area) {
+    let (em, paper) = (canvas.em, canvas.paper);
+    let places = canvas
         .plot
         .points
         .iter()
@@ -252,10 +252,10 @@ fn points(sheet: &mut Sheet<'_>, scale: &Scale, area: &Area) {
         .filter(|(_, at)| at.is_finite() && area.holds(&Area { min: *at, max: *at }))
         .collect();
     for (point, at) in &visible {
-        sheet.disc(*at, RADIUS[0] + 0.07, paper.ground);
-        sheet.disc(*at, RADIUS[0], paper.line(point.ink));
+        canvas.disc(*at, RADIUS[0] + 0.07, paper.ground);
+        canvas.disc(*at, RADIUS[0], paper.line(point.ink));
         if point.hollow {
-            sheet.disc(*at, RADIUS[1], paper.ground);
+            canvas.disc(*at, RADIUS[1], paper.ground);
         }
     }
     let mut taken: Vec<Area> = visible
@@ -292,7 +292,7 @@ fn points(sheet: &mut Sheet<'_>, scale: &Scale, area: &Area) {
             };
             let baseline = place.centre() + DVec2::new(0.0, 0.34 * size);
             taken.push(place);
-            sheet
+            canvas
                 .over_lines(
                     &point.name,
                     baseline,

@@ -174,9 +174,9 @@ impl Axis {
         /// Minimum span whose parts are not subnormal numbers.
         const SHORTEST: f64 = f64::MIN_POSITIVE / f64::EPSILON;
         let span = high - low;
-        let least = (THINNEST * low.abs().max(high.abs())).max(SHORTEST);
+        let min_span = (THINNEST * low.abs().max(high.abs())).max(SHORTEST);
         // A round number above it must be finite too.
-        (10.0 * span).is_finite() && span >= least
+        (10.0 * span).is_finite() && span >= min_span
     }
 
     /// Creates an axis of the logarithms to base 10 of a quantity.

@@ -1,6 +1,6 @@
 //! The legend: one line per curve, beside the plot or below it.
 
-use super::sheet::Sheet;
+use super::canvas::PlotCanvas;
 use crate::figure::area::Area;
 use crate::figure::palette::Rgb8;
 use crate::figure::text::width_of;
@@ -25,9 +25,9 @@ pub struct Legend {
 }
 
 impl Legend {
-    /// Reserves space for the legend of a plot in `room`; returns the rest.
-    pub fn new(sheet: &Sheet<'_>, room: Area) -> (Self, Area) {
-        let (plot, em) = (sheet.plot, sheet.em);
+    /// Reserves space for the legend of a plot in `bounds`; returns the rest.
+    pub fn new(canvas: &PlotCanvas<'_>, bounds: Area) -> (Self, Area) {
+        let (plot, em) = (canvas.plot, canvas.em);
         let widest = |texts: &mut dyn Iterator<Item = &str>| {
             texts.map(|text| width_of(text, em)).fold(0.0, f64::max)
         };
@@ -45,7 +45,7 @@ impl Legend {
             .collect();
         // Where space is short, columns move together.
         #[expect(clippy::cast_precision_loss, reason = "a plot has few columns")]
-        let gap = (room.max.x - room.min.x - width - widths.iter().sum::<f64>())
+        let gap = (bounds.max.x - bounds.min.x - width - widths.iter().sum::<f64>())
             / widths.len().max(1) as f64;
         let gap = gap.clamp(LEAST_GAP * em, GAPS[1] * em);
         let mut columns = Vec::new();
@@ -57,28 +57,28 @@ impl Legend {
         if plot.curves.len() < 2 && columns.is_empty() {
             return (
                 Self {
-                    min: room.min,
+                    min: bounds.min,
                     columns,
                     shown: false,
                 },
-                room,
+                bounds,
             );
         }
         #[expect(clippy::cast_precision_loss, reason = "a plot has few curves")]
         let lines = (plot.curves.len() + usize::from(!plot.legend.is_empty())) as f64;
         let size = DVec2::new(width, LINE * em * lines);
-        let whole = room.max - room.min;
+        let whole = bounds.max - bounds.min;
         let beside = size.x <= BESIDE[0] * whole.x && whole.x >= BESIDE[1] * whole.y;
-        let mut rest = room;
+        let mut rest = bounds;
         let min = if beside {
             rest.max.x -= size.x + 1.6 * em;
             DVec2::new(
-                room.max.x - size.x,
-                room.min.y + (0.5 * (whole.y - size.y) - em).clamp(0.0, 3.0 * em),
+                bounds.max.x - size.x,
+                bounds.min.y + (0.5 * (whole.y - size.y) - em).clamp(0.0, 3.0 * em),
             )
         } else {
             rest.max.y -= size.y + 0.5 * em;
-            DVec2::new(room.min.x, room.max.y - size.y)
+            DVec2::new(bounds.min.x, bounds.max.y - size.y)
         };
         (
             Self {
@@ -91,33 +91,40 @@ impl Legend {
     }
 
     /// Draws the legend.
-    pub fn draw(&self, sheet: &mut Sheet<'_>) {
+    pub fn draw(&self, canvas: &mut PlotCanvas<'_>) {
         if !self.shown {
             return;
         }
-        let (em, paper, plot) = (sheet.em, sheet.paper, sheet.plot);
+        let (em, paper, plot) = (canvas.em, canvas.paper, canvas.plot);
         let mut at = self.min + DVec2::new(0.0, em);
         if !plot.legend.is_empty() {
-            self.cells(sheet, &plot.legend, at, 0.92, paper.weak);
+            self.cells(canvas, &plot.legend, at, 0.92, paper.weak);
             at.y += LINE * em;
         }
         for curve in &plot.curves {
-            sheet.curve(
+            canvas.curve(
                 curve,
                 &[0.0, SAMPLE].map(|x| at + DVec2::new(x, -0.33) * em),
             );
             let name = at + DVec2::new((SAMPLE + GAPS[0]) * em, 0.0);
-            sheet
+            canvas
                 .text(&curve.name, name, 1.0, paper.letters(curve.ink), 0.0)
                 .strong = curve.emphasised;
-            self.cells(sheet, &curve.notes, at, 1.0, paper.text);
+            self.cells(canvas, &curve.notes, at, 1.0, paper.text);
             at.y += LINE * em;
         }
     }
 
-    fn cells(&self, sheet: &mut Sheet<'_>, texts: &[String], at: DVec2, size: f64, colour: Rgb8) {
+    fn cells(
+        &self,
+        canvas: &mut PlotCanvas<'_>,
+        texts: &[String],
+        at: DVec2,
+        size: f64,
+        colour: Rgb8,
+    ) {
         for (right, text) in self.columns.iter().zip(texts) {
-            sheet.text(text, at + DVec2::new(*right, 0.0), size, colour, 1.0);
+            canvas.text(text, at + DVec2::new(*right, 0.0), size, colour, 1.0);
         }
     }
 }

@@ -82,8 +82,8 @@ pub struct PlotStyle {
 impl PlotStyle {
     /// Returns the style of a sheet of `size` with that many plots, for one that fills a screen or a page.
     pub fn of(size: [u32; 2], plots: usize, paper: Paper) -> Self {
-        let room = DVec2::from_array(size.map(f64::from)) / grid(plots, size[0] > size[1]);
-        let text = (room.x / 38.0).min(room.y / 27.0).max(7.0);
+        let cell = DVec2::from_array(size.map(f64::from)) / grid(plots, size[0] > size[1]);
+        let text = (cell.x / 38.0).min(cell.y / 27.0).max(7.0);
         Self {
             paper,
             text,

@@ -1,8 +1,8 @@
 //! A curve over the directions above a surface: the angle from N and the distance from the point.
 
 use super::axes::round_up;
+use super::canvas::PlotCanvas;
 use super::data::{Axis, Direction};
-use super::sheet::Sheet;
 use crate::figure::area::Area;
 use crate::figure::drawing::{Scale, Shape};
 use crate::figure::palette::Vector;
@@ -21,18 +21,18 @@ const OPAQUE: [f64; 2] = [0.2, 0.5];
 /// Half the angle that an arrow's letter must keep free, degrees.
 const APART: f64 = 12.0;
 
-/// Draws rings, the lobe and the vectors in `room`.
-pub fn draw(sheet: &mut Sheet<'_>, room: Area) {
-    let (em, plot) = (sheet.em, sheet.plot);
-    let space = room.max - room.min - DVec2::new(2.0 * 2.2 * em, 1.5 * em + 2.0 * em);
+/// Draws rings, the lobe and the vectors in `bounds`.
+pub fn draw(canvas: &mut PlotCanvas<'_>, bounds: Area) {
+    let (em, plot) = (canvas.em, canvas.plot);
+    let space = bounds.max - bounds.min - DVec2::new(2.0 * 2.2 * em, 1.5 * em + 2.0 * em);
     let radius = (0.5 * space.x).min(space.y);
     if radius < LEAST * em || !Axis::can_span(0.0, plot.y.high) {
         return;
     }
     let slack = space.y - radius;
     let centre = DVec2::new(
-        0.5 * (room.min.x + room.max.x),
-        room.min.y + 1.5 * em + radius + 0.4 * slack,
+        0.5 * (bounds.min.x + bounds.max.x),
+        bounds.min.y + 1.5 * em + radius + 0.4 * slack,
     );
     let step = round_up(plot.y.high / RINGS * 0.8);
     let rings = (plot.y.high / step * (1.0 - 1e-9)).ceil().max(1.0);
@@ -41,46 +41,46 @@ pub fn draw(sheet: &mut Sheet<'_>, room: Area) {
         radius,
         scale: radius / (rings * step),
     };
-    ground(sheet, &scale, rings as u32, step);
+    ground(canvas, &scale, rings as u32, step);
     for curve in &plot.curves {
         let places: Vec<DVec2> = curve
             .points
             .iter()
             .map(|point| scale.place(*point))
             .collect();
-        let at = sheet.drawing.shapes.len();
-        sheet.curve(curve, &places);
+        let at = canvas.drawing.shapes.len();
+        canvas.curve(curve, &places);
         if curve.emphasised {
-            let line = &sheet.drawing.shapes[at];
+            let line = &canvas.drawing.shapes[at];
             let lobe =
                 Shape::area([&[centre][..], &line.points].concat(), line.colour).faded(OPAQUE[0]);
-            sheet.drawing.shapes.insert(at, lobe);
+            canvas.drawing.shapes.insert(at, lobe);
         }
     }
     for direction in &plot.directions {
-        arrow(sheet, direction, centre, radius);
+        arrow(canvas, direction, centre, radius);
     }
-    sheet.drawing.scales.push(scale);
+    canvas.drawing.scales.push(scale);
 }
 
 /// Draws the body below the surface, rings with their values, spokes with their angles.
-fn ground(sheet: &mut Sheet<'_>, scale: &Scale, rings: u32, step: f64) {
-    let (em, paper) = (sheet.em, sheet.paper);
+fn ground(canvas: &mut PlotCanvas<'_>, scale: &Scale, rings: u32, step: f64) {
+    let (em, paper) = (canvas.em, canvas.paper);
     let high = f64::from(rings) * step;
     let at = |angle: f64, value: f64| scale.place([angle, value]);
     let (below, [left, right]) = (
         DVec2::new(0.0, 0.45 * em),
         [-90.0, 90.0].map(|angle| at(angle, high)),
     );
-    sheet.push(
+    canvas.push(
         Shape::area(vec![left, right, right + below, left + below], paper.weak).faded(OPAQUE[1]),
     );
     for spoke in SPOKES {
         let end = at(spoke.into(), high);
-        sheet.axis(at(0.0, 0.0), end, paper.grid);
+        canvas.axis(at(0.0, 0.0), end, paper.grid);
         let out = (end - at(0.0, 0.0)).normalize_or_zero();
         let middle = end + out * DVec2::new(1.25, 0.8) * em;
-        sheet.text(
+        canvas.text(
             format!("{}°", spoke.abs()),
             middle + DVec2::new(0.0, 0.3 * em),
             0.92,
@@ -96,10 +96,10 @@ fn ground(sheet: &mut Sheet<'_>, scale: &Scale, rings: u32, step: f64) {
     for ring in 1..=rings {
         let value = f64::from(ring) * step;
         let arc = (-45..=45).map(|i| at(f64::from(i) * 2.0, value)).collect();
-        sheet.line(arc, 0.08, paper.grid);
+        canvas.line(arc, 0.08, paper.grid);
         if (rings - ring).is_multiple_of(apart) {
             let decimals = (-(step * 1.000_001).log10().floor()).clamp(0.0, 6.0) as usize;
-            sheet.text(
+            canvas.text(
                 format!("{value:.decimals$}"),
                 at(90.0, value) + under,
                 0.92,
@@ -108,27 +108,27 @@ fn ground(sheet: &mut Sheet<'_>, scale: &Scale, rings: u32, step: f64) {
             );
         }
     }
-    sheet.text("I = 0", at(0.0, 0.0) + under, 0.92, paper.weak, 0.5);
-    sheet.axis(left, right, paper.weak);
+    canvas.text("I = 0", at(0.0, 0.0) + under, 0.92, paper.weak, 0.5);
+    canvas.axis(left, right, paper.weak);
 }
 
-fn arrow(sheet: &mut Sheet<'_>, direction: &Direction, centre: DVec2, radius: f64) {
-    let em = sheet.em;
+fn arrow(canvas: &mut PlotCanvas<'_>, direction: &Direction, centre: DVec2, radius: f64) {
+    let em = canvas.em;
     let (sine, cosine) = direction.angle.to_radians().sin_cos();
     let along = DVec2::new(sine, -cosine);
     let tip = centre + along * (REACH * radius * direction.length);
-    let colour = sheet.paper.line(direction.ink);
+    let colour = canvas.paper.line(direction.ink);
     let head = 0.85 * em;
     let vector = Vector::ALL
         .into_iter()
         .find(|vector| vector.letter() == direction.letter);
-    sheet
+    canvas
         .line(vec![centre, tip - along * 0.8 * head], 0.15, colour)
         .dashes = vector.map_or(&[], Vector::dashes);
     let (base, side) = (tip - along * head, along.perp() * 0.38 * head);
-    sheet.push(Shape::area(vec![tip, base + side, base - side], colour));
+    canvas.push(Shape::area(vec![tip, base + side, base - side], colour));
     // Where another arrow is close, the letter is placed on the opposite side.
-    let close = sheet.plot.directions.iter().find(|other| {
+    let close = canvas.plot.directions.iter().find(|other| {
         other.letter != direction.letter
             && (other.angle - direction.angle).abs() < APART
             && other.length > 0.5
@@ -143,12 +143,12 @@ fn arrow(sheet: &mut Sheet<'_>, direction: &Direction, centre: DVec2, radius: f6
     };
     let middle = tip - along * 0.5 * em + aside * 0.85 * em;
     let at = middle + DVec2::new(0.0, 0.36 * em);
-    sheet
+    canvas
         .over_lines(
             direction.letter,
             at,
             1.1,
-            sheet.paper.letters(direction.ink),
+            canvas.paper.letters(direction.ink),
             0.5,
         )
         .strong = true;

@@ -107,11 +107,11 @@ impl<'a, R: BufRead> Lines<'a, R> {
         let mut ended = true;
         while ended {
             let before = self.text.len();
-            let room = (LONGEST - before + 1) as u64;
+            let limit = (LONGEST - before + 1) as u64;
             let read = self
                 .reader
                 .by_ref()
-                .take(room)
+                .take(limit)
                 .read_until(b'\n', &mut self.text)?;
             if read == 0 && before == 0 {
                 (self.progress)(self.bytes);
@@ -125,7 +125,10 @@ impl<'a, R: BufRead> Lines<'a, R> {
                 return Err(not_text(number));
             }
             if self.text.len() > LONGEST {
-                return Err(at(number, text!("obj-line-too-long", longest = LONGEST)));
+                return Err(error_at(
+                    number,
+                    text!("obj-line-too-long", longest = LONGEST),
+                ));
             }
             self.trim(before);
             if !(ended && self.text.ends_with(b"\\")) {
@@ -182,7 +185,7 @@ pub struct Prepared<'a, R> {
 
 /// The facts in a model's file beside its polygons.
 #[derive(Clone, Copy, Default)]
-pub struct About {
+pub struct FileFacts {
     /// The point that positions are relative to.
     pub origin: DVec3,
     /// True if the file names a material or a library of materials.
@@ -196,7 +199,7 @@ struct Writer {
     normals: u64,
     faces: u64,
     corners_in_piece: usize,
-    about: About,
+    facts: FileFacts,
     /// The corners of a face: position, and normal or 0.
     corners: Vec<(u64, u64)>,
 }
@@ -212,7 +215,7 @@ impl<'a, R: BufRead> Prepared<'a, R> {
     }
 
     /// Returns the facts beside the polygons once the last byte is read, or the error.
-    pub fn finish(self) -> Result<About, ObjError> {
+    pub fn finish(self) -> Result<FileFacts, ObjError> {
         self.outcome?;
         if self.lines.bytes == 0 {
             return Err(ObjError::Empty);
@@ -220,7 +223,7 @@ impl<'a, R: BufRead> Prepared<'a, R> {
         if self.writer.faces == 0 {
             Err(ObjError::NoFace)
         } else {
-            Ok(self.writer.about)
+            Ok(self.writer.facts)
         }
     }
 
@@ -262,7 +265,7 @@ impl Writer {
             Some(b"vn") => self.normal(line.number, words),
             Some(b"f" | b"fo") => self.face(line, words),
             Some(b"mtllib" | b"usemtl") => {
-                self.about.names_materials = true;
+                self.facts.names_materials = true;
                 Ok(())
             }
             _ => Ok(()),
@@ -276,20 +279,20 @@ impl Writer {
     ) -> Result<(), ObjError> {
         let (mut point, xyz) = vector(line, &mut words, "obj-coordinate", "obj-three-coordinates")?;
         if let (Some(weight), None) = (words.next(), words.next()) {
-            point /= match number(line, weight, "obj-weight")? {
+            point /= match parse_number(line, weight, "obj-weight")? {
                 0.0 => {
-                    return Err(at(line, text!("obj-weight-zero")));
+                    return Err(error_at(line, text!("obj-weight-zero")));
                 }
                 weight => weight,
             };
         }
         if self.positions == 0 && point.is_finite() && point.abs().max_element() > FAR {
-            self.about.origin = point.round();
+            self.facts.origin = point.round();
         }
-        let relative = (point - self.about.origin).as_vec3();
+        let relative = (point - self.facts.origin).as_vec3();
         if let Some(k) = (0..3).find(|&k| !relative[k].is_finite()) {
             let word = quoted(xyz[k]);
-            return Err(at(line, text!("obj-not-finite", word = word)));
+            return Err(error_at(line, text!("obj-not-finite", word = word)));
         }
         self.positions += 1;
         self.write(format_args!(
@@ -332,7 +335,7 @@ impl Writer {
             corners.push(self.corner(line, word)?);
         }
         if corners.len() < 3 {
-            return Err(at(
+            return Err(error_at(
                 line.number,
                 text!("obj-few-vertices", count = corners.len()),
             ));
@@ -388,7 +391,7 @@ impl Writer {
     }
 }
 
-fn at(line: u64, what: impl Into<String>) -> ObjError {
+fn error_at(line: u64, what: impl Into<String>) -> ObjError {
     ObjError::Line {
         line,
         what: what.into(),
@@ -396,13 +399,13 @@ fn at(line: u64, what: impl Into<String>) -> ObjError {
 }
 
 fn not_text(line: u64) -> ObjError {
-    at(line, text!("obj-not-text"))
+    error_at(line, text!("obj-not-text"))
 }
 
 /// Returns the error that says `word` is not what was `expected`.
 fn malformed(line: u64, word: &[u8], expected: &str) -> ObjError {
     let expected = text!(expected);
-    at(
+    error_at(
         line,
         text!("obj-malformed", word = quoted(word), expected = expected),
     )
@@ -430,18 +433,18 @@ fn vector<'w>(
     let mut vector = DVec3::ZERO;
     for k in 0..3 {
         xyz[k] = words.next().ok_or_else(|| {
-            at(
+            error_at(
                 line,
                 text!("obj-few-numbers", count = k, expected = text!(three)),
             )
         })?;
-        vector[k] = number(line, xyz[k], one)?;
+        vector[k] = parse_number(line, xyz[k], one)?;
     }
     Ok((vector, xyz))
 }
 
 /// Reads a word as a number, finite or not.
-fn number(line: u64, word: &[u8], expected: &str) -> Result<f64, ObjError> {
+fn parse_number(line: u64, word: &[u8], expected: &str) -> Result<f64, ObjError> {
     let number = std::str::from_utf8(word)
         .ok()
         .and_then(|text| text.parse().ok());
@@ -467,5 +470,5 @@ fn absolute(line: u64, unknown: &str, field: &[u8], count: u64) -> Result<u64, O
             .contains(&number)
             .then(|| if negative { count + 1 - number } else { number })
     });
-    resolved.ok_or_else(|| at(line, text!(unknown, number = quoted(field), count = count)))
+    resolved.ok_or_else(|| error_at(line, text!(unknown, number = quoted(field), count = count)))
 }

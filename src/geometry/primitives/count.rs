@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 
 /// Returns the number of triangles of a built-in shape without making them; 0 for a model from a file or a scene's own polygons.
 pub fn triangles(object: &Object) -> u64 {
-    of(object.kind, object.segments, object.rings)
+    triangle_count(object.kind, object.segments, object.rings)
 }
 
 /// Returns the segments and rings by which a shape has as nearly as possible `wanted` triangles whose polygons are about as
@@ -21,12 +21,16 @@ pub fn divisions_for(kind: ObjectKind, wanted: u64) -> [u32; 2] {
         let segments = (f64::from(rings) * segments_per_ring(kind)).round();
         (segments as u32).clamp(min_segments, Object::MAX_DIVISIONS)
     };
-    let rings = first(min_rings, |rings| of(kind, beside(rings), rings) >= wanted);
+    let rings = first(min_rings, |rings| {
+        triangle_count(kind, beside(rings), rings) >= wanted
+    });
     // The two rows on either side of the wanted number, each with the segments that come nearest to it.
     let candidates = [rings.saturating_sub(1).max(min_rings), rings]
         .into_iter()
         .flat_map(|rings| {
-            let segments = first(min_segments, |segments| of(kind, segments, rings) >= wanted);
+            let segments = first(min_segments, |segments| {
+                triangle_count(kind, segments, rings) >= wanted
+            });
             [
                 [segments.saturating_sub(1).max(min_segments), rings],
                 [segments, rings],
@@ -34,7 +38,7 @@ pub fn divisions_for(kind: ObjectKind, wanted: u64) -> [u32; 2] {
         });
     let off = |[segments, rings]: &[u32; 2]| {
         (
-            of(kind, *segments, *rings).abs_diff(wanted),
+            triangle_count(kind, *segments, *rings).abs_diff(wanted),
             segments.abs_diff(beside(*rings)),
         )
     };
@@ -74,7 +78,7 @@ fn segments_per_ring(kind: ObjectKind) -> f64 {
     }
 }
 
-fn of(kind: ObjectKind, segments: u32, rings: u32) -> u64 {
+fn triangle_count(kind: ObjectKind, segments: u32, rings: u32) -> u64 {
     let limited = |number: u32, least: u32| u64::from(number.clamp(least, Object::MAX_DIVISIONS));
     let (s, r) = (limited(segments, 3), limited(rings, 1));
     match kind {

@@ -22,12 +22,12 @@ pub fn teapot(along: u32, round: u32) -> Mesh {
         normals: HashMap::new(),
     };
     for patch in 0..TEAPOT.patches.len() {
-        let least = if matches!(Teapot::shell(patch), Shell::Handle | Shell::Spout) {
+        let min = if matches!(Teapot::shell(patch), Shell::Handle | Shell::Spout) {
             2
         } else {
             1
         };
-        add_patch(&mut seams, patch, along, round.max(least));
+        add_patch(&mut seams, patch, along, round.max(min));
     }
     seams.builder.finish(false, false)
 }

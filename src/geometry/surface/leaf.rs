@@ -49,14 +49,14 @@ impl Leaf {
         let in_v = radius(middle.along_v, &|k| (k % 4 < 3).then(|| p[k + 1] - p[k]));
         let [u, v] = [middle.along_u, middle.along_v].map(DVec3::length);
         let normal = middle.along_u.cross(middle.along_v);
-        let greatest = |distance: &dyn Fn(DVec3) -> f64| {
+        let max_of = |distance: &dyn Fn(DVec3) -> f64| {
             let distances = p.iter().map(|p| distance(*p - middle.point));
             distances.fold(0.0, f64::max) * (1.0 + EDGE) + ROUNDING
         };
         Self {
             normal,
-            height: greatest(&|p| p.dot(normal).abs()),
-            radius: greatest(&|p| p.length()),
+            height: max_of(&|p| p.dot(normal).abs()),
+            radius: max_of(&|p| p.length()),
             fold: (in_u * v + in_v * u + in_u * in_v) * (1.0 + EDGE),
             stray: (in_u + in_v) * u.max(v),
             middle,
@@ -79,10 +79,10 @@ pub struct Quad {
 type Four<S> = [f64x4<S>; 3];
 
 impl Quad {
-    /// Runs Newton's iteration from the middle of a leaf for the rays whose bits are set in `asked`. Rays that have
+    /// Runs Newton's iteration from the middle of a leaf for the rays whose bits are set in `requested`. Rays that have
     /// converged stay as they are, so that none depends on the others.
     #[inline(always)]
-    pub fn solve<S: Simd>(simd: S, leaf: &Leaf, rays: &[UnitRay], asked: u32) -> Self {
+    pub fn solve<S: Simd>(simd: S, leaf: &Leaf, rays: &[UnitRay], requested: u32) -> Self {
         const STEPS: usize = 10;
         /// The step after which the next would be of the order of its square, which is rounding.
         const CONVERGED: f64 = 1e-8;
@@ -95,7 +95,7 @@ impl Quad {
                 direction[axis][lane] = ray.direction[axis];
             }
         }
-        let (origin, direction) = (load(simd, &origin), load(simd, &direction));
+        let (origin, direction) = (load_vectors(simd, &origin), load_vectors(simd, &direction));
         let Jet {
             point,
             along_u,
@@ -115,11 +115,11 @@ impl Quad {
         let near = step_u.abs().simd_le(reach) & step_v.abs().simd_le(reach);
         let mut quad = Self {
             roots: 0,
-            undecided: asked & !(single.to_bitmask() as u32) & streak.to_bitmask() as u32,
+            undecided: requested & !(single.to_bitmask() as u32) & streak.to_bitmask() as u32,
             s: [0.0; QUAD],
             uv: [[0.0; QUAD]; 2],
         };
-        let wanted = asked & (single & near).to_bitmask() as u32;
+        let wanted = requested & (single & near).to_bitmask() as u32;
         if wanted == 0 {
             return quad;
         }
@@ -188,7 +188,7 @@ fn jet<S: Simd>(simd: S, patch: &Patch<DVec3>, u: f64x4<S>, v: f64x4<S>) -> [Fou
 }
 
 #[inline(always)]
-fn load<S: Simd>(simd: S, planes: &[[f64; QUAD]; 3]) -> Four<S> {
+fn load_vectors<S: Simd>(simd: S, planes: &[[f64; QUAD]; 3]) -> Four<S> {
     [
         f64x4::from_slice(simd, &planes[0]),
         f64x4::from_slice(simd, &planes[1]),

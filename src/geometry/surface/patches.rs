@@ -38,17 +38,17 @@ struct Node {
 
 static TREE: LazyLock<Tree> = LazyLock::new(Tree::of_teapot);
 
-/// Returns the nearest meetings of the rays whose bits are set in `asked`.
+/// Returns the nearest meetings of the rays whose bits are set in `requested`.
 #[inline(always)]
 pub fn teapot<S: Simd>(
     simd: S,
     rays: &[UnitRay; TOGETHER],
-    asked: u32,
+    requested: u32,
 ) -> [Option<Meeting>; TOGETHER] {
     let tree = &*TREE;
-    let found = tree.nearest(simd, rays, asked);
+    let found = tree.nearest(simd, rays, requested);
     let meeting = |ray: usize| {
-        let Place { leaf, uv, .. } = found.0[ray];
+        let LeafHit { leaf, uv, .. } = found.0[ray];
         let patch = &tree.leaves.get(leaf?)?.patch;
         let s = (patch.at(uv.x, uv.y) - rays[ray].origin).dot(rays[ray].direction);
         Some(Meeting {
@@ -69,14 +69,14 @@ fn box_of(patch: &Patch<DVec3>) -> (DVec3, DVec3) {
 
 /// The point where a ray meets a leaf.
 #[derive(Clone, Copy)]
-struct Place {
+struct LeafHit {
     s: f64,
     leaf: Option<usize>,
     uv: DVec2,
 }
 
 /// The nearest meeting of each ray so far.
-struct Found([Place; TOGETHER]);
+struct Found([LeafHit; TOGETHER]);
 
 /// Rays prepared for the test against boxes.
 struct Rays<S: Simd> {
@@ -219,12 +219,12 @@ impl Tree {
 
     /// Visits the boxes that the rays enter, nearer ones first, except those behind the nearest meetings so far.
     #[inline(always)]
-    fn nearest<S: Simd>(&self, simd: S, rays: &[UnitRay; TOGETHER], asked: u32) -> Found {
+    fn nearest<S: Simd>(&self, simd: S, rays: &[UnitRay; TOGETHER], requested: u32) -> Found {
         /// The largest depth: the tree is halved at every level, so its depth is the logarithm of the number of leaves.
         const DEPTH: usize = 40;
         let lanes = Rays::new(simd, rays);
         let mut found = Found(
-            [Place {
+            [LeafHit {
                 s: f64::INFINITY,
                 leaf: None,
                 uv: DVec2::ZERO,
@@ -233,7 +233,7 @@ impl Tree {
         let mut s_max = f64x8::splat(simd, f64::INFINITY);
         let mut waiting = [(0, 0); DEPTH];
         let mut count = 0;
-        let (mut here, mut among) = (0, asked & lanes.enter(simd, &self.nodes[0], s_max).0);
+        let (mut here, mut among) = (0, requested & lanes.enter(simd, &self.nodes[0], s_max).0);
         loop {
             let node = &self.nodes[here as usize];
             if among != 0 && node.is_leaf {
@@ -282,11 +282,11 @@ impl Tree {
         let leaf = &self.leaves[index];
         let mut nearer = false;
         for first in [0, QUAD] {
-            let asked = (among >> first) & ((1 << QUAD) - 1);
-            if asked == 0 {
+            let requested = (among >> first) & ((1 << QUAD) - 1);
+            if requested == 0 {
                 continue;
             }
-            let quad = Quad::solve(simd, leaf, &rays[first..first + QUAD], asked);
+            let quad = Quad::solve(simd, leaf, &rays[first..first + QUAD], requested);
             for lane in 0..QUAD {
                 let (ray, place) = (&rays[first + lane], &mut found.0[first + lane]);
                 let met = if quad.roots >> lane & 1 == 1 {
@@ -300,7 +300,7 @@ impl Tree {
                 };
                 if let Some((s, uv)) = met {
                     let leaf = Some(index);
-                    *place = Place { s, leaf, uv };
+                    *place = LeafHit { s, leaf, uv };
                     nearer = true;
                 }
             }

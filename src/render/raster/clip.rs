@@ -3,11 +3,11 @@
 //! Sutherland and Hodgman's algorithm against five planes, in double precision. A corner made by clipping stores its
 //! weights over the triangle's vertices, so that the vertices' values can be interpolated for it later.
 
-use super::grid::{GUARD, Place, SUBPIXELS};
+use super::grid::{GUARD, GridPosition, SUBPIXELS};
 use super::transform::Placed;
 use crate::render::lens::{Lens, NEAR};
 use crate::render::model::Model;
-use crate::render::node::{Memory, room};
+use crate::render::node::{Memory, capacity};
 use glam::DVec3;
 
 /// A vertex made by clipping.
@@ -18,9 +18,9 @@ pub struct Cut {
     pub weights: [f64; 3],
 }
 
-/// A corner during clipping: view components and weights.
+/// A vertex of the polygon being clipped: view components and weights.
 #[derive(Clone, Copy)]
-struct Corner {
+struct ClipVertex {
     view: DVec3,
     weights: DVec3,
 }
@@ -37,7 +37,8 @@ pub struct Clipped {
 
 impl Clipped {
     pub fn count(&self, memory: &mut Memory) {
-        memory.triangles += room(&self.cuts) + room(&self.triangles) + room(&self.parents);
+        memory.triangles +=
+            capacity(&self.cuts) + capacity(&self.triangles) + capacity(&self.parents);
     }
 
     pub fn clear(&mut self) {
@@ -54,7 +55,7 @@ impl Clipped {
         let Some((first, rest)) = polygon.split_first() else {
             return;
         };
-        let mut add = |corner: &Corner| self.add_vertex(lens, vertices, corner, placed);
+        let mut add = |corner: &ClipVertex| self.add_vertex(lens, vertices, corner, placed);
         let hub = add(first);
         let rim: Vec<u32> = rest.iter().map(&mut add).collect();
         for pair in rim.windows(2) {
@@ -67,7 +68,7 @@ impl Clipped {
         &mut self,
         lens: &Lens,
         vertices: [u32; 3],
-        corner: &Corner,
+        corner: &ClipVertex,
         placed: &mut Placed,
     ) -> u32 {
         let index = placed.places.len();
@@ -78,7 +79,7 @@ impl Clipped {
         };
         let place = (lens.picture_from_view(view) * f64::from(SUBPIXELS)).round();
         let limit = f64::from(SUBPIXELS) * (GUARD + 1.0);
-        let place: Place = [
+        let place: GridPosition = [
             place.x.clamp(-limit, limit) as i32,
             place.y.clamp(-limit, limit) as i32,
         ];
@@ -93,11 +94,11 @@ impl Clipped {
 }
 
 /// Clips the triangle with view components `views`; the result is empty where nothing remains.
-fn clip(lens: &Lens, views: [DVec3; 3]) -> Vec<Corner> {
-    let mut polygon: Vec<Corner> = views
+fn clip(lens: &Lens, views: [DVec3; 3]) -> Vec<ClipVertex> {
+    let mut polygon: Vec<ClipVertex> = views
         .into_iter()
         .zip([DVec3::X, DVec3::Y, DVec3::Z])
-        .map(|(view, weights)| Corner { view, weights })
+        .map(|(view, weights)| ClipVertex { view, weights })
         .collect();
     cut(&mut polygon, |view| view.z - NEAR);
     // The extent of the guard band from the middle at depth 1 (or anywhere, without perspective).
@@ -115,7 +116,7 @@ fn clip(lens: &Lens, views: [DVec3; 3]) -> Vec<Corner> {
 }
 
 /// Cuts the polygon down to the part where `distance`, linear in the view components, is not negative.
-fn cut(polygon: &mut Vec<Corner>, distance: impl Fn(DVec3) -> f64) {
+fn cut(polygon: &mut Vec<ClipVertex>, distance: impl Fn(DVec3) -> f64) {
     let mut kept = Vec::with_capacity(polygon.len() + 1);
     for (i, corner) in polygon.iter().enumerate() {
         let next = &polygon[(i + 1) % polygon.len()];
@@ -131,7 +132,7 @@ fn cut(polygon: &mut Vec<Corner>, distance: impl Fn(DVec3) -> f64) {
                 (next, corner, d1 / (d1 - d0))
             };
             if t.is_finite() {
-                kept.push(Corner {
+                kept.push(ClipVertex {
                     view: a.view.lerp(b.view, t),
                     weights: a.weights.lerp(b.weights, t),
                 });
@@ -165,7 +166,7 @@ mod tests {
                 corners.windows(2).map(doubled).sum::<f64>() / 2.0
             };
             let part = |side: f64| {
-                let mut polygon = points.map(|view| Corner { view, weights: DVec3::ZERO }).to_vec();
+                let mut polygon = points.map(|view| ClipVertex { view, weights: DVec3::ZERO }).to_vec();
                 cut(&mut polygon, |view| side * (view.x * nx + view.y * ny + view.z * 0.5 - d));
                 area(&polygon.iter().map(|corner| corner.view).collect::<Vec<_>>())
             };
@@ -177,7 +178,7 @@ mod tests {
         fn corners_are_where_their_weights_say(c in prop::array::uniform9(-5.0..5.0f64)) {
             let lens = Lens::new(&Camera::default(), [640, 480], DVec2::ZERO, 4.0);
             let views = triangle(c);
-            for Corner { view, weights: w } in clip(&lens, views) {
+            for ClipVertex { view, weights: w } in clip(&lens, views) {
                 prop_assert!(view.z >= NEAR * (1.0 - 1e-9));
                 prop_assert!(lens.picture_from_view(view).abs().max_element() <= GUARD + 1e-3);
                 prop_assert!((views[0] * w.x + views[1] * w.y + views[2] * w.z - view).length() < 1e-9);

@@ -2,7 +2,7 @@
 //! the true surface is drawn, rays meet it instead, in double precision.
 
 use super::fragments::{Block, Fragment, fragment, open, put};
-use super::grid::{BAND, BandPlace, HALF, Place, SUBPIXELS, scan};
+use super::grid::{BAND, BandExtent, GridPosition, HALF, SUBPIXELS, scan};
 use super::triangles::Triangles;
 use crate::geometry::{Ray, Surface, SurfaceHit, TOGETHER};
 use crate::render::lens::{Lens, NEAR, pixel_centre};
@@ -32,7 +32,7 @@ impl Run {
 /// The coverage stage's output for one band.
 #[derive(Default)]
 pub struct Band {
-    pub place: BandPlace,
+    pub place: BandExtent,
     /// The runs, sorted by row and x if a depth test was made; otherwise by triangle, without gaps in a row.
     pub runs: Vec<Run>,
     /// True if a depth test was made.
@@ -60,7 +60,7 @@ const NONE: u32 = u32::MAX;
 /// A triangle's barycentric coordinates as linear functions of the pixel.
 #[derive(Clone, Copy)]
 pub struct Weights {
-    origin: Place,
+    origin: GridPosition,
     e1: [f64; 2],
     e2: [f64; 2],
     inverse_area: f64,
@@ -70,7 +70,7 @@ pub struct Weights {
 
 impl Weights {
     #[inline(always)]
-    pub fn new([a, b, c]: [Place; 3]) -> Self {
+    pub fn new([a, b, c]: [GridPosition; 3]) -> Self {
         let e1 = [
             f64::from(b[0]) - f64::from(a[0]),
             f64::from(b[1]) - f64::from(a[1]),
@@ -213,7 +213,7 @@ impl Band {
 
 impl DepthScratch {
     #[inline(always)]
-    fn draw(&mut self, place: BandPlace, shape: &Triangles<'_>, triangle: u32) {
+    fn draw(&mut self, place: BandExtent, shape: &Triangles<'_>, triangle: u32) {
         let (corners, [a, b, c]) = (shape.corners(triangle), shape.vertices(triangle));
         let keys = [
             shape.placed.keys[a as usize],

@@ -26,12 +26,12 @@ pub const GUARD: f64 = 32_000.0;
 pub const UNPLACED: i32 = i32::MIN;
 
 /// A position in fixed-point pixel coordinates, y downwards.
-pub type Place = [i32; 2];
+pub type GridPosition = [i32; 2];
 
 /// Returns twice the signed area of a triangle in fixed point; negative where the corners run counter-clockwise on the
 /// screen (y downwards), as on the outside of a closed model.
 #[inline(always)]
-pub fn doubled_area([a, b, c]: [Place; 3]) -> i64 {
+pub fn doubled_area([a, b, c]: [GridPosition; 3]) -> i64 {
     let e1 = [
         i64::from(b[0]) - i64::from(a[0]),
         i64::from(b[1]) - i64::from(a[1]),
@@ -52,15 +52,15 @@ pub fn first_centre(fixed: i32) -> i32 {
 /// The rows of a band: its fragments, 16 bytes per pixel, stay in a core's own cache.
 pub const BAND: u32 = 16;
 
-/// The position of a band in the picture.
+/// The rows of a band and its width.
 #[derive(Clone, Copy, Default)]
-pub struct BandPlace {
+pub struct BandExtent {
     pub first_row: u32,
     pub rows: u32,
     pub width: u32,
 }
 
-impl BandPlace {
+impl BandExtent {
     pub fn row_range(self) -> Range<i32> {
         self.first_row as i32..(self.first_row + self.rows) as i32
     }
@@ -76,7 +76,7 @@ struct Edge {
 
 impl Edge {
     #[inline(always)]
-    fn new(a: Place, b: Place) -> Self {
+    fn new(a: GridPosition, b: GridPosition) -> Self {
         let (dx, dy) = (
             f64::from(b[0]) - f64::from(a[0]),
             f64::from(b[1]) - f64::from(a[1]),
@@ -99,7 +99,7 @@ impl Edge {
 /// Calls `emit(y, x0, x1)` for each row of `rows` in which the triangle covers the pixels x0..x1 of 0..`width`.
 #[inline(always)]
 pub fn scan(
-    corners: [Place; 3],
+    corners: [GridPosition; 3],
     rows: Range<i32>,
     width: i32,
     mut emit: impl FnMut(i32, i32, i32),
@@ -128,7 +128,7 @@ pub fn scan(
 
 /// Returns the corners from top to bottom, those of one height from left to right.
 #[inline(always)]
-fn sorted([a, b, c]: [Place; 3]) -> [Place; 3] {
+fn sorted([a, b, c]: [GridPosition; 3]) -> [GridPosition; 3] {
     let (a, b) = in_order(a, b);
     let (b, c) = in_order(b, c);
     let (a, b) = in_order(a, b);
@@ -136,7 +136,7 @@ fn sorted([a, b, c]: [Place; 3]) -> [Place; 3] {
 }
 
 #[inline(always)]
-fn in_order(a: Place, b: Place) -> (Place, Place) {
+fn in_order(a: GridPosition, b: GridPosition) -> (GridPosition, GridPosition) {
     if (b[1], b[0]) < (a[1], a[0]) {
         (b, a)
     } else {
@@ -151,7 +151,7 @@ mod tests {
     use proptest::prelude::*;
 
     /// Counts how often each pixel of a square picture is covered.
-    fn counts(triangles: &[[Place; 3]], side: i32) -> Vec<u32> {
+    fn counts(triangles: &[[GridPosition; 3]], side: i32) -> Vec<u32> {
         let mut counts = vec![0; (side * side) as usize];
         for triangle in triangles {
             scan(*triangle, 0..side, side, |y, x0, x1| {
@@ -199,11 +199,11 @@ mod tests {
             rim in prop::collection::vec(0..16_i32 * 256, 0..12),
         ) {
             let side = 16 * SUBPIXELS;
-            let mut border: Vec<Place> = vec![[0, 0], [side, 0], [side, side], [0, side]];
+            let mut border: Vec<GridPosition> = vec![[0, 0], [side, 0], [side, side], [0, side]];
             for (i, &t) in rim.iter().enumerate() {
                 border.push([[t, 0], [side, t], [t, side], [0, t]][i % 4]);
             }
-            let angle = |p: &Place| f64::from(p[1] - hub.1).atan2(f64::from(p[0] - hub.0));
+            let angle = |p: &GridPosition| f64::from(p[1] - hub.1).atan2(f64::from(p[0] - hub.0));
             border.sort_by(|a, b| angle(a).total_cmp(&angle(b)));
             let triangles: Vec<_> = (0..border.len())
                 .map(|i| [[hub.0, hub.1], border[i], border[(i + 1) % border.len()]])
@@ -216,7 +216,7 @@ mod tests {
         #[test]
         fn a_grid_of_any_points_covers_every_pixel_once(moves in prop::collection::vec((-500..500_i32, -500..500_i32), 9), turns in prop::collection::vec(any::<bool>(), 16)) {
             let cell = 4 * SUBPIXELS;
-            let place = |i: usize, j: usize| -> Place {
+            let place = |i: usize, j: usize| -> GridPosition {
                 let inner = (1..4).contains(&i) && (1..4).contains(&j);
                 let (dx, dy) = if inner { moves[(j - 1) * 3 + i - 1] } else { (0, 0) };
                 [i as i32 * cell + dx, j as i32 * cell + dy]

@@ -6,7 +6,7 @@
 
 use super::cover::{Band, Run, Weights};
 use super::fragments::{self, Block, Fragment, join};
-use super::grid::{BandPlace, HALF, SUBPIXELS};
+use super::grid::{BandExtent, HALF, SUBPIXELS};
 use super::scan_line::{Crossing, Outlines, crossing_pair};
 use super::triangles::Triangles;
 use crate::illumination::{LANES, Lanes};
@@ -183,7 +183,7 @@ pub fn interpolate<S: Simd>(
     fragments: &mut [Block],
 ) {
     open_gaps(band, fragments);
-    let BandPlace {
+    let BandExtent {
         first_row, width, ..
     } = band.place;
     let count = Block::count(width);

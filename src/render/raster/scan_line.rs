@@ -12,7 +12,7 @@
 //! edge is crossed, so that both use the same pairs.
 
 use super::cover::Band;
-use super::grid::{BandPlace, HALF, Place, SUBPIXELS};
+use super::grid::{BandExtent, GridPosition, HALF, SUBPIXELS};
 use super::transform::{BAND_HEIGHT, MANY, edge_table, edges, is_whole};
 use super::triangles::Triangles;
 use std::collections::HashMap;
@@ -30,7 +30,7 @@ pub struct Crossing {
 
 /// Returns the crossing of the line at height `y`, fixed point, with an edge.
 #[inline(always)]
-fn cross(ends: [u32; 2], places: &[Place], y: f64) -> Option<Crossing> {
+fn cross(ends: [u32; 2], places: &[GridPosition], y: f64) -> Option<Crossing> {
     let [a, b] = ends.map(|v| places[v as usize]);
     let (ya, yb) = (f64::from(a[1]), f64::from(b[1]));
     if (ya <= y) == (yb <= y) {
@@ -94,7 +94,7 @@ impl<'a> Outline<'a> {
     }
 
     /// Finds the crossings with the line at height `y`, fixed point, from the left.
-    pub fn cross(&self, places: &[Place], y: f64, crossings: &mut Vec<Crossing>) {
+    pub fn cross(&self, places: &[GridPosition], y: f64, crossings: &mut Vec<Crossing>) {
         let at = |ends| cross(ends, places, y);
         crossings.clear();
         match self {
@@ -113,7 +113,7 @@ impl<'a> Outline<'a> {
 /// The crossings of a band's polygons with its rows.
 pub struct Outlines<'a> {
     triangles: Triangles<'a>,
-    place: BandPlace,
+    place: BandExtent,
     /// True if rows are looked up in ascending order.
     sorted: bool,
     /// The face and row that `crossings` belong to; `None` for those of a triangle.

@@ -3,11 +3,11 @@
 //! Positions are fixed-point with [`SUBPIXEL_BITS`] fractional bits, so that coverage is decided in exact arithmetic. A vertex
 //! that is nearer than the near plane or farther out than the guard band has no position and sends its triangles to the clipper.
 
-use super::grid::{BAND, GUARD, Place, SUBPIXELS, UNPLACED};
+use super::grid::{BAND, GUARD, GridPosition, SUBPIXELS, UNPLACED};
 use crate::illumination::{LANES, Lanes, Real, V3};
 use crate::render::lens::{Lens, NEAR};
 use crate::render::model::Model;
-use crate::render::node::{Memory, room};
+use crate::render::node::{Memory, capacity};
 use fearless_simd::{Level, dispatch, i32x16, mask32x16, prelude::*};
 use rayon::prelude::*;
 use std::collections::HashMap;
@@ -20,7 +20,7 @@ const CHUNK: usize = 4096;
 #[derive(Default)]
 pub struct Placed {
     /// The position of each vertex, padding included; after them those that clipping adds.
-    pub places: Vec<Place>,
+    pub places: Vec<GridPosition>,
     /// The depth key of each, see [`Lens::key_from_depth`].
     pub keys: Vec<f32>,
     /// The rows of the picture.
@@ -36,12 +36,13 @@ impl Placed {
             .get()
             .into_iter()
             .flat_map(|table| table.values().flatten().flatten());
-        memory.vertices += room(&self.places) + room(&self.keys) + edges.map(room).sum::<u64>();
+        memory.vertices +=
+            capacity(&self.places) + capacity(&self.keys) + edges.map(capacity).sum::<u64>();
     }
 
     /// Returns the positions of a triangle's vertices.
     #[inline(always)]
-    pub fn corners(&self, [a, b, c]: [u32; 3]) -> [Place; 3] {
+    pub fn corners(&self, [a, b, c]: [u32; 3]) -> [GridPosition; 3] {
         [
             self.places[a as usize],
             self.places[b as usize],
@@ -126,7 +127,7 @@ fn transform<S: Simd>(
     simd: S,
     rows: &Rows,
     position: [&[f32]; 3],
-    places: &mut [Place],
+    places: &mut [GridPosition],
     keys: &mut [f32],
 ) {
     let [right, up, forward] = rows.rows;
@@ -171,7 +172,7 @@ pub fn edges(polygon: &[u32]) -> impl Iterator<Item = [u32; 2]> {
 }
 
 /// Returns whether a polygon has lost no corner to clipping.
-pub fn is_whole(polygon: &[u32], places: &[Place]) -> bool {
+pub fn is_whole(polygon: &[u32], places: &[GridPosition]) -> bool {
     polygon.iter().all(|&v| places[v as usize][0] != UNPLACED)
 }
 
@@ -182,7 +183,7 @@ pub type EdgeTable = HashMap<u32, Option<Vec<Vec<[u32; 2]>>>>;
 pub const BAND_HEIGHT: i32 = BAND.cast_signed() * SUBPIXELS;
 
 /// Builds the table of a model's faces in a picture of `rows` rows.
-pub fn edge_table(model: &Model, places: &[Place], rows: u32) -> EdgeTable {
+pub fn edge_table(model: &Model, places: &[GridPosition], rows: u32) -> EdgeTable {
     let last = rows.div_ceil(BAND).cast_signed() - 1;
     let bands = |polygon: &[u32]| {
         let mut bands = vec![Vec::new(); rows.div_ceil(BAND) as usize];

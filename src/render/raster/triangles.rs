@@ -4,11 +4,11 @@
 //! are in the order of the triangles whatever the number of threads.
 
 use super::clip::{Clipped, Cut};
-use super::grid::{BAND, Place, UNPLACED, doubled_area, first_centre};
+use super::grid::{BAND, GridPosition, UNPLACED, doubled_area, first_centre};
 use super::transform::Placed;
 use crate::render::lens::Lens;
 use crate::render::model::Model;
-use crate::render::node::{Memory, room};
+use crate::render::node::{Memory, capacity};
 use fearless_simd::Level;
 use rayon::prelude::*;
 
@@ -88,7 +88,7 @@ impl PlacedTriangles {
             .flat_map_iter(|chunk| chunk.bands.iter().zip(0_i32..));
         let backs = lists.map(|(list, band)| {
             // A triangle is in the list of every band that it reaches, and counted in the first.
-            let first = |corners: [Place; 3]| {
+            let first = |corners: [GridPosition; 3]| {
                 let top = corners.iter().map(|corner| corner[1]).min().unwrap_or(0);
                 first_centre(top).max(0) / BAND.cast_signed() == band
             };
@@ -114,7 +114,7 @@ impl PlacedTriangles {
             .chunks
             .iter()
             .flat_map(|chunk| chunk.bands.iter().chain([&chunk.clip]));
-        memory.triangles += lists.map(room).sum::<u64>();
+        memory.triangles += lists.map(capacity).sum::<u64>();
     }
 
     pub fn triangles<'a>(&'a self, model: &'a Model) -> Triangles<'a> {
@@ -141,7 +141,7 @@ impl Chunk {
     }
 
     #[inline]
-    fn sort_in(&mut self, index: u32, corners: [Place; 3], size: [u32; 2], cull: bool) {
+    fn sort_in(&mut self, index: u32, corners: [GridPosition; 3], size: [u32; 2], cull: bool) {
         let [a, b, c] = corners;
         if a[0] == UNPLACED || b[0] == UNPLACED || c[0] == UNPLACED {
             self.clip.push(index);
@@ -192,7 +192,7 @@ impl Triangles<'_> {
 
     /// Returns the positions of a triangle's vertices.
     #[inline(always)]
-    pub fn corners(&self, triangle: u32) -> [Place; 3] {
+    pub fn corners(&self, triangle: u32) -> [GridPosition; 3] {
         self.placed.corners(self.vertices(triangle))
     }
 

@@ -9,7 +9,7 @@ use super::packet::{Packet, RAYS};
 use super::world::{Beyond, DiffuseSurface, FloorScratch, LightScratch, World, in_range};
 use crate::illumination::{LANES, Lanes, Real, V3};
 use crate::render::lens::FARTHEST;
-use crate::render::node::{Memory, room};
+use crate::render::node::{Memory, capacity};
 use crate::render::raster::{Coverage, ROWS};
 use crate::scene::Rgb;
 use fearless_simd::{dispatch, prelude::*};
@@ -68,7 +68,7 @@ struct Scratch {
 
 impl Bounced {
     pub fn count(&self, memory: &mut Memory) {
-        memory.pixels += room(&self.scattered) + room(&self.receivers);
+        memory.pixels += capacity(&self.scattered) + capacity(&self.receivers);
     }
 
     /// Gathers light at every pixel; neither the floor nor `object` has the ambient light that the bounce replaces.

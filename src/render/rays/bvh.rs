@@ -4,7 +4,7 @@
 //! bounding volume hierarchies*, 2007). Coordinates are those of the model, relative to its origin.
 
 use crate::render::model::Model;
-use crate::render::node::{Memory, room};
+use crate::render::node::{Memory, capacity};
 use glam::Vec3;
 use rayon::join;
 
@@ -64,7 +64,7 @@ impl Bounds {
         high: Vec3::NEG_INFINITY,
     };
 
-    fn with(self, other: Self) -> Self {
+    fn union(self, other: Self) -> Self {
         Self {
             low: self.low.min(other.low),
             high: self.high.max(other.high),
@@ -97,7 +97,7 @@ impl Bvh {
             .zip(&model.triangles)
             .map(|(triangle, vertices)| {
                 let [a, b, c] = corners_of(vertices).map(Bounds::point);
-                let bounds = a.with(b).with(c);
+                let bounds = a.union(b).union(c);
                 Item {
                     bounds,
                     centre: (bounds.low + bounds.high) * 0.5,
@@ -129,7 +129,7 @@ impl Bvh {
     }
 
     pub fn count(&self, memory: &mut Memory) {
-        memory.triangles += room(&self.nodes) + room(&self.corners) + room(&self.order);
+        memory.triangles += capacity(&self.nodes) + capacity(&self.corners) + capacity(&self.order);
     }
 
     /// Returns the height of the lowest corner.
@@ -161,7 +161,7 @@ fn inner_radius(corners: &[[Vec3; 3]]) -> f64 {
 fn build(items: &mut [Item], nodes: &mut [Node], index: u32, first: u32, depth: usize) {
     let bounds = items
         .iter()
-        .fold(Bounds::EMPTY, |sum, item| sum.with(item.bounds));
+        .fold(Bounds::EMPTY, |sum, item| sum.union(item.bounds));
     let node = Node {
         low: bounds.low.to_array(),
         high: bounds.high.to_array(),
@@ -200,7 +200,7 @@ fn build(items: &mut [Item], nodes: &mut [Node], index: u32, first: u32, depth: 
 /// Divides `items` into two parts, neither of them empty, and returns the first part's length.
 fn split(items: &mut [Item], depth: usize) -> usize {
     let centres = items.iter().fold(Bounds::EMPTY, |sum, item| {
-        sum.with(Bounds::point(item.centre))
+        sum.union(Bounds::point(item.centre))
     });
     let size = centres.high - centres.low;
     let axis = size.max_position();
@@ -225,13 +225,13 @@ fn cheapest(items: &[Item], bin: impl Fn(&Item) -> usize) -> usize {
     let mut bins = [(Bounds::EMPTY, 0_usize); BINS];
     for item in items {
         let (bounds, count) = &mut bins[bin(item)];
-        *bounds = bounds.with(item.bounds);
+        *bounds = bounds.union(item.bounds);
         *count += 1;
     }
     let cost = |part: &[(Bounds, usize)]| {
         let (bounds, count) = part
             .iter()
-            .fold((Bounds::EMPTY, 0), |(b, n), (c, m)| (b.with(*c), n + m));
+            .fold((Bounds::EMPTY, 0), |(b, n), (c, m)| (b.union(*c), n + m));
         if count == 0 {
             0.0
         } else {

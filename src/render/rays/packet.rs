@@ -123,7 +123,12 @@ pub fn splat<S: Simd>(simd: S, v: Vec3) -> Vectors<S> {
 }
 
 #[inline(always)]
-pub fn load<S: Simd>(simd: S, x: &[f32; RAYS], y: &[f32; RAYS], z: &[f32; RAYS]) -> Vectors<S> {
+pub fn load_vectors<S: Simd>(
+    simd: S,
+    x: &[f32; RAYS],
+    y: &[f32; RAYS],
+    z: &[f32; RAYS],
+) -> Vectors<S> {
     [
         f32x16::from_slice(simd, x),
         f32x16::from_slice(simd, y),

@@ -4,7 +4,7 @@
 //! starts outside and ends outside must cross the surface. Margins are wider than the rounding; outside the range of sizes
 //! that they were derived for, the answer is "unknown".
 
-use super::packet::{PointRow, RAYS, Vectors, bits, dot, load, splat};
+use super::packet::{PointRow, RAYS, Vectors, bits, dot, load_vectors, splat};
 use crate::geometry::{cross, sub};
 use crate::illumination::area_hull;
 use crate::scene::{AreaShape, Light};
@@ -117,11 +117,11 @@ impl<S: Simd> Points<S> {
             planes[6][lane] = ((heights[lane] + slopes[lane] * lift).max(least) - ground) as f32;
         }
         let [x, y, z, nx, ny, nz, above] = &planes;
-        let (from, above) = (load(simd, x, y, z), f32x16::from_slice(simd, above));
+        let (from, above) = (load_vectors(simd, x, y, z), f32x16::from_slice(simd, above));
         let distance = dot(&from, &from).sqrt();
         Self {
             from,
-            normal: load(simd, nx, ny, nz),
+            normal: load_vectors(simd, nx, ny, nz),
             distance,
             error: (distance + balls.outer) * ROUNDINGS,
             above,

@@ -52,13 +52,13 @@ struct Queue {
     count: usize,
 }
 
-/// The target of a row's bits: a source has `stride` words.
-struct Sheet<'a> {
+/// The bits of a row, set where a point sees a source: a source has `stride` words.
+struct VisibilityMask<'a> {
     stride: usize,
     words: &'a mut [u64],
 }
 
-impl Sheet<'_> {
+impl VisibilityMask<'_> {
     /// Clears bits of a source; the lowest bit of `dark` is that of point `first`.
     #[inline(always)]
     fn darken(&mut self, source: usize, first: usize, dark: u32) {
@@ -212,15 +212,15 @@ impl<'a> ShadowCaster<'a> {
         words: &mut [u64],
         waiting: &mut Waiting,
     ) {
-        let mut sheet = Sheet { stride, words };
+        let mut visible = VisibilityMask { stride, words };
         waiting.0.resize_with(self.lamps.len(), Queue::default);
-        let least = if self.own {
+        let min_height = if self.own {
             self.least_height()
         } else {
             f64::NEG_INFINITY
         };
-        let heights =
-            [self.ground.unwrap_or(f64::NEG_INFINITY), least].map(|height| height - self.middle.y);
+        let heights = [self.ground.unwrap_or(f64::NEG_INFINITY), min_height]
+            .map(|height| height - self.middle.y);
         // Where light counts from either side, a ray starts on the side of its source.
         let sides: &[f64] = if self.own && self.flip {
             &[1.0, -1.0]
@@ -238,12 +238,12 @@ impl<'a> ShadowCaster<'a> {
                     points,
                 };
                 for (lamp, queue) in self.lamps.iter().zip(&mut waiting.0) {
-                    self.mark_lamp(simd, &group, lamp, &mut sheet, queue);
+                    self.mark_lamp(simd, &group, lamp, &mut visible, queue);
                 }
             }
         }
         for queue in &mut waiting.0 {
-            self.follow(simd, &mut sheet, queue);
+            self.follow(simd, &mut visible, queue);
         }
     }
 
@@ -254,7 +254,7 @@ impl<'a> ShadowCaster<'a> {
         simd: S,
         group: &Group<'_, S>,
         lamp: &Lamp,
-        sheet: &mut Sheet<'_>,
+        visible: &mut VisibilityMask<'_>,
         queue: &mut Queue,
     ) {
         let Group {
@@ -294,9 +294,9 @@ impl<'a> ShadowCaster<'a> {
             if unknown != 0 {
                 let [open, shut] = points.decide(simd, &way, target, self.balls);
                 dark |= unknown & shut;
-                self.wait(simd, group, unknown & !open & !shut, source, sheet, queue);
+                self.wait(simd, group, unknown & !open & !shut, source, visible, queue);
             }
-            sheet.darken(source, *first, dark);
+            visible.darken(source, *first, dark);
         }
     }
 
@@ -308,7 +308,7 @@ impl<'a> ShadowCaster<'a> {
         group: &Group<'_, S>,
         mut rays: u32,
         source: usize,
-        sheet: &mut Sheet<'_>,
+        visible: &mut VisibilityMask<'_>,
         queue: &mut Queue,
     ) {
         let Target {
@@ -332,24 +332,24 @@ impl<'a> ShadowCaster<'a> {
             queue.marks[count] = (source as u32, point as u32);
             queue.count += 1;
             if queue.count == RAYS {
-                self.follow(simd, sheet, queue);
+                self.follow(simd, visible, queue);
             }
         }
     }
 
     /// Follows the queued rays.
     #[inline(always)]
-    fn follow<S: Simd>(&self, simd: S, sheet: &mut Sheet<'_>, queue: &mut Queue) {
+    fn follow<S: Simd>(&self, simd: S, visible: &mut VisibilityMask<'_>, queue: &mut Queue) {
         let count = std::mem::take(&mut queue.count);
         if count == 0 {
             return;
         }
-        let asked = u32::MAX >> (32 - count);
-        let mut blocked = self.solid.blocked(simd, &queue.packet, asked);
+        let requested = u32::MAX >> (32 - count);
+        let mut blocked = self.solid.blocked(simd, &queue.packet, requested);
         while blocked != 0 {
             let (source, point) = queue.marks[blocked.trailing_zeros() as usize];
             blocked &= blocked - 1;
-            sheet.darken(source as usize, point as usize, 1);
+            visible.darken(source as usize, point as usize, 1);
         }
     }
 }

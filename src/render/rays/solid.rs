@@ -82,55 +82,55 @@ impl Solid<'_> {
         }
     }
 
-    /// Finds the rays blocked by the object among those whose bits are set in `asked`; the rays are relative to the ball's middle.
+    /// Finds the rays blocked by the object among those whose bits are set in `requested`; the rays are relative to the ball's middle.
     #[inline(always)]
-    pub fn blocked<S: Simd>(&self, simd: S, packet: &Packet, asked: u32) -> u32 {
+    pub fn blocked<S: Simd>(&self, simd: S, packet: &Packet, requested: u32) -> u32 {
         let Some(surface) = self.surface else {
-            return self.bvh.blocked(simd, packet, asked);
+            return self.bvh.blocked(simd, packet, requested);
         };
         let mut blocked = 0;
-        self.meet_surface(surface, packet, asked, DVec3::ZERO, |ray, hit| {
+        self.meet_surface(surface, packet, requested, DVec3::ZERO, |ray, hit| {
             blocked |= u32::from(hit.is_some_and(|hit| hit.t < packet.t_max[ray])) << ray;
         });
         blocked
     }
 
-    /// Calls `each` with every ray whose bit is set in `asked` and its point on the surface; rays are relative to `middle`.
+    /// Calls `each` with every ray whose bit is set in `requested` and its point on the surface; rays are relative to `middle`.
     fn meet_surface(
         &self,
         surface: &Surface,
         packet: &Packet,
-        asked: u32,
+        requested: u32,
         middle: DVec3,
         mut each: impl FnMut(usize, Option<SurfaceHit>),
     ) {
         let mut rays = [Ray::default(); RAYS];
-        for (slot, ray) in rays.iter_mut().zip(rays_of(asked)) {
+        for (slot, ray) in rays.iter_mut().zip(rays_of(requested)) {
             let (origin, direction, _) = packet.ray(ray);
             *slot = Ray {
                 origin: middle + origin,
                 direction,
             };
         }
-        let count = asked.count_ones() as usize;
+        let count = requested.count_ones() as usize;
         let hits = rays[..count]
             .chunks(TOGETHER)
             .flat_map(|rays| surface.intersect_all(self.level, rays, 0.0));
-        rays_of(asked)
+        rays_of(requested)
             .zip(hits)
             .for_each(|(ray, hit)| each(ray, hit));
     }
 
-    /// Calls `each` with every ray whose bit is set in `asked` and the first point that it meets; rays are relative to the middle.
+    /// Calls `each` with every ray whose bit is set in `requested` and the first point that it meets; rays are relative to the middle.
     pub fn nearest(
         &self,
         packet: &Packet,
-        asked: u32,
+        requested: u32,
         mut each: impl FnMut(usize, Option<SolidHit>),
     ) {
         let (middle, _) = self.ball();
         if let Some(surface) = self.surface {
-            self.meet_surface(surface, packet, asked, middle, |ray, hit| {
+            self.meet_surface(surface, packet, requested, middle, |ray, hit| {
                 let (start, direction, _) = packet.ray(ray);
                 let seen = |hit: SurfaceHit| SolidHit {
                     point: middle + start + direction * hit.t,
@@ -141,8 +141,8 @@ impl Solid<'_> {
             });
             return;
         }
-        let nearest = dispatch!(self.level, simd => self.bvh.nearest(simd, packet, asked));
-        for ray in rays_of(asked) {
+        let nearest = dispatch!(self.level, simd => self.bvh.nearest(simd, packet, requested));
+        for ray in rays_of(requested) {
             let (origin, direction, _) = packet.ray(ray);
             let hit = |(t, triangle, weights): (f64, u32, [f64; 2])| {
                 let [a, b, c] =
@@ -154,7 +154,7 @@ impl Solid<'_> {
                     facing,
                 }
             };
-            each(ray, nearest.of(ray).map(hit));
+            each(ray, nearest.hit(ray).map(hit));
         }
     }
 

@@ -5,7 +5,7 @@
 //! precision, so that the answers depend neither on the SIMD level nor on the grouping of the rays.
 
 use super::bvh::{Bvh, Node, STACK};
-use super::packet::{self, Packet, RAYS, Vectors, bits, load};
+use super::packet::{self, Packet, RAYS, Vectors, bits, load_vectors};
 use crate::geometry::{cross, dot, sub};
 use fearless_simd::{f32x16, f64x8, prelude::*};
 use glam::{DVec3, Vec3};
@@ -23,17 +23,17 @@ const LEVEL: f64 = 1e-30;
 type Exact<S> = [f64x8<S>; 3];
 
 impl Bvh {
-    /// Finds the rays, among those whose bits are set in `asked`, on which anything lies for 0 < t < t_max.
+    /// Finds the rays, among those whose bits are set in `requested`, on which anything lies for 0 < t < t_max.
     #[inline(always)]
-    pub fn blocked<S: Simd>(&self, simd: S, packet: &Packet, asked: u32) -> u32 {
+    pub fn blocked<S: Simd>(&self, simd: S, packet: &Packet, requested: u32) -> u32 {
         let Some(root) = self.nodes.first() else {
             return 0;
         };
         let rays = Rays::new(simd, packet, f64::from(root.radius()));
         let mut stack = [(0_u32, 0_u32); STACK];
         let mut waiting = 0;
-        let mut open = asked;
-        let (mut here, mut among) = (0, rays.enter(simd, root).0 & asked);
+        let mut open = requested;
+        let (mut here, mut among) = (0, rays.enter(simd, root).0 & requested);
         loop {
             let node = &self.nodes[here as usize];
             if among == 0 {
@@ -48,7 +48,7 @@ impl Bvh {
                     }
                 }
                 if open == 0 {
-                    return asked;
+                    return requested;
                 }
             } else {
                 let (left, right) = (here + 1, node.start);
@@ -69,7 +69,7 @@ impl Bvh {
                 }
             }
             if waiting == 0 {
-                return asked & !open;
+                return requested & !open;
             }
             waiting -= 1;
             (here, among) = (stack[waiting].0, stack[waiting].1 & open);
@@ -87,15 +87,15 @@ pub struct Nearest {
 
 impl Nearest {
     /// Returns the distance at which a ray meets its triangle, the triangle, and the weights of its second and third corner there.
-    pub fn of(&self, ray: usize) -> Option<(f64, u32, [f64; 2])> {
+    pub fn hit(&self, ray: usize) -> Option<(f64, u32, [f64; 2])> {
         let weights = [self.weights[0][ray], self.weights[1][ray]];
         (self.met >> ray & 1 == 1).then(|| (self.t[ray], self.triangle[ray], weights))
     }
 
     /// Stores the meetings of half a packet.
     #[inline(always)]
-    fn take<S: Simd>(&mut self, met: &Met<S>, asked: u32, first: usize, triangle: u32) -> bool {
-        let rays = met.rays & asked >> first;
+    fn take<S: Simd>(&mut self, met: &Met<S>, requested: u32, first: usize, triangle: u32) -> bool {
+        let rays = met.rays & requested >> first;
         for lane in (0..HALF).filter(|lane| rays >> lane & 1 == 1) {
             let ray = first + lane;
             self.t[ray] = met.t[lane];
@@ -109,9 +109,9 @@ impl Nearest {
 }
 
 impl Bvh {
-    /// Finds the first triangle on each of the rays whose bits are set in `asked`, for 0 < t < t_max.
+    /// Finds the first triangle on each of the rays whose bits are set in `requested`, for 0 < t < t_max.
     #[inline(always)]
-    pub fn nearest<S: Simd>(&self, simd: S, packet: &Packet, asked: u32) -> Nearest {
+    pub fn nearest<S: Simd>(&self, simd: S, packet: &Packet, requested: u32) -> Nearest {
         let mut nearest = Nearest {
             t: packet.t_max,
             triangle: [0; RAYS],
@@ -124,7 +124,7 @@ impl Bvh {
         let mut rays = Rays::new(simd, packet, f64::from(root.radius()));
         let mut stack = [(0_u32, 0_u32); STACK];
         let mut waiting = 0;
-        let (mut here, mut among) = (0, rays.enter(simd, root).0 & asked);
+        let (mut here, mut among) = (0, rays.enter(simd, root).0 & requested);
         loop {
             let node = &self.nodes[here as usize];
             if node.count > 0 && among != 0 {
@@ -265,11 +265,11 @@ impl<S: Simd> Rays<S> {
             errors[1][ray] = error as f32;
         }
         let mut rays = Self {
-            from_low: load(simd, &low[0], &low[1], &low[2]),
-            from_high: load(simd, &high[0], &high[1], &high[2]),
-            inverse: load(simd, &inverse[0], &inverse[1], &inverse[2]),
-            origin: load(simd, &near[0], &near[1], &near[2]),
-            direction: load(simd, &way[0], &way[1], &way[2]),
+            from_low: load_vectors(simd, &low[0], &low[1], &low[2]),
+            from_high: load_vectors(simd, &high[0], &high[1], &high[2]),
+            inverse: load_vectors(simd, &inverse[0], &inverse[1], &inverse[2]),
+            origin: load_vectors(simd, &near[0], &near[1], &near[2]),
+            direction: load_vectors(simd, &way[0], &way[1], &way[2]),
             limit: f32x16::splat(simd, 0.0),
             error: f32x16::from_slice(simd, &errors[0]),
             depth_error: f32x16::from_slice(simd, &errors[1]),
@@ -379,10 +379,10 @@ fn meet_half<S: Simd>(
     let q = cross(from, e1);
     let w2 = dot(direction, q) * inverse;
     let t = dot(e2, q) * inverse;
-    let (least, most) = (f64x8::splat(simd, -SEAM), f64x8::splat(simd, 1.0 + SEAM));
+    let (min, max) = (f64x8::splat(simd, -SEAM), f64x8::splat(simd, 1.0 + SEAM));
     let zero = f64x8::splat(simd, 0.0);
     let limit = f64x8::from_slice(simd, &limit[first..first + HALF]);
-    let within = w1.simd_ge(least) & w1.simd_le(most) & w2.simd_ge(least) & (w1 + w2).simd_le(most);
+    let within = w1.simd_ge(min) & w1.simd_le(max) & w2.simd_ge(min) & (w1 + w2).simd_le(max);
     let met = within & t.simd_gt(zero) & t.simd_lt(limit) & determinant.simd_ne(zero);
     Met {
         rays: met.to_bitmask() as u32,
@@ -495,12 +495,14 @@ mod tests {
                 let met = (0..RAYS).fold(0, |bits, k| bits | u32::from(expected[k].is_some()) << k);
                 found += met.count_ones();
                 for level in [Level::new(), Level::baseline()] {
-                    for asked in [0xffff, 0xff0f, 0x00f0, 0x0008, 0] {
-                        let blocked = dispatch!(level, simd => bvh.blocked(simd, &packet, asked));
-                        assert_eq!(blocked, met & asked, "{kind:?}");
-                        let nearest = dispatch!(level, simd => bvh.nearest(simd, &packet, asked));
-                        for k in (0..RAYS).filter(|k| asked >> k & 1 == 1) {
-                            let alone = nearest.of(k).map(|(t, ..)| t);
+                    for requested in [0xffff, 0xff0f, 0x00f0, 0x0008, 0] {
+                        let blocked =
+                            dispatch!(level, simd => bvh.blocked(simd, &packet, requested));
+                        assert_eq!(blocked, met & requested, "{kind:?}");
+                        let nearest =
+                            dispatch!(level, simd => bvh.nearest(simd, &packet, requested));
+                        for k in (0..RAYS).filter(|k| requested >> k & 1 == 1) {
+                            let alone = nearest.hit(k).map(|(t, ..)| t);
                             assert!(
                                 alone
                                     .zip(expected[k])
@@ -551,7 +553,7 @@ mod tests {
         packet.set(0, DVec3::Z, -DVec3::Z, f64::INFINITY);
         for bvh in [Bvh::new(&place), Bvh::new(&Model::default())] {
             assert_eq!(
-                dispatch!(Level::new(), simd => bvh.nearest(simd, &packet, 1)).of(0),
+                dispatch!(Level::new(), simd => bvh.nearest(simd, &packet, 1)).hit(0),
                 None
             );
         }

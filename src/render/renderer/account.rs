@@ -2,7 +2,7 @@
 //!
 //! A line that counts evaluations is really evaluated, however little it adds. Counts are of a frame in which every stage runs.
 
-use super::frame::{Report, Stage};
+use super::frame::{FrameReport, Stage};
 use super::plan::{Cued, NO_LIGHT, Per, Plan, casts_shadows, not_cued, silences, stiff};
 use crate::illumination::{Equation, SpecularForm};
 use crate::render::model::Model;
@@ -87,7 +87,7 @@ pub struct Account<'a> {
     pub scene: &'a Scene,
     pub plan: &'a Plan,
     pub model: &'a Model,
-    pub report: &'a Report,
+    pub report: &'a FrameReport,
     /// The number of the picture's triangles that show their back.
     pub backs: u64,
     /// The number of colours that flat shading prepares: one for each sequence of runs of one face.
@@ -147,7 +147,7 @@ impl Account<'_> {
     }
 
     fn geometry(&self) -> Vec<Term> {
-        let Report {
+        let FrameReport {
             vertices,
             triangles,
             candidates,
@@ -452,7 +452,7 @@ impl Account<'_> {
 
     /// Returns the frequency of the equation's evaluation, and the number of evaluations.
     fn shading_points(&self) -> (Per, u64) {
-        let Report {
+        let FrameReport {
             points, covered, ..
         } = *self.report;
         (

@@ -8,9 +8,9 @@ use super::shade::{Carried, Evaluated, Stored, Target, Unstored, shade};
 use crate::illumination::SpecularForm;
 use crate::render::lens::pixel_centre;
 use crate::render::model::Planes;
-use crate::render::node::{Memory, room};
+use crate::render::node::{Memory, capacity};
 use crate::render::raster::{
-    BAND, Band, BandPlace, Block, DepthScratch, Fragment, PlacedTriangles, ROWS, carry, fragment,
+    BAND, Band, BandExtent, Block, DepthScratch, Fragment, PlacedTriangles, ROWS, carry, fragment,
     interpolate, is_seen, meet_band,
 };
 use crate::scene::FlatAt;
@@ -30,8 +30,8 @@ pub struct Interpolated {
 
 impl Interpolated {
     pub fn count(&self, memory: &mut Memory) {
-        memory.vertices += self.carried.iter().map(room).sum::<u64>();
-        memory.pixels += room(&self.fragments);
+        memory.vertices += self.carried.iter().map(capacity).sum::<u64>();
+        memory.pixels += capacity(&self.fragments);
     }
 }
 
@@ -60,7 +60,7 @@ pub struct BandPainter<'a> {
 }
 
 /// One band's share of the buffers.
-struct Job<'a> {
+struct BandTask<'a> {
     index: usize,
     band: &'a mut Band,
     fragments: &'a mut [Block],
@@ -113,10 +113,10 @@ impl BandPainter<'_> {
             }
         }
         let carrying = self.now().saturating_sub(began);
-        let jobs = jobs(bands, fragments, canvas, [width, height]).into_par_iter();
+        let tasks = band_tasks(bands, fragments, canvas, [width, height]).into_par_iter();
         let sum = |a: Tally, b: Tally| std::array::from_fn(|k| a[k] + b[k]);
-        let [covering, interpolating, shading, overflowing] = jobs
-            .map(|job| self.paint(job, carried))
+        let [covering, interpolating, shading, overflowing] = tasks
+            .map(|task| self.paint(task, carried))
             .reduce(Tally::default, sum);
         let threads = rayon::current_num_threads().max(1) as u64;
         [
@@ -142,17 +142,17 @@ impl BandPainter<'_> {
             }
     }
 
-    fn paint(&self, job: Job<'_>, carried: &[Vec<Fragment>]) -> Tally {
+    fn paint(&self, task: BandTask<'_>, carried: &[Vec<Fragment>]) -> Tally {
         if !self.inputs.plan.has_fragments() || self.inputs.plan.keeps_fragments() {
-            return self.paint_with(job, carried);
+            return self.paint_with(task, carried);
         }
         FRAGMENTS.with_borrow_mut(|fragments| {
-            fragments.resize(ROWS * Block::count(job.band.place.width), Block::GAP);
-            self.paint_with(Job { fragments, ..job }, carried)
+            fragments.resize(ROWS * Block::count(task.band.place.width), Block::GAP);
+            self.paint_with(BandTask { fragments, ..task }, carried)
         })
     }
 
-    fn paint_with(&self, mut job: Job<'_>, carried: &[Vec<Fragment>]) -> Tally {
+    fn paint_with(&self, mut task: BandTask<'_>, carried: &[Vec<Fragment>]) -> Tally {
         let mut tally = Tally::default();
         let mut last = self.now();
         let mut lap = |step: usize| {
@@ -161,22 +161,22 @@ impl BandPainter<'_> {
             last = now;
         };
         if self.stale.coverage {
-            self.cover(&mut job);
+            self.cover(&mut task);
             lap(0);
         }
         let (interpolates, kept) = (self.interpolates(), self.inputs.plan.keeps_fragments());
         if interpolates && kept {
-            self.interpolate(&mut job, &carried[0]);
+            self.interpolate(&mut task, &carried[0]);
             lap(1);
         }
         let mut overflowing = 0;
         // From the right, since the lanes of a part's first pixels may reach into the part before it.
         for (index, part) in self.parts.iter().enumerate().rev().filter(|_| self.shades) {
             if interpolates && !kept {
-                self.interpolate(&mut job, &carried[index]);
+                self.interpolate(&mut task, &carried[index]);
                 lap(1);
             }
-            overflowing += self.shade(&mut job, part, self.intensity.get(index));
+            overflowing += self.shade(&mut task, part, self.intensity.get(index));
             lap(2);
         }
         tally[3] = overflowing;
@@ -184,21 +184,21 @@ impl BandPainter<'_> {
     }
 
     /// Carries the vertices' values to every pixel of a band.
-    fn interpolate(&self, job: &mut Job<'_>, carried: &[Fragment]) {
-        let Job {
+    fn interpolate(&self, task: &mut BandTask<'_>, carried: &[Fragment]) {
+        let BandTask {
             band, fragments, ..
-        } = job;
+        } = task;
         let (sources, scanline) = ((self.inputs.triangles, carried), self.inputs.plan.scanline);
         dispatch!(self.inputs.level, simd => interpolate(simd, band, sources, scanline, fragments));
     }
 
-    fn cover(&self, job: &mut Job<'_>) {
-        let Job {
+    fn cover(&self, task: &mut BandTask<'_>) {
+        let BandTask {
             index,
             band,
             fragments,
             ..
-        } = job;
+        } = task;
         let Inputs {
             level,
             plan,
@@ -228,23 +228,23 @@ impl BandPainter<'_> {
     }
 
     /// Shades a part of a band; returns the number of overflowing pixels.
-    fn shade(&self, job: &mut Job<'_>, part: &Part, intensity: Option<&Planes>) -> u64 {
+    fn shade(&self, task: &mut BandTask<'_>, part: &Part, intensity: Option<&Planes>) -> u64 {
         let encoding = self.inputs.scene.display.encoding;
         let background = self.inputs.scene.image.background;
-        if job.linear.is_empty() {
+        if task.linear.is_empty() {
             let target = Stored {
-                pixels: &mut *job.pixels,
+                pixels: &mut *task.pixels,
                 background: stored_pixel(background, encoding),
                 encoding,
             };
-            self.shade_into((job.band, job.fragments), part, intensity, target)
+            self.shade_into((task.band, task.fragments), part, intensity, target)
         } else {
             let [r, g, b] = background.as_vec3().to_array();
             let target = Unstored {
-                pixels: &mut *job.linear,
+                pixels: &mut *task.linear,
                 background: [r, g, b, 0.0],
             };
-            self.shade_into((job.band, job.fragments), part, intensity, target)
+            self.shade_into((task.band, task.fragments), part, intensity, target)
         }
     }
 
@@ -383,23 +383,23 @@ fn vectorised<S: Simd>(_: S, work: impl FnOnce()) {
 }
 
 /// Splits the buffers into bands.
-fn jobs<'a>(
+fn band_tasks<'a>(
     bands: &'a mut [Band],
     fragments: &'a mut [Block],
     canvas: (&'a mut [[u8; 4]], &'a mut [Linear]),
     [width, height]: [u32; 2],
-) -> Vec<Job<'a>> {
+) -> Vec<BandTask<'a>> {
     let share = (BAND * width) as usize;
     let mut fragments = fragments.chunks_mut(ROWS * Block::count(width));
     let (mut pixels, mut linear) = (canvas.0.chunks_mut(share), canvas.1.chunks_mut(share));
     let bands = bands.iter_mut().zip((0..height).step_by(ROWS)).enumerate();
-    let job = |(index, (band, first_row)): (usize, (&'a mut Band, u32))| {
-        band.place = BandPlace {
+    let task = |(index, (band, first_row)): (usize, (&'a mut Band, u32))| {
+        band.place = BandExtent {
             first_row,
             rows: BAND.min(height - first_row),
             width,
         };
-        Job {
+        BandTask {
             index,
             band,
             fragments: fragments.next().unwrap_or_default(),
@@ -407,5 +407,5 @@ fn jobs<'a>(
             linear: linear.next().unwrap_or_default(),
         }
     };
-    bands.map(job).collect()
+    bands.map(task).collect()
 }

@@ -7,7 +7,7 @@
 use super::display::Linear;
 use super::plan::{Cued, Inputs};
 use crate::render::model::{Model, Planes};
-use crate::render::node::{Memory, room};
+use crate::render::node::{Memory, capacity};
 use crate::render::raster::{Block, Coverage, Fragment, ROWS, carry, fragment, interpolate};
 use crate::scene::FlatAt;
 use fearless_simd::dispatch;
@@ -60,8 +60,8 @@ pub struct CueLayer {
 
 impl CueLayer {
     pub fn count(&self, memory: &mut Memory) {
-        memory.vertices += room(&self.carried);
-        memory.pixels += room(&self.scales) + room(&self.fragments);
+        memory.vertices += capacity(&self.carried);
+        memory.pixels += capacity(&self.scales) + capacity(&self.fragments);
     }
 
     /// Computes s0 at each pixel; `middles` are those of the faces relative to the model's origin, where a flat polygon's

@@ -139,7 +139,7 @@ pub fn display(
     out: &mut [[u8; 4]],
 ) -> f64 {
     // The fourth component is 1 at most.
-    let peak = |line: &[Linear]| dispatch!(level, simd => greatest(simd, line.as_flattened()));
+    let peak = |line: &[Linear]| dispatch!(level, simd => max_of(simd, line.as_flattened()));
     let divisor = match policy.overflow {
         Overflow::Scale => linear
             .par_chunks_exact(width)
@@ -159,7 +159,7 @@ pub fn display(
 
 /// Returns the largest of some numbers and 1.
 #[inline(always)]
-fn greatest<S: Simd>(simd: S, values: &[f32]) -> f32 {
+fn max_of<S: Simd>(simd: S, values: &[f32]) -> f32 {
     let vectors = values.chunks_exact(LANES);
     let rest = vectors.remainder().iter().copied().fold(1.0, f32::max);
     let mut most = Lanes::splat(simd, rest);

@@ -90,7 +90,7 @@ pub struct StageRun {
 
 /// The report of the last call of `render`.
 #[derive(Clone, Debug, Default, PartialEq, serde::Serialize, serde::Deserialize)]
-pub struct Report {
+pub struct FrameReport {
     /// Every stage in its order, those that did not run included.
     pub stages: Vec<StageRun>,
     /// The time of the whole call by the renderer's clock; 0 without a clock.
@@ -120,7 +120,7 @@ pub struct Report {
     pub ambient_fit: Option<[f64; 3]>,
 }
 
-impl Report {
+impl FrameReport {
     /// Starts the report of a frame: no stage has run.
     pub(super) fn begin(&mut self) {
         let run = |stage| StageRun {

@@ -17,7 +17,7 @@ pub struct Part {
 
 impl Part {
     /// Returns the parts of the picture of `scene`, from left to right, with the lights of `equation`.
-    pub fn of(scene: &Scene, equation: &Equation<f32>) -> Vec<Self> {
+    pub fn all(scene: &Scene, equation: &Equation<f32>) -> Vec<Self> {
         let bouncing = bouncing(scene);
         let part = |columns: Range<usize>, bounces| Self {
             columns,

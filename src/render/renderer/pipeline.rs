@@ -6,7 +6,7 @@ use super::account::{Account, Term};
 use super::bands::{BandPainter, Interpolated, Stale};
 use super::cue::{CueLayer, fade_pixels};
 use super::display::{Linear, compose, display};
-use super::frame::{Frame, Report, Stage};
+use super::frame::{Frame, FrameReport, Stage};
 use super::parts::Part;
 use super::plan::{Cued, Inputs, Per, Plan};
 use super::ray_nodes::RayNodes;
@@ -67,8 +67,8 @@ pub struct Renderer {
     pub(super) keeps_linear: bool,
     leaves_nothing_out: bool,
     /// The inputs of the last picture.
-    pub(super) drawn: Option<Job>,
-    report: Report,
+    pub(super) drawn: Option<PlannedFrame>,
+    report: FrameReport,
 }
 
 impl fmt::Debug for Renderer {
@@ -87,8 +87,8 @@ pub(super) struct Picture {
     pub linear: Vec<Linear>,
 }
 
-/// The inputs of a frame.
-pub(super) struct Job {
+/// A frame with its plan, its camera and the equation of each part.
+pub(super) struct PlannedFrame {
     pub scene: Scene,
     pub plan: Plan,
     pub lens: Lens,
@@ -158,17 +158,17 @@ impl Renderer {
         let before = self.extent();
         self.mesh(scene);
         self.give_back_unused(before, size);
-        let job = self.plan_frame(scene, size, offset, linear);
-        self.place(&job);
-        self.points(&job);
+        let planned = self.plan_frame(scene, size, offset, linear);
+        self.place(&planned);
+        self.points(&planned);
         // Coverage and interpolation wait for the rays or the shading: a band goes through all at once.
-        self.cover(&job);
-        self.interpolate(&job);
-        self.rays(&job);
-        if self.shade(&job) {
-            self.display(&job);
+        self.cover(&planned);
+        self.interpolate(&planned);
+        self.rays(&planned);
+        if self.shade(&planned) {
+            self.display(&planned);
         }
-        self.drawn = Some(job);
+        self.drawn = Some(planned);
         self.report.nanoseconds = self.since(began);
         &self.picture.output.frame
     }
@@ -233,7 +233,13 @@ impl Renderer {
     }
 
     /// Plans the frame: the points where the equation is evaluated, and the work left out.
-    fn plan_frame(&mut self, scene: &Scene, size: [u32; 2], offset: DVec2, linear: bool) -> Job {
+    fn plan_frame(
+        &mut self,
+        scene: &Scene,
+        size: [u32; 2],
+        offset: DVec2,
+        linear: bool,
+    ) -> PlannedFrame {
         let mut plan = Plan::for_scene(scene, &self.model.output);
         if self.leaves_nothing_out {
             plan.leave_nothing_out(scene);
@@ -255,26 +261,26 @@ impl Renderer {
         } else {
             equation.leave_nothing_out(scene);
         }
-        Job {
+        PlannedFrame {
             scene: scene.clone(),
             plan,
             lens,
-            parts: Part::of(scene, &equation),
+            parts: Part::all(scene, &equation),
         }
     }
 
     /// Places the triangles in the picture, clipped and sorted into bands of rows.
-    fn place(&mut self, job: &Job) {
+    fn place(&mut self, planned: &PlannedFrame) {
         let began = self.now();
-        if job.plan.true_surface {
+        if planned.plan.true_surface {
             (self.report.candidates, self.report.clipped) = (0, 0);
             return;
         }
-        let (size, cull) = (job.scene.image.size, job.plan.cull);
-        let key = (self.model.stamp, job.lens, size, cull);
+        let (size, cull) = (planned.scene.image.size, planned.plan.cull);
+        let key = (self.model.stamp, planned.lens, size, cull);
         let (level, model) = (self.level(), &self.model.output);
         let ran = self.placed.update(key, |placed| {
-            placed.run(level, &job.lens, model, size, cull);
+            placed.run(level, &planned.lens, model, size, cull);
         });
         let PlacedTriangles {
             clipped,
@@ -287,13 +293,13 @@ impl Renderer {
     }
 
     /// Evaluates the equation at vertices or faces, where the mode evaluates it there.
-    fn points(&mut self, job: &Job) {
-        let Job {
+    fn points(&mut self, planned: &PlannedFrame) {
+        let PlannedFrame {
             scene,
             plan,
             lens,
             parts,
-        } = job;
+        } = planned;
         self.report.points = 0;
         if plan.per == Per::Pixel {
             return;
@@ -307,7 +313,7 @@ impl Renderer {
         if plan.shadows {
             let began = self.now();
             let mut rays = take(&mut self.rays);
-            let ran = rays.shadow_points(&self.inputs(job), self.model.stamp, count);
+            let ran = rays.shadow_points(&self.inputs(planned), self.model.stamp, count);
             self.rays = rays;
             self.note(Stage::Rays, ran, began, 0);
         }
@@ -330,7 +336,7 @@ impl Renderer {
         );
         let mut points = take(&mut self.points);
         let ran = points.update(key, |intensities| {
-            let (inputs, model) = (self.inputs(job), &self.model.output);
+            let (inputs, model) = (self.inputs(planned), &self.model.output);
             let [centre, facing] = &self.faces.output;
             let at = if at_faces {
                 [centre, facing]
@@ -357,9 +363,9 @@ impl Renderer {
     /// Finds the triangle that each pixel shows.
     fn cover(
         &mut self,
-        Job {
+        PlannedFrame {
             scene, plan, lens, ..
-        }: &Job,
+        }: &PlannedFrame,
     ) {
         let source = if plan.true_surface {
             self.surface.stamp
@@ -387,7 +393,7 @@ impl Renderer {
     }
 
     /// Interpolates the carried values at each pixel.
-    fn interpolate(&mut self, Job { scene, plan, .. }: &Job) {
+    fn interpolate(&mut self, PlannedFrame { scene, plan, .. }: &PlannedFrame) {
         let source = match plan.per {
             _ if plan.true_surface => 0,
             Per::Pixel => self.model.stamp,
@@ -401,24 +407,24 @@ impl Renderer {
     }
 
     /// Follows the rays that start from the points shown.
-    fn rays(&mut self, job: &Job) {
-        if !job.plan.follows_rays() {
+    fn rays(&mut self, planned: &PlannedFrame) {
+        if !planned.plan.follows_rays() {
             return;
         }
         if self.stale.interpolation {
-            self.paint(job, false);
+            self.paint(planned, false);
         }
         let began = self.now();
-        let object = if job.plan.true_surface {
+        let object = if planned.plan.true_surface {
             self.surface.stamp
         } else {
             self.model.stamp
         };
         let mut rays = take(&mut self.rays);
         let ran = rays.follow(
-            &self.inputs(job),
-            self.coverage(&job.scene),
-            &job.parts,
+            &self.inputs(planned),
+            self.coverage(&planned.scene),
+            &planned.parts,
             [object, self.bands.stamp],
         );
         self.rays = rays;
@@ -427,13 +433,13 @@ impl Renderer {
 
     /// Evaluates the equation at pixels, or takes the colours carried to them, with s0 where pixels fade. Returns whether
     /// the picture is shaded anew.
-    fn shade(&mut self, job: &Job) -> bool {
-        let Job {
+    fn shade(&mut self, planned: &PlannedFrame) -> bool {
+        let PlannedFrame {
             scene,
             plan,
             lens,
             parts,
-        } = job;
+        } = planned;
         let flat_at = (!plan.carries).then_some(scene.shading.flat_at);
         let cue = plan.cues_pixels().then(|| {
             let rule = (
@@ -469,14 +475,14 @@ impl Renderer {
             cue,
         ));
         if shaded {
-            self.paint(job, true);
+            self.paint(planned, true);
         }
         if let Some(key) = cue {
             let began = self.now();
             let mut cue = take(&mut self.cue);
             let run = |layer: &mut CueLayer| {
                 layer.run(
-                    &self.inputs(job),
+                    &self.inputs(planned),
                     self.coverage(scene),
                     &self.faces.output[0],
                 );
@@ -489,7 +495,7 @@ impl Renderer {
     }
 
     /// Runs the steps that need the whole picture: composing, fading, and the display's policy.
-    fn display(&mut self, Job { scene, plan, .. }: &Job) {
+    fn display(&mut self, PlannedFrame { scene, plan, .. }: &PlannedFrame) {
         let (began, level) = (self.now(), self.level());
         let report = &mut self.report;
         let fit = self
@@ -520,17 +526,17 @@ impl Renderer {
     }
 
     /// Takes every band through the steps that are out of date, and through shading if the frame is to be shaded.
-    fn paint(&mut self, job: &Job, shades: bool) {
-        let (plan, stale) = (&job.plan, take(&mut self.stale));
+    fn paint(&mut self, planned: &PlannedFrame, shades: bool) {
+        let (plan, stale) = (&planned.plan, take(&mut self.stale));
         let (mut bands, mut interpolated, mut picture) = (
             take(&mut self.bands),
             take(&mut self.interpolated),
             take(&mut self.picture),
         );
         let painter = BandPainter {
-            inputs: self.inputs(job),
+            inputs: self.inputs(planned),
             clock: self.clock,
-            parts: &job.parts,
+            parts: &planned.parts,
             placed: &self.placed.output,
             intensity: &self.points.output,
             stale,
@@ -539,7 +545,7 @@ impl Renderer {
         let canvas: (&mut [_], &mut [_]) = if shades {
             picture
                 .output
-                .canvas(job.scene.image.size, plan.whole_picture)
+                .canvas(planned.scene.image.size, plan.whole_picture)
         } else {
             Default::default()
         };
@@ -589,9 +595,9 @@ impl Renderer {
     /// Returns the inputs of a frame's steps.
     pub(super) fn inputs<'a>(
         &'a self,
-        Job {
+        PlannedFrame {
             scene, plan, lens, ..
-        }: &'a Job,
+        }: &'a PlannedFrame,
     ) -> Inputs<'a> {
         Inputs {
             level: self.level(),
@@ -621,18 +627,18 @@ impl Renderer {
     }
 
     /// Returns the report of the last call of [`Renderer::render`].
-    pub fn report(&self) -> &Report {
+    pub fn report(&self) -> &FrameReport {
         &self.report
     }
 
     /// Returns the terms and steps of the last picture: how often each is evaluated, or why it is left out.
     pub fn terms(&self) -> Vec<Term> {
-        let Some(job) = &self.drawn else {
+        let Some(planned) = &self.drawn else {
             return Vec::new();
         };
-        let Job {
+        let PlannedFrame {
             scene, plan, parts, ..
-        } = job;
+        } = planned;
         let culled = plan.cull || plan.true_surface;
         let backs = if culled {
             0

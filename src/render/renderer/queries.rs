@@ -1,7 +1,7 @@
 //! Queries about the last picture.
 
 use super::frame::Frame;
-use super::pipeline::{Job, Renderer};
+use super::pipeline::{PlannedFrame, Renderer};
 use super::plan::{Inputs, Plan};
 use super::ray_nodes::Mixture;
 use super::reference::{Evaluation, WeightedPoint};
@@ -135,7 +135,7 @@ impl Renderer {
 
     /// Returns the light mixed into the equation's value at a pixel of the last picture that shows the object.
     pub(crate) fn mixture(&self, x: u32, y: u32) -> Option<Mixture> {
-        let Job { scene, plan, .. } = self.drawn.as_ref()?;
+        let PlannedFrame { scene, plan, .. } = self.drawn.as_ref()?;
         let last = self.last().filter(|_| plan.composes)?;
         self.rays.mixture_at(&last, self.coverage(scene), [x, y])
     }

@@ -4,7 +4,7 @@
 use super::parts::{Part, bouncing, floor_ka};
 use super::plan::{Inputs, Per, Plan};
 use crate::render::lens::pixel_centre;
-use crate::render::node::{Memory, Node, room};
+use crate::render::node::{Memory, Node, capacity};
 use crate::render::raster::Coverage;
 use crate::render::rays::{
     Bounced, Bvh, DiffuseSurface, LightScratch, PrimaryHits, ShadowCaster, Solid, Transmission,
@@ -144,8 +144,8 @@ impl RayNodes {
             Per::Face => &mut memory.triangles,
             _ => &mut memory.pixels,
         };
-        *bits += room(&self.visibility.output.words);
-        memory.pixels += room(&self.background.output);
+        *bits += capacity(&self.visibility.output.words);
+        memory.pixels += capacity(&self.background.output);
         self.boxes.output.count(memory);
         self.bounced.output.count(memory);
     }

@@ -283,7 +283,12 @@ impl<'a> Inputs<'a> {
     }
 
     /// Returns the ends of the edges that P and Q lie on, with their weights (Gouraud 1971).
-    fn along_line(&self, pair: &[Crossing; 2], place: DVec2, grid: bool) -> Vec<(Corner, f64)> {
+    fn along_line(
+        &self,
+        pair: &[Crossing; 2],
+        place: DVec2,
+        grid: bool,
+    ) -> Vec<(ProjectedVertex, f64)> {
         let [p, q] = pair.map(|Crossing { ends, alpha, .. }| {
             let [a, b] = ends.map(|v| self.corner(v, grid));
             let exact = (place.y - a.place.y) / (b.place.y - a.place.y);
@@ -302,14 +307,19 @@ impl<'a> Inputs<'a> {
         } else {
             0.0
         };
-        let shared = |corners: [(Corner, f64); 2], share: f64| {
+        let shared = |corners: [(ProjectedVertex, f64); 2], share: f64| {
             corners.map(|(corner, weight)| (corner, weight * share))
         };
         [shared(p.1, 1.0 - t), shared(q.1, t)].concat()
     }
 
     /// Returns the corners of a triangle, with their weights in the picture; its middle stands for one that is seen edge-on.
-    fn over_triangle(&self, triangle: u32, place: DVec2, grid: bool) -> Vec<(Corner, f64)> {
+    fn over_triangle(
+        &self,
+        triangle: u32,
+        place: DVec2,
+        grid: bool,
+    ) -> Vec<(ProjectedVertex, f64)> {
         let corners = self
             .triangles
             .vertices(triangle)
@@ -330,7 +340,7 @@ impl<'a> Inputs<'a> {
     }
 
     /// Returns a vertex of the model or of the clipper as a corner in the picture.
-    fn corner(&self, vertex: u32, grid: bool) -> Corner {
+    fn corner(&self, vertex: u32, grid: bool) -> ProjectedVertex {
         let view = |v: u32| self.lens.view_from_world(self.model().position(v));
         let view = match self.triangles.cut(vertex) {
             None => view(vertex),
@@ -352,7 +362,7 @@ impl<'a> Inputs<'a> {
         } else {
             self.lens.picture_from_view(view)
         };
-        Corner {
+        ProjectedVertex {
             vertex,
             place,
             key: self.lens.key_from_depth(view.z),
@@ -360,7 +370,7 @@ impl<'a> Inputs<'a> {
     }
 
     /// Returns weights over the model's vertices, and the depth key, from weights in the picture.
-    fn weights(&self, seen: &[(Corner, f64)]) -> (Vec<(u32, f64)>, f64) {
+    fn weights(&self, seen: &[(ProjectedVertex, f64)]) -> (Vec<(u32, f64)>, f64) {
         let key: f64 = seen
             .iter()
             .map(|(corner, weight)| weight * corner.key)
@@ -395,9 +405,9 @@ impl<'a> Inputs<'a> {
     }
 }
 
-/// A corner in the picture, pixels, with its depth key.
+/// A vertex in the picture, pixels, with its depth key.
 #[derive(Clone, Copy, Debug)]
-struct Corner {
+struct ProjectedVertex {
     vertex: u32,
     place: DVec2,
     key: f64,

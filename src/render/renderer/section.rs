@@ -14,7 +14,7 @@ use super::frame::Frame;
 use super::pipeline::Renderer;
 use super::plan::{Inputs, Plan};
 use super::reference::Evaluation;
-use crate::render::raster::{Place, SUBPIXELS, Triangles, UNPLACED, doubled_area};
+use crate::render::raster::{GridPosition, SUBPIXELS, Triangles, UNPLACED, doubled_area};
 use crate::scene::Scene;
 use fearless_simd::Level;
 use glam::DVec2;
@@ -99,7 +99,7 @@ pub(crate) fn displayed(linear: &[Linear], scene: &Scene) -> Frame {
 }
 
 /// Returns twice the area of a point against an edge, positive to its right (y downwards).
-fn side(a: Place, b: Place, p: DVec2) -> f64 {
+fn side(a: GridPosition, b: GridPosition, p: DVec2) -> f64 {
     let [ax, ay, bx, by] = [a[0], a[1], b[0], b[1]].map(f64::from);
     (bx - ax) * (p.y - ay) - (by - ay) * (p.x - ax)
 }

@@ -49,9 +49,9 @@ impl Colour for Carried {
         key: Lanes<S>,
     ) -> [Lanes<S>; 3] {
         // Rounding may leave nothing of the key of a far point beside that of a near one.
-        let least = Lanes::splat(simd, (1.0 / FARTHEST) as f32);
+        let min_key = Lanes::splat(simd, (1.0 / FARTHEST) as f32);
         let factor = if self.by_key {
-            Lanes::splat(simd, 1.0) / key.max(least)
+            Lanes::splat(simd, 1.0) / key.max(min_key)
         } else {
             Lanes::splat(simd, 1.0)
         };
@@ -470,9 +470,11 @@ impl Points<'_> {
         let scale = Lanes::splat(simd, self.scale);
         let [r, g, b] = out;
         for start in (0..r.len()).step_by(LANES) {
-            let position =
-                load(simd, self.position, start).scale_add(scale, V3::constant(scale, self.offset));
-            let point = self.equation.site(position, load(simd, self.normal, start));
+            let position = load_lanes(simd, self.position, start)
+                .scale_add(scale, V3::constant(scale, self.offset));
+            let point = self
+                .equation
+                .site(position, load_lanes(simd, self.normal, start));
             let rgb = self
                 .equation
                 .illuminate(&point, Reached::starting_at(self.reached, start));
@@ -484,7 +486,7 @@ impl Points<'_> {
 }
 
 #[inline(always)]
-fn load<S: Simd>(simd: S, [x, y, z]: [&[f32]; 3], start: usize) -> V3<Lanes<S>> {
+fn load_lanes<S: Simd>(simd: S, [x, y, z]: [&[f32]; 3], start: usize) -> V3<Lanes<S>> {
     V3::new(
         Lanes::load(simd, &x[start..]),
         Lanes::load(simd, &y[start..]),

@@ -2,7 +2,7 @@
 
 use super::super::Shared;
 use super::super::choice::Choice;
-use super::super::problem::{Cause, Finding, quoted};
+use super::super::problem::{Cause, UnlocatedProblem, quoted};
 use crate::text::text;
 use glam::DVec3;
 use serde::Serialize;
@@ -12,7 +12,7 @@ use toml::{Spanned, Value};
 
 /// A type of value.
 pub trait Datum: Clone + PartialEq + Serialize + 'static {
-    fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, Finding>;
+    fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, UnlocatedProblem>;
     /// Returns the value in a scene file; `None` where it is left out.
     fn value(&self) -> Option<Value> {
         Value::try_from(self).ok()
@@ -24,7 +24,7 @@ pub trait Datum: Clone + PartialEq + Serialize + 'static {
 }
 
 impl Datum for f64 {
-    fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, Finding> {
+    fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, UnlocatedProblem> {
         let (text, infinite) = match value.get_ref() {
             DeValue::Integer(number) => match integer(number) {
                 #[expect(
@@ -36,11 +36,19 @@ impl Datum for f64 {
             },
             // `inf` and `nan` are accepted, digits too large to represent are not.
             DeValue::Float(number) => (number.as_str(), number.as_str().ends_with(['f', 'n'])),
-            other => return Err(Finding::value(found(other), text!("expected-number"))),
+            other => {
+                return Err(UnlocatedProblem::value(
+                    found(other),
+                    text!("expected-number"),
+                ));
+            }
         };
         match text.parse::<f64>() {
             Ok(value) if value.is_finite() || infinite => Ok(value),
-            _ => Err(Finding::value(text, text!("expected-number-in-range"))),
+            _ => Err(UnlocatedProblem::value(
+                text,
+                text!("expected-number-in-range"),
+            )),
         }
     }
 
@@ -50,20 +58,20 @@ impl Datum for f64 {
 }
 
 impl Datum for u32 {
-    fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, Finding> {
+    fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, UnlocatedProblem> {
         let whole = |value: &DeValue<'_>| value.as_integer().and_then(integer)?.try_into().ok();
         scalar(value, whole, "expected-whole")
     }
 }
 
 impl Datum for bool {
-    fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, Finding> {
+    fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, UnlocatedProblem> {
         scalar(value, |value| value.as_bool(), "expected-bool")
     }
 }
 
 impl Datum for String {
-    fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, Finding> {
+    fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, UnlocatedProblem> {
         scalar(
             value,
             |value| value.as_str().map(str::to_owned),
@@ -73,7 +81,7 @@ impl Datum for String {
 }
 
 impl Datum for Option<PathBuf> {
-    fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, Finding> {
+    fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, UnlocatedProblem> {
         scalar(
             value,
             |value| value.as_str().map(|path| Some(path.into())),
@@ -88,20 +96,21 @@ impl Datum for Option<PathBuf> {
 }
 
 impl<T: Choice + Serialize> Datum for T {
-    fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, Finding> {
+    fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, UnlocatedProblem> {
         let words: Vec<_> = T::OPTIONS.iter().map(|option| option.word).collect();
         let DeValue::String(word) = value.get_ref() else {
-            return Err(Finding::value(
+            return Err(UnlocatedProblem::value(
                 found(value.get_ref()),
                 text!("expected-one-of", words = words.join(", ")),
             ));
         };
-        T::from_word(word).ok_or_else(|| Finding::new("", Cause::unknown_word(word, &words)))
+        T::from_word(word)
+            .ok_or_else(|| UnlocatedProblem::new("", Cause::unknown_word(word, &words)))
     }
 }
 
 impl Datum for DVec3 {
-    fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, Finding> {
+    fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, UnlocatedProblem> {
         array(value, "expected-three").map(Self::from_array)
     }
 
@@ -111,7 +120,7 @@ impl Datum for DVec3 {
 }
 
 impl Datum for [f64; 2] {
-    fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, Finding> {
+    fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, UnlocatedProblem> {
         array(value, "expected-two")
     }
 
@@ -121,13 +130,13 @@ impl Datum for [f64; 2] {
 }
 
 impl Datum for [u32; 2] {
-    fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, Finding> {
+    fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, UnlocatedProblem> {
         array(value, "expected-two-whole")
     }
 }
 
 impl<T: Datum> Datum for Shared<T> {
-    fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, Finding> {
+    fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, UnlocatedProblem> {
         list(value, "expected-list").map(Self::from)
     }
 
@@ -139,18 +148,18 @@ impl<T: Datum> Datum for Shared<T> {
 
 /// Reads and writes the settings of a pane.
 impl Datum for Vec<String> {
-    fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, Finding> {
+    fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, UnlocatedProblem> {
         list(value, "expected-settings")
     }
 }
 
 /// Reads a coefficient: one number for all channels, or three.
-pub fn read_coefficient(value: &Spanned<DeValue<'_>>) -> Result<DVec3, Finding> {
+pub fn read_coefficient(value: &Spanned<DeValue<'_>>) -> Result<DVec3, UnlocatedProblem> {
     const EXPECTED: &str = "expected-coefficient";
     match value.get_ref() {
         DeValue::Array(_) => array(value, EXPECTED).map(DVec3::from_array),
         DeValue::Integer(_) | DeValue::Float(_) => f64::read(value).map(DVec3::splat),
-        other => Err(Finding::value(found(other), text!(EXPECTED))),
+        other => Err(UnlocatedProblem::value(found(other), text!(EXPECTED))),
     }
 }
 
@@ -159,17 +168,21 @@ fn scalar<T>(
     value: &Spanned<DeValue<'_>>,
     read: impl Fn(&DeValue<'_>) -> Option<T>,
     expected: &str,
-) -> Result<T, Finding> {
-    read(value.get_ref()).ok_or_else(|| Finding::value(found(value.get_ref()), text!(expected)))
+) -> Result<T, UnlocatedProblem> {
+    read(value.get_ref())
+        .ok_or_else(|| UnlocatedProblem::value(found(value.get_ref()), text!(expected)))
 }
 
-fn list<T: Datum>(value: &Spanned<DeValue<'_>>, expected: &str) -> Result<Vec<T>, Finding> {
+fn list<T: Datum>(
+    value: &Spanned<DeValue<'_>>,
+    expected: &str,
+) -> Result<Vec<T>, UnlocatedProblem> {
     let elements = value
         .get_ref()
         .as_array()
-        .ok_or_else(|| Finding::value(found(value.get_ref()), text!(expected)))?;
+        .ok_or_else(|| UnlocatedProblem::value(found(value.get_ref()), text!(expected)))?;
     let element = |(i, element): (usize, &Spanned<DeValue<'_>>)| {
-        T::read(element).map_err(|wrong| Finding {
+        T::read(element).map_err(|wrong| UnlocatedProblem {
             key: format!(".{i}{}", wrong.key),
             offset: wrong.offset.or(Some(element.span().start)),
             cause: wrong.cause,
@@ -181,11 +194,11 @@ fn list<T: Datum>(value: &Spanned<DeValue<'_>>, expected: &str) -> Result<Vec<T>
 fn array<T: Datum, const N: usize>(
     value: &Spanned<DeValue<'_>>,
     expected: &str,
-) -> Result<[T; N], Finding> {
+) -> Result<[T; N], UnlocatedProblem> {
     let list = list(value, expected)?;
     let count = list.len();
     list.try_into()
-        .map_err(|_| Finding::value(list_of(count), text!(expected)))
+        .map_err(|_| UnlocatedProblem::value(list_of(count), text!(expected)))
 }
 
 /// Returns the words for a list of `count`.

@@ -2,47 +2,47 @@
 
 use super::super::Scene;
 use super::super::parameter::{List, Parameter, defaults};
-use super::super::problem::{Cause, Finding, shortened};
+use super::super::problem::{Cause, UnlocatedProblem, shortened};
 use super::datum::{found, integer};
 use crate::text::text;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// Reads a document into a scene, with everything found on the way. Limits are not checked.
-pub fn read(document: &DeTable<'_>) -> (Scene, Vec<Finding>) {
+pub fn read(document: &DeTable<'_>) -> (Scene, Vec<UnlocatedProblem>) {
     let mut scene = Scene::default();
     let mut reader = Reader {
         scene: &mut scene,
-        findings: vec![],
+        problems: vec![],
     };
     match wrong_version(document) {
-        Some(finding) => reader.findings.push(finding),
+        Some(problem) => reader.problems.push(problem),
         None => reader.table(&Key::default(), document),
     }
-    let findings = reader.findings;
-    (scene, findings)
+    let problems = reader.problems;
+    (scene, problems)
 }
 
 /// Returns the problem of another version: its keys mean nothing here, so its number is all that is reported.
-fn wrong_version(document: &DeTable<'_>) -> Option<Finding> {
+fn wrong_version(document: &DeTable<'_>) -> Option<UnlocatedProblem> {
     let (key, value) = document.get_key_value("version")?;
     let DeValue::Integer(number) = value.get_ref() else {
         return None;
     };
     let known = integer(number) == Some(i64::from(Scene::VERSION));
-    let finding = Finding::new("version", Cause::version(number));
-    (!known).then(|| Finding {
+    let problem = UnlocatedProblem::new("version", Cause::version(number));
+    (!known).then(|| UnlocatedProblem {
         offset: Some(key.span().start),
-        ..finding
+        ..problem
     })
 }
 
 /// Sets a key of a scene to a value: a parameter, an element of its list (`camera.eye.1`), or a table or a list of tables,
 /// all of which is replaced. Returns the problems of the value.
-pub fn set(scene: &mut Scene, name: &str, value: Spanned<DeValue<'_>>) -> Vec<Finding> {
+pub fn set(scene: &mut Scene, name: &str, value: Spanned<DeValue<'_>>) -> Vec<UnlocatedProblem> {
     let mut reader = Reader {
         scene,
-        findings: vec![],
+        problems: vec![],
     };
     let mut key = Key::default();
     let mut parts = name.split('.');
@@ -51,7 +51,7 @@ pub fn set(scene: &mut Scene, name: &str, value: Spanned<DeValue<'_>>) -> Vec<Fi
             Node::Table => key.inside(part),
             Node::List(list) => match element(part, list.len(reader.scene)) {
                 Ok(index) => key.element(index),
-                Err(cause) => return key.finding(cause),
+                Err(cause) => return key.problem(cause),
             },
             Node::Parameter(parameter) => {
                 let whole = parameter
@@ -63,10 +63,10 @@ pub fn set(scene: &mut Scene, name: &str, value: Spanned<DeValue<'_>>) -> Vec<Fi
                 let path = std::iter::once(part).chain(parts);
                 match element_of(whole.get_mut(), &key, path) {
                     Ok(place) => *place = value.into_inner(),
-                    Err(findings) => return findings,
+                    Err(problems) => return problems,
                 }
                 reader.value(&key, 0, &whole);
-                return reader.findings;
+                return reader.problems;
             }
             Node::Unknown => break,
         };
@@ -78,7 +78,7 @@ pub fn set(scene: &mut Scene, name: &str, value: Spanned<DeValue<'_>>) -> Vec<Fi
                 .rsplit_once('.')
                 .map_or("", |(table, _)| table)
                 .to_owned();
-            return key.finding(Cause::UnknownKey {
+            return key.problem(Cause::UnknownKey {
                 known: Parameter::names_in(&table),
             });
         }
@@ -86,7 +86,7 @@ pub fn set(scene: &mut Scene, name: &str, value: Spanned<DeValue<'_>>) -> Vec<Fi
         Node::Parameter(_) | Node::List(_) => {}
     }
     reader.value(&key, 0, &value);
-    reader.findings
+    reader.problems
 }
 
 /// Finds the element of a list, or of nested lists, that the rest of a key names.
@@ -94,14 +94,14 @@ fn element_of<'v, 'i, 'p>(
     mut value: &'v mut DeValue<'i>,
     key: &Key,
     path: impl Iterator<Item = &'p str>,
-) -> Result<&'v mut DeValue<'i>, Vec<Finding>> {
+) -> Result<&'v mut DeValue<'i>, Vec<UnlocatedProblem>> {
     let mut key = key.clone();
     for part in path {
         let DeValue::Array(list) = value else {
             let words = text!("problem-single-value", part = shortened(part));
-            return Err(key.finding(Cause::Key(words)));
+            return Err(key.problem(Cause::Key(words)));
         };
-        let index = element(part, list.len()).map_err(|cause| key.finding(cause))?;
+        let index = element(part, list.len()).map_err(|cause| key.problem(cause))?;
         value = list.get_mut(index).ok_or_else(Vec::new)?.get_mut();
         key = key.inside(part);
     }
@@ -170,8 +170,8 @@ impl Key {
         }
     }
 
-    fn finding(&self, cause: Cause) -> Vec<Finding> {
-        vec![Finding::new(&self.text, cause)]
+    fn problem(&self, cause: Cause) -> Vec<UnlocatedProblem> {
+        vec![UnlocatedProblem::new(&self.text, cause)]
     }
 
     fn node(&self) -> Node {
@@ -193,7 +193,7 @@ impl Key {
 
 struct Reader<'s> {
     scene: &'s mut Scene,
-    findings: Vec<Finding>,
+    problems: Vec<UnlocatedProblem>,
 }
 
 impl Reader<'_> {
@@ -204,7 +204,7 @@ impl Reader<'_> {
                 let cause = Cause::UnknownKey {
                     known: Parameter::names_in(&key.pattern),
                 };
-                self.findings.push(Finding {
+                self.problems.push(UnlocatedProblem {
                     offset: Some(offset),
                     key: inner.text,
                     cause,
@@ -225,19 +225,25 @@ impl Reader<'_> {
                 }
                 Ok(())
             }
-            (Node::List(_), other) => Err(Finding::value(found(other), text!("expected-tables"))),
+            (Node::List(_), other) => Err(UnlocatedProblem::value(
+                found(other),
+                text!("expected-tables"),
+            )),
             (_, DeValue::Table(table)) => {
                 self.table(key, table);
                 Ok(())
             }
-            (_, other) => Err(Finding::value(found(other), text!("expected-table"))),
+            (_, other) => Err(UnlocatedProblem::value(
+                found(other),
+                text!("expected-table"),
+            )),
         };
         if let Err(wrong) = read {
             let (offset, key) = (
                 wrong.offset.or(Some(offset)),
                 format!("{}{}", key.text, wrong.key),
             );
-            self.findings.push(Finding {
+            self.problems.push(UnlocatedProblem {
                 offset,
                 key,
                 cause: wrong.cause,

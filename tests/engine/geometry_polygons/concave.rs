@@ -353,7 +353,7 @@ fn the_scan_line_runs_over_the_whole_polygon() {
                 .iter()
                 .flat_map(|span| [span.p.value.x, span.q.value.x])
                 .collect();
-            let expected = polygon.crossings(line.at());
+            let expected = polygon.crossings(line.centre_y());
             assert_eq!(own.len(), expected.len(), "case {case}, line {}", line.y);
             assert!(
                 own.iter()

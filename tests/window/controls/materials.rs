@@ -9,7 +9,7 @@ use eframe::egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use shading_lab::app::App;
-use shading_lab::document::load;
+use shading_lab::document::load_scene;
 use shading_lab::scene::{Distribution, PatternKind, ReflectionModel, Rgb};
 use std::path::Path;
 
@@ -155,7 +155,7 @@ fn a_model_drawn_without_its_materials_says_so_until_it_is_dismissed_or_gone() {
     let model = "mtllib red.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     std::fs::write(&path, model).expect("a model");
     let warning = &english!("document-no-materials", name = "red.obj");
-    let mut harness = window_of(load(&path).expect("a model"));
+    let mut harness = window_of(load_scene(&path).expect("a model"));
     let says = |harness: &Harness<'_, App>| harness.query_by_label_contains(warning).is_some();
     // Not for four seconds only, and what is said for four seconds goes before it.
     harness.run_steps(40);

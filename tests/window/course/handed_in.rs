@@ -6,7 +6,7 @@ use eframe::egui::Key;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use shading_lab::app::{App, Appearance, ViewName};
-use shading_lab::document::load;
+use shading_lab::document::load_scene;
 use shading_lab::lesson::{ANSWERS_KEYWORD, Answer, Answered, Grade, Record, find, hand_in_bytes};
 use shading_lab::picture::{SCENE_KEYWORD, read_texts, write_png};
 use shading_lab::render::Frame;
@@ -62,7 +62,7 @@ fn picture() -> Vec<u8> {
 }
 
 fn opened(path: &Path) -> Harness<'static, App> {
-    let loaded = load(path).expect("a scene");
+    let loaded = load_scene(path).expect("a scene");
     hands::window_looking(loaded, [1280.0, 800.0], &Appearance::default(), |app| app)
 }
 
@@ -131,7 +131,7 @@ fn who_answered_what_stands_beside_the_picture_with_its_marks() {
 
 #[test]
 fn in_a_small_window_the_answers_are_in_sight_and_the_controls_a_step_away() {
-    let loaded = load(&write("handed-in-small.png", &picture())).expect("a scene");
+    let loaded = load_scene(&write("handed-in-small.png", &picture())).expect("a scene");
     let appearance = Appearance::default();
     let mut harness = hands::window_looking(loaded, [1024.0, 768.0], &appearance, |app| app);
     assert!(wait(&mut harness, |harness| says(harness, &right(2, 8))));

@@ -7,7 +7,7 @@ use eframe::egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use shading_lab::app::App;
-use shading_lab::document::{load, save_scene};
+use shading_lab::document::{load_scene, save_scene};
 use std::path::Path;
 
 const BACK: &str = "course-return";
@@ -92,7 +92,11 @@ fn every_way_to_another_scene_leaves_the_lesson_and_undo_returns_to_it() {
     let _ = std::fs::remove_dir_all(&folder);
     std::fs::create_dir_all(&folder).expect("a folder");
     let file = folder.join("own.toml");
-    save_scene(&file, &load(Path::new("sphere")).expect("a scene").scene).expect("a file");
+    save_scene(
+        &file,
+        &load_scene(Path::new("sphere")).expect("a scene").scene,
+    )
+    .expect("a file");
     let gallery = |harness: &mut Harness<'_, App>| choose_scene(harness, "scene-gold");
     let opened = |harness: &mut Harness<'_, App>| open(harness, &file);
     let link = |harness: &mut Harness<'_, App>| paste(harness, "?scene=gold&set=material.n=5");

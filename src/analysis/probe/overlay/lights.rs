@@ -125,9 +125,9 @@ fn whereabouts(view: &View, light: &Light, pane: Area) -> (DVec2, bool) {
 /// Returns the point at which the line from the pane's middle to `point` comes within `margin` of its edge.
 fn on_edge(sketch: &Sketch, point: DVec2, margin: f64) -> DVec2 {
     let centre = sketch.pane.centre();
-    let room = ((sketch.pane.max - sketch.pane.min) * 0.5 - margin).max(DVec2::ZERO);
+    let reach = ((sketch.pane.max - sketch.pane.min) * 0.5 - margin).max(DVec2::ZERO);
     let way = point - centre;
-    let share = (room / way.abs().max(DVec2::splat(f64::MIN_POSITIVE)))
+    let share = (reach / way.abs().max(DVec2::splat(f64::MIN_POSITIVE)))
         .min_element()
         .min(1.0);
     centre + way * share
@@ -141,8 +141,8 @@ fn draw_rays(sketch: &mut Sketch, light: &Light, radius: f64) -> (DVec2, bool) {
         direction.dot(sketch.view.right),
         -direction.dot(sketch.view.up),
     );
-    let room = RAYS_AT * (sketch.pane.max - sketch.pane.min).min_element();
-    let pixel = sketch.pane.centre() - flat * room;
+    let reach = RAYS_AT * (sketch.pane.max - sketch.pane.min).min_element();
+    let pixel = sketch.pane.centre() - flat * reach;
     if flat.length() < HEAD_ON {
         sketch.draw_end_on(
             pixel,

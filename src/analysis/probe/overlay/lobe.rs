@@ -34,14 +34,14 @@ const FAINT: [f64; 2] = [0.22, 0.1];
 
 /// Draws the lobe in the sketch's view.
 pub(super) fn draw(sketch: &Sketch, lobe: &ReflectionLobe, scene: &Scene) -> Vec<Shape> {
-    let greatest = greatest(lobe, scene);
-    if greatest.is_nan() || greatest <= 0.0 || !greatest.is_finite() {
+    let peak = peak_of(lobe, scene);
+    if peak.is_nan() || peak <= 0.0 || !peak.is_finite() {
         return vec![];
     }
     let surface = Surface {
         sketch,
         lobe,
-        unit: greatest / LENGTH,
+        unit: peak / LENGTH,
         skirt: SKIRT * highlight_half_width(scene),
     };
     let specular = if scene.reflection.model == ReflectionModel::Phong {
@@ -99,7 +99,7 @@ pub(super) fn draw(sketch: &Sketch, lobe: &ReflectionLobe, scene: &Scene) -> Vec
 }
 
 /// Finds the largest reflection, which lies in the plane of incidence.
-fn greatest(lobe: &ReflectionLobe, scene: &Scene) -> f64 {
+fn peak_of(lobe: &ReflectionLobe, scene: &Scene) -> f64 {
     let fine = highlight_half_width(scene) / 8.0;
     let even = (-90..=90).map(|i| f64::from(i).to_radians());
     let near = (-16..=16).map(|i| lobe.mirror_angle() + fine * f64::from(i));

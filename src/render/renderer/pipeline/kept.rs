@@ -1,7 +1,7 @@
 //! The outputs that a renderer keeps from one picture to the next: discarding them, freeing their memory, and counting it.
 
 use super::{Picture, Renderer};
-use crate::render::node::{Memory, room, room_of_planes};
+use crate::render::node::{Memory, capacity, capacity_of_planes};
 use crate::render::renderer::display::Linear;
 use crate::render::renderer::frame::Frame;
 use crate::render::renderer::plan::Per;
@@ -74,21 +74,31 @@ impl Renderer {
         self.interpolated.output.count(&mut memory);
         self.cue.output.count(&mut memory);
         self.rays.count(per, &mut memory);
-        memory.triangles += self.faces.output.iter().map(room_of_planes).sum::<u64>();
+        memory.triangles += self
+            .faces
+            .output
+            .iter()
+            .map(capacity_of_planes)
+            .sum::<u64>();
         let points = if per == Per::Face {
             &mut memory.triangles
         } else {
             &mut memory.vertices
         };
-        *points += self.points.output.iter().map(room_of_planes).sum::<u64>();
+        *points += self
+            .points
+            .output
+            .iter()
+            .map(capacity_of_planes)
+            .sum::<u64>();
         // Each run has a pixel of its own at least, so that runs grow with the pixels.
         memory.pixels += self
             .bands
             .output
             .iter()
-            .map(|band| room(&band.runs) + room(&band.extents))
+            .map(|band| capacity(&band.runs) + capacity(&band.extents))
             .sum::<u64>();
-        memory.pixels += room(&frame.pixels) + room(linear);
+        memory.pixels += capacity(&frame.pixels) + capacity(linear);
         memory
     }
 }

@@ -14,7 +14,7 @@ const TEXT_HALO: f64 = 0.14;
 const THINNER: f64 = 0.4;
 
 /// A plot being drawn. Sizes and widths are in ems.
-pub struct Sheet<'a> {
+pub struct PlotCanvas<'a> {
     pub drawing: &'a mut Drawing,
     pub plot: &'a Plot,
     pub style: &'a PlotStyle,
@@ -22,7 +22,7 @@ pub struct Sheet<'a> {
     pub paper: Paper,
 }
 
-impl<'a> Sheet<'a> {
+impl<'a> PlotCanvas<'a> {
     pub fn new(drawing: &'a mut Drawing, plot: &'a Plot, style: &'a PlotStyle) -> Self {
         Self {
             drawing,
@@ -96,12 +96,12 @@ impl<'a> Sheet<'a> {
     }
 
     /// Draws title and note; returns the area below them, with a margin on all sides.
-    pub fn heading(&mut self, room: Area) -> Area {
+    pub fn heading(&mut self, bounds: Area) -> Area {
         let (em, paper, plot) = (self.em, self.paper, self.plot);
         let margin = if self.style.titled { em } else { 0.0 };
         let mut rest = Area {
-            min: room.min + margin,
-            max: room.max - margin,
+            min: bounds.min + margin,
+            max: bounds.max - margin,
         };
         if self.style.titled {
             rest.min.y += 1.2 * em;
