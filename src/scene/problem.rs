@@ -194,7 +194,7 @@ impl fmt::Display for Problem {
         match &self.place {
             ProblemLocation::Line { file, line } => write!(f, "{file}:{line}: ")?,
             ProblemLocation::Override(assignment) => {
-                write!(f, "--set {}: ", shortened(assignment))?
+                write!(f, "--set {}: ", shortened(assignment))?;
             }
             ProblemLocation::Scene => {}
         }

@@ -106,7 +106,7 @@ fn a_factor_that_is_one_by_construction_is_left_out() {
         factors(light.diffuse()),
         ["{Ip}", "{Kd}", "{Od}", "({N}·{L})"]
     );
-    assert_eq!(factors(light.specular()), ["{Ip}", "{Ks}", "({R}·{V}){n}"]);
+    assert_eq!(factors(light.specular()), ["{Ip}", "{Ks}", "({R}·{V})^n"]);
 }
 
 #[test]

@@ -174,7 +174,7 @@ pub fn choose(harness: &mut Harness<'_, App>, list: &str, entry: &str) {
         .get_by_role_and_label(Role::ComboBox, list)
         .click_accesskit();
     harness.run();
-    press(harness, &entry);
+    press(harness, entry);
 }
 
 /// Opens a view by the key of its name, by way of its group on the rail.

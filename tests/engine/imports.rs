@@ -97,9 +97,9 @@ fn upwards(
     order: &[&str],
 ) -> BTreeSet<String> {
     let rank = |path: &ModulePath| {
-        let inner = path.iter().map(String::as_str);
+        let mut inner = path.iter().map(String::as_str);
         let inside = inner.clone().take(within.len()).eq(within.iter().copied());
-        let folder = inner.skip(within.len()).next().filter(|_| inside);
+        let folder = inner.nth(within.len()).filter(|_| inside);
         folder.and_then(|folder| order.iter().position(|other| *other == folder))
     };
     let mut upwards = BTreeSet::new();

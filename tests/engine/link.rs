@@ -596,7 +596,10 @@ fn the_command_prints_links_and_every_command_reads_them() {
     let output = folder.run(&["link", "tetra.obj"]);
     let note = String::from_utf8_lossy(&output.stderr).into_owned();
     assert!(
-        note.contains(&english!("link-model-stays", path = "tetra.obj")),
+        note.contains(&english!(
+            "link-model-stays",
+            path = folder.0.join("tetra.obj").display().to_string()
+        )),
         "{note}"
     );
     assert!(output.status.success() && output.stdout.starts_with(b"?scene="));

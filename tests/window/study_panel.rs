@@ -118,7 +118,9 @@ fn the_catalogue_is_drawn_and_a_case_opens_as_the_scene() {
         harness.query_by_label_contains(case.naive()).is_some()
             && harness.query_by_label_contains(case.engine()).is_some()
     );
-    assert!(harness.query_by_label_contains("10⁷").is_some());
+    let condition = english!("engine-condition-number", number = "10⁷", of = "|");
+    let (condition, _) = condition.split_once('|').expect("what it is of");
+    assert!(harness.query_by_label_contains(condition).is_some());
     press(&mut harness, "engine-open-case");
     let opened = scene(&harness).clone();
     assert_eq!(

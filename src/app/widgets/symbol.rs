@@ -20,7 +20,7 @@ struct HoveredSymbol {
 }
 
 fn with<T>(ctx: &Context, change: impl FnOnce(&mut HoveredSymbol) -> T) -> T {
-    ctx.data_mut(|data| change(data.get_temp_mut_or_default(Id::unique("hovered symbol"))))
+    ctx.data_mut(|data| change(data.get_temp_mut_or_default(Id::unique("hovered-symbol"))))
 }
 
 /// Returns whether `symbol` is lit in this frame.

@@ -290,7 +290,7 @@ fn check_lights(harness: &Harness<'_, App>, done: &[&str]) {
     let kinds = (1..=count.max(4)).filter(|number| {
         let kind = named(&format!("light.{}.kind", number - 1));
         harness
-            .query_by_role_and_label(Role::ComboBox, &kind)
+            .query_by_role_and_label(Role::ComboBox, kind)
             .is_some()
     });
     let expected = if count == 0 { vec![] } else { vec![chosen] };
