@@ -1,4 +1,4 @@
-//! What every room draws with: letters, colours, signs, formulas, drawings, tables, and where the keyboard is.
+//! Shared widgets: letters, colours, signs, formulas, drawings, tables, and the keyboard's focus.
 
 pub mod background;
 pub mod dialog;

@@ -1,4 +1,4 @@
-//! Background work for the window: it is drawn again when an answer comes.
+//! Background work for the window, which is redrawn when an answer arrives.
 
 use crate::analysis::Watch;
 use crate::analysis::codec::{Codec, from_bytes, to_bytes};
@@ -7,13 +7,13 @@ use crate::text::text;
 use eframe::egui::{Button, ColorImage, Context, ProgressBar, TextureHandle, TextureOptions, Ui};
 use std::time::Duration;
 
-/// Draws the window again when there is something new.
+/// Returns a function that requests a repaint of the window after a duration.
 pub fn wake(ctx: &Context) -> impl Fn(Duration) + Send + Sync + use<> {
     let ctx = ctx.clone();
     move |after| ctx.request_repaint_after(after)
 }
 
-/// Work that stands in a function.
+/// Background work given as a function.
 pub struct Task<A>(Box<Run<A>>);
 
 type Run<A> = dyn Fn(&dyn Watch<A>) -> Result<A, String> + Send + Sync;
@@ -32,7 +32,7 @@ impl<A: Clone + Send + Sync + 'static> Work for Task<A> {
     }
 }
 
-/// Pictures as they travel to the page and back.
+/// The codec for pictures in messages between the page and its workers.
 pub const PICTURES: Codec<Vec<ColorImage>> = Codec {
     to_bytes: |pictures| {
         let plain = |picture: &ColorImage| (picture.size, picture.as_raw().to_vec());
@@ -48,9 +48,9 @@ pub const PICTURES: Codec<Vec<ColorImage>> = Codec {
     },
 };
 
-/// Small pictures, drawn in the background, which go to the graphics card as they come.
+/// Small pictures drawn in the background and uploaded to the graphics card as they arrive.
 pub struct Pictures<W: Work> {
-    /// In their order, as far as they have come.
+    /// The textures that have arrived, in order.
     pub textures: Vec<TextureHandle>,
     wanted: Option<W>,
     work: Background<W>,
@@ -67,8 +67,8 @@ impl<W: Work> Default for Pictures<W> {
 }
 
 impl<W: Work<Answer = Vec<ColorImage>> + Clone + PartialEq> Pictures<W> {
-    /// Begins to draw the `count` pictures that are `wanted`, or takes those that have come. Once all are there, only the
-    /// graphics card holds them.
+    /// Starts drawing the `count` pictures that are `wanted`, or takes those that have arrived. Once all have arrived,
+    /// only the graphics card holds them.
     pub fn prepare(&mut self, ctx: &Context, wanted: &W, count: usize) {
         if self.wanted.as_ref() != Some(wanted) {
             *self = Self::default();
@@ -89,7 +89,7 @@ impl<W: Work<Answer = Vec<ColorImage>> + Clone + PartialEq> Pictures<W> {
         }
     }
 
-    /// Forgets pictures that are still being drawn: nobody looks at them any more.
+    /// Drops the pictures if they are still being drawn, since they are no longer in view.
     pub fn leave(&mut self) {
         if self.work.progress().is_some() {
             *self = Self::default();
@@ -97,7 +97,7 @@ impl<W: Work<Answer = Vec<ColorImage>> + Clone + PartialEq> Pictures<W> {
     }
 }
 
-/// How far the work is, with a button that stops it; returns whether any runs.
+/// Shows the progress of the work with a button that stops it. Returns whether any work is running.
 pub fn progress_ui<W: Work>(ui: &mut Ui, background: &Background<W>, tip: &str) -> bool {
     let Some(share) = background.progress() else {
         return false;

@@ -1,4 +1,4 @@
-//! The widgets that all dialogs share.
+//! Widgets shared by all dialogs.
 
 use super::focus::named;
 use super::theme::text_field;
@@ -10,30 +10,30 @@ use std::path::PathBuf;
 /// The kind of file that a dialog asks for.
 pub struct FileKind {
     pub title: &'static str,
-    /// What the button says.
+    /// The label of the button.
     pub verb: &'static str,
-    /// What the desktop's own dialog calls such files.
+    /// The name of such files in the desktop's own dialog.
     pub files: &'static str,
-    /// What their names may end in; anything where empty.
+    /// The accepted file extensions; any if empty.
     pub endings: &'static [&'static str],
-    /// A name with the usual ending.
+    /// A file name with the usual extension.
     pub example: &'static str,
 }
 
-/// What became of the desktop's own dialog for a file.
+/// The outcome of the desktop's own file dialog.
 pub enum Picked {
     #[cfg_attr(
         target_arch = "wasm32",
         allow(dead_code, reason = "a page has no paths")
     )]
     File(PathBuf),
-    /// It was cancelled.
+    /// The user cancelled the dialog.
     Nothing,
-    /// The desktop has none.
+    /// The desktop has no such dialog.
     NoDialog,
 }
 
-/// What the user has decided.
+/// The user's choice in a dialog.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Choice {
     Stay,
@@ -41,18 +41,18 @@ pub enum Choice {
     Accept,
     /// The desktop's own dialog for the file.
     Browse,
-    /// To the question before.
+    /// The previous question.
     Back,
-    /// Leave, and let go of what the question is about.
+    /// Leaving, and discarding what the question is about.
     Discard,
 }
 
-/// Two names in one sentence.
+/// Joins two names in one phrase.
 pub fn both(first: String, second: String) -> String {
     text!("and", first = first, second = second)
 }
 
-/// A question or a message with a button for each answer; Enter gives the only one.
+/// Shows a question or a message with a button for each answer. If there is only one answer, Enter chooses it.
 pub fn question_ui(ui: &mut Ui, title: &str, text: &str, answers: &[(&str, Choice)]) -> Choice {
     ui.heading(title);
     ui.add_space(8.0);
@@ -71,8 +71,8 @@ pub fn question_ui(ui: &mut Ui, title: &str, text: &str, answers: &[(&str, Choic
     chosen.inner.map_or(Choice::Stay, |(_, choice)| *choice)
 }
 
-/// A field for a path, with the desktop's dialog a button away; where there turned out to be none, it says so. Accepts when Enter is
-/// pressed in it.
+/// Shows a field for a path, with a button for the desktop's dialog, and says so if the desktop has none. Accepts when
+/// Enter is pressed in the field.
 pub fn path_ui(ui: &mut Ui, path: &mut String, hint: &str, no_dialog: bool) -> Choice {
     let mut choice = Choice::Stay;
     ui.horizontal(|ui| {
@@ -100,7 +100,8 @@ pub fn path_ui(ui: &mut Ui, path: &mut String, hint: &str, no_dialog: bool) -> C
     choice
 }
 
-/// The buttons below a path; what `entered` chose holds where the path is `ready`.
+/// Shows the buttons below a path. `entered` is the choice made in the path's field; accepting requires that the path
+/// is `ready`.
 pub fn buttons_ui(
     ui: &mut Ui,
     verb: &str,

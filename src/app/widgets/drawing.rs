@@ -1,4 +1,4 @@
-//! Drawings painted by the window, and plots with their values under the pointer.
+//! Drawings painted in the window, and plots that show their values under the pointer.
 
 use super::lines;
 use super::theme::TEXT;
@@ -11,18 +11,20 @@ use eframe::egui::{
 };
 use glam::DVec2;
 
-/// Size of letters in the plots, in that of the window's text.
+/// Size of letters in plots, relative to the window's text.
 const LETTERS: f64 = 0.9;
-/// Height of the part of a plot that grows with its width: over straight axes, and of a half disc.
+/// Height of the part of a plot that grows with its width, relative to the width: with straight axes, and as a half
+/// disc.
 const ASPECT: [f64; 2] = [0.55, 0.5];
-/// The same of a plot of single points with their names, and its greatest height.
+/// Height of a plot of single points with their names, relative to its width, and its maximum, points.
 const POINTS: [f64; 2] = [0.85, 430.0];
-/// A point is meant within this many points of the screen.
+/// Maximum distance from the pointer to the point that it selects, points.
 const NEAR: f32 = 16.0;
-/// Height of all that does not: of labels about the plot, and of a line of the legend; in letters.
+/// Height of the part of a plot that does not grow with its width, in letter sizes: of the labels around the plot, and
+/// of a line of the legend.
 const LINES: [f64; 2] = [7.5, 1.4];
 
-/// How plots are drawn in a panel.
+/// Returns the style of plots in a panel.
 pub fn plot_style(ui: &Ui) -> PlotStyle {
     let visuals = ui.visuals();
     let paper = Paper {
@@ -38,7 +40,7 @@ pub fn plot_style(ui: &Ui) -> PlotStyle {
     }
 }
 
-/// The colour as drawings have it.
+/// Converts a colour to that of drawings.
 pub fn rgb(colour: Color32) -> Rgb8 {
     [colour.r(), colour.g(), colour.b()]
 }
@@ -57,10 +59,10 @@ pub fn height(plot: &Plot, width: f64, letters: f64) -> f64 {
     grows + letters * (LINES[0] + LINES[1] * lines)
 }
 
-/// A plot; under the pointer the values of all curves, in a box and as dots, or the nearest of its points with what is said of
-/// it. Returns the point that is clicked.
+/// Shows a plot. Under the pointer appear the values of all curves, in a box and as dots, or the nearest point with its
+/// description. Returns the point that is clicked.
 pub fn plot_ui(ui: &mut Ui, plot: &Plot, drawing: &Drawing, style: &PlotStyle) -> Option<usize> {
-    // The plot in words, for those who do not see it.
+    // A description of the plot for screen readers.
     let words = || {
         let marks = plot.marks.iter().map(|mark| mark.label.as_str());
         [plot.title.as_str(), plot.note.as_str()]
@@ -107,7 +109,7 @@ pub fn plot_ui(ui: &mut Ui, plot: &Plot, drawing: &Drawing, style: &PlotStyle) -
     None
 }
 
-/// What is said of the point under the pointer; returns it where it is clicked.
+/// Shows the description of the point under the pointer; returns the point if it is clicked.
 fn points_ui(
     ui: &Ui,
     plot: &Plot,
@@ -137,7 +139,7 @@ fn points_ui(
     response.clicked().then_some(index)
 }
 
-/// Lines of text in a box beside the pointer, inside `rect`.
+/// Shows lines of text in a box beside the pointer, inside `rect`.
 pub fn boxed(ui: &Ui, painter: &Painter, lines: &[Text], (rect, pointer): (Rect, Pos2)) {
     let row = lines.first().map_or(0.0, |text| 1.4 * text.size as f32);
     let width = lines
@@ -171,7 +173,7 @@ pub fn boxed(ui: &Ui, painter: &Painter, lines: &[Text], (rect, pointer): (Rect,
     }
 }
 
-/// Places a drawing in a panel, with `words` for those who do not see it; nothing where it is out of sight.
+/// Places a drawing in a panel, with `words` for screen readers. Returns `None` if it is out of sight.
 pub fn drawing_ui(
     ui: &mut Ui,
     drawing: &Drawing,
@@ -227,7 +229,7 @@ fn paint_shape(painter: &Painter, line: &Shape, origin: Pos2) {
     }
     let points = line.points.iter().map(|point| screen(*point, origin));
     if line.opacity < 1.0 {
-        // As triangles about its first point, from which all of it is seen.
+        // As a fan of triangles around the first point, from which the whole shape is visible.
         let mut mesh = Mesh::default();
         points.for_each(|point| mesh.colored_vertex(point, colour));
         (2..u32::try_from(line.points.len()).unwrap_or(0))
@@ -242,7 +244,7 @@ fn paint_shape(painter: &Painter, line: &Shape, origin: Pos2) {
     }
 }
 
-/// Paints a line of text, its small letters apart: the fonts have only ordinary ones.
+/// Paints a line of text, with subscripts and superscripts set separately, since the fonts only have ordinary letters.
 fn paint_text(painter: &Painter, text: &Text, origin: Pos2) {
     let mut runs: Vec<(Set, String)> = Vec::new();
     for set in text.text.chars().map(Set::of) {

@@ -1,7 +1,8 @@
-//! The keyboard's focus: Tab goes from stop to stop, and a ring shows what has it. Names for screen readers.
+//! Keyboard focus: Tab moves from stop to stop, a ring marks the focused widget, and widgets have names for screen
+//! readers.
 //!
-//! Every widget of the panels is a stop of Tab in the order in which it is shown, but for those that stand [`aside`], such as a
-//! slider beside its field, and for a group ([`one_stop`]), which is one stop: the arrows go on from there.
+//! Every widget of the panels is a stop of Tab, in the order in which it is shown, except those taken out by [`aside`],
+//! such as a slider beside its field. A group ([`one_stop`]) is a single stop; the arrow keys move on from there.
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::style::ScrollAnimation;
@@ -10,41 +11,41 @@ use eframe::egui::{
     StrokeKind, Ui, WidgetInfo, WidgetRect,
 };
 
-/// Width of the ring, and its distance from what it surrounds; points.
+/// Width of the ring, and its distance from the widget; points.
 const RING: [f32; 2] = [2.0, 2.0];
 
-/// Frames for which the toolkit counts a field among those that have just lost the focus.
+/// Frames for which egui counts a field among those that have just lost the focus.
 const ESCAPE: u8 = 2;
 
-/// What Tab passes over in a frame.
+/// The widgets that Tab skips in a frame.
 #[derive(Clone, Debug, Default)]
 struct Passed {
     /// Widgets beside a stop.
     aside: Vec<Id>,
-    /// The rectangles of groups, and what is seen of where they stand.
+    /// The rectangle of each group, and the clip rectangle of the panel around it.
     groups: Vec<[Rect; 2]>,
 }
 
-/// What is kept from one frame to the next.
+/// Focus state kept from one frame to the next.
 #[derive(Clone, Debug, Default)]
 struct FocusMemory {
     last: Passed,
     now: Passed,
-    /// Whether the focus was last moved by a key, which is when the picture has its ring.
+    /// True if a key last moved the focus; only then does the picture have its ring.
     by_key: bool,
-    /// Whether a key moved it in this frame.
+    /// True if a key moved the focus in this frame.
     moved: bool,
-    /// Height of the window, points, and whether it has just become lower about a field that is typed in: the keyboard of a
-    /// phone takes half of the screen.
+    /// Height of the window, points, and whether it has just decreased while a field is being edited: the on-screen
+    /// keyboard of a phone takes half of the screen.
     height: f32,
     lower: bool,
-    /// Frames since Escape was pressed, while a field that it left may still take its text over.
+    /// Frames since Escape was pressed, as long as a field that lost the focus may still commit its text.
     escaped: Option<u8>,
-    /// Whether the row with the focus is to be reset.
+    /// True if the row with the focus is to be reset.
     reset: bool,
 }
 
-/// The identity of the picture.
+/// Returns the widget ID of the picture.
 pub fn picture_id() -> Id {
     Id::unique("picture")
 }
@@ -59,30 +60,30 @@ pub fn named(response: Response, role: Role, name: &str) -> Response {
     response
 }
 
-/// Gives a button that is on or off its name.
+/// Gives a toggle button its name and state for screen readers.
 pub fn switch_named(response: Response, role: Role, on: bool, name: &str) -> Response {
     response.widget_info(|| WidgetInfo::selected(role, response.enabled(), on, name));
     response
 }
 
-/// Takes a widget that stands beside a stop of Tab out of its way.
+/// Removes a widget that stands beside a stop from the order of Tab.
 pub fn aside(response: &Response) {
     kept(&response.ctx, |kept| kept.now.aside.push(response.id));
 }
 
-/// Makes all widgets within `rect` one stop of Tab, the first of them.
+/// Makes all widgets within `rect` a single stop of Tab, at the first of them.
 pub fn one_stop(ui: &Ui, rect: Rect) {
     let seen = ui.clip_rect();
     kept(ui.ctx(), |kept| kept.now.groups.push([rect, seen]));
 }
 
-/// The widgets of the panels in the order in which they were shown, and whether each is a stop.
+/// Returns the widgets of the panels in the order in which they were shown, and whether each is a stop.
 fn stops(ctx: &Context, passed: &Passed) -> Vec<(Id, bool)> {
     let mut entered = vec![false; passed.groups.len()];
     let mut is_stop = |widget: &WidgetRect| {
         let centre = widget.rect.center();
         let mut groups = passed.groups.iter().zip(&mut entered);
-        // What is scrolled out of sight lies behind other groups, but is not in them.
+        // A widget scrolled out of sight may lie behind other groups without belonging to them.
         let seen = widget.interact_rect.is_positive();
         let group = groups
             .find(|([group, clip], _)| group.contains(centre) && (seen || !clip.contains(centre)));
@@ -97,7 +98,7 @@ fn stops(ctx: &Context, passed: &Passed) -> Vec<(Id, bool)> {
     })
 }
 
-/// The stop after what has the focus, or before it; from the last one to the first.
+/// Returns the stop after the focused widget, or before it if `back`; wraps around at both ends.
 fn next(stops: &[(Id, bool)], focused: Option<Id>, back: bool) -> Option<Id> {
     let count = stops.len();
     let place = focused.and_then(|focused| stops.iter().position(|(id, _)| *id == focused));
@@ -113,8 +114,8 @@ fn next(stops: &[(Id, bool)], focused: Option<Id>, back: bool) -> Option<Id> {
     Some(id)
 }
 
-/// At the beginning of a frame: Tab goes to the next stop, with Shift to the one before. In what stands `in_front` of the
-/// panels the toolkit's own order holds.
+/// Handles Tab at the beginning of a frame: moves the focus to the next stop, with Shift to the previous one. In
+/// windows `in_front` of the panels, egui's own order applies.
 pub fn listen(ctx: &Context, in_front: bool) {
     let (pointed, escape) =
         ctx.input(|input| (input.pointer.any_pressed(), input.key_pressed(Key::Escape)));
@@ -139,7 +140,7 @@ pub fn listen(ctx: &Context, in_front: bool) {
     if response.is_some_and(|response| response.layer_id != LayerId::background()) {
         return;
     }
-    // Held when Tab came: by the end of a slow frame it may be up again.
+    // Read from the event: by the end of a slow frame, Shift may have been released.
     let back = ctx.input(|input| {
         input.events.iter().any(|event| {
             matches!(event, Event::Key { key: Key::Tab, pressed: true, modifiers, .. } if modifiers.shift)
@@ -158,7 +159,7 @@ pub fn listen(ctx: &Context, in_front: bool) {
     }
 }
 
-/// Gives a widget the focus by key.
+/// Gives a widget the focus as a key does.
 pub fn take(ctx: &Context, id: Id) {
     ctx.memory_mut(|memory| {
         memory.request_focus(id);
@@ -167,7 +168,7 @@ pub fn take(ctx: &Context, id: Id) {
     kept(ctx, |kept| (kept.moved, kept.by_key) = (true, true));
 }
 
-/// Gives the first stop of the window the focus: the menus.
+/// Gives the focus to the first stop of the window, the menus.
 pub fn take_first(ctx: &Context) {
     let passed = kept(ctx, |kept| kept.last.clone());
     if let Some(first) = next(&stops(ctx, &passed), None, false) {
@@ -175,17 +176,17 @@ pub fn take_first(ctx: &Context) {
     }
 }
 
-/// Whether a field has just been left by Escape: what was typed is dropped.
+/// Returns whether Escape has just taken the focus from a field, so that the typed text is discarded.
 pub fn escaped(ctx: &Context) -> bool {
     kept(ctx, |kept| kept.escaped.is_some())
 }
 
-/// Asks the row that has the focus to reset its value, in the next frame.
+/// Requests that the row with the focus resets its value in the next frame.
 pub fn ask_reset(ctx: &Context) {
     kept(ctx, |kept| kept.reset = true);
 }
 
-/// Where the widget that has the focus stands, if that is in `rect`.
+/// Returns the rectangle of the focused widget, if it is in `rect`.
 fn focused_in(ui: &Ui, rect: Rect) -> Option<Rect> {
     let id = ui.memory(|memory| memory.focused())?;
     let response = ui.ctx().read_response(id)?;
@@ -193,7 +194,7 @@ fn focused_in(ui: &Ui, rect: Rect) -> Option<Rect> {
     inside.then_some(response.rect)
 }
 
-/// Whether the keyboard resets the row in `rect`.
+/// Returns whether the keyboard resets the row in `rect`, and clears the request.
 pub fn resets(ui: &Ui, rect: Rect) -> bool {
     let reset = kept(ui.ctx(), |kept| kept.reset) && focused_in(ui, rect).is_some();
     if reset {
@@ -202,14 +203,15 @@ pub fn resets(ui: &Ui, rect: Rect) -> bool {
     reset
 }
 
-/// At the end of what scrolls: scrolls to what has the focus if a key has just moved it, or the window has become lower.
+/// Scrolls to the focused widget, at the end of a scroll area, if a key has just moved the focus or the window has
+/// become lower.
 pub fn keep_in_sight(ui: &Ui) {
     let (moved, lower) = kept(ui.ctx(), |kept| (kept.moved, kept.lower));
     let Some(rect) = focused_in(ui, ui.min_rect()).filter(|_| moved || lower) else {
         return;
     };
     if lower {
-        // In this very frame: a browser takes its keyboard away from a field that is not drawn.
+        // In this very frame: a browser hides its keyboard when the field is not drawn.
         ui.scroll_to_rect_animation(rect, None, ScrollAnimation::none());
         ui.ctx().request_discard("keep-in-sight");
     } else {
@@ -217,7 +219,7 @@ pub fn keep_in_sight(ui: &Ui) {
     }
 }
 
-/// At the end of a frame: a ring round what has the focus, for the picture only where a key gave it.
+/// Draws a ring around the focused widget at the end of a frame; around the picture only if a key gave it the focus.
 pub fn show(ctx: &Context) {
     let by_key = kept(ctx, |kept| kept.by_key);
     let Some(id) = ctx.memory(|memory| memory.focused()) else {

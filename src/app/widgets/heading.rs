@@ -1,4 +1,4 @@
-//! A stored colour with what has it: the heading of the point and of the scan line.
+//! The heading of the point and of the scan line: a stored colour and lines of text.
 
 use crate::text::text;
 use eframe::egui::accesskit::Role;
@@ -7,7 +7,7 @@ use eframe::egui::{Color32, CornerRadius, Sense, Stroke, StrokeKind, Ui, WidgetI
 /// Side of the colour's square, points.
 const SWATCH: f32 = 36.0;
 
-/// A stored colour as a square, empty where there is none, with lines of text beside it.
+/// Shows a stored colour as a square, empty if there is none, with lines of text beside it.
 pub fn heading_ui(ui: &mut Ui, stored: Option<[u8; 3]>, lines: impl FnOnce(&mut Ui)) {
     ui.horizontal(|ui| {
         let (rect, response) = ui.allocate_exact_size(vec2(SWATCH, SWATCH), Sense::hover());

@@ -1,13 +1,13 @@
-//! Letters: on a picture, with a dark edge that keeps them readable on any, and with lowered and raised digits.
+//! Text with a dark edge that keeps it readable on any picture, and text with subscripts and superscripts.
 
 use crate::figure::Set;
 use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{Align, Align2, Color32, FontId, Painter, Pos2, vec2};
 
-/// Size of text with lowered digits, points.
+/// Size of text with subscripts, points.
 const LETTERED: f32 = 14.0;
 
-/// Writes `text` with its `align` at `at`.
+/// Paints `text` at `at`, aligned by `align`.
 pub fn letter(
     painter: &Painter,
     at: Pos2,
@@ -39,12 +39,12 @@ pub fn letter(
     }
 }
 
-/// Text with lowered digits and raised powers, which the fonts lack.
+/// Lays out text with subscript digits and superscript powers, which the fonts lack.
 pub fn lettered(text: &str, colour: Color32) -> LayoutJob {
     set(text, FontId::proportional(LETTERED), colour)
 }
 
-/// The same in any font.
+/// Lays out text with subscripts and superscripts in the given font.
 pub fn set(text: &str, font_id: FontId, color: Color32) -> LayoutJob {
     let mut job = LayoutJob::default();
     let format = TextFormat {
@@ -57,7 +57,7 @@ pub fn set(text: &str, font_id: FontId, color: Color32) -> LayoutJob {
     job
 }
 
-/// Appends such text to a job.
+/// Appends text with subscripts and superscripts to a layout job.
 pub fn append(job: &mut LayoutJob, text: &str, format: &TextFormat) {
     let mut runs: Vec<(Set, String)> = Vec::new();
     for set in text.chars().map(Set::of) {

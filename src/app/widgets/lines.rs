@@ -1,10 +1,10 @@
-//! Lines in the window, clipped to what the painter shows before they are dashed or sent to the graphics card.
+//! Lines in the window, clipped to the painter's area before they are dashed or sent to the graphics card.
 
 use crate::figure::{Area, clipped};
 use eframe::egui::{Painter, Pos2, Shape, Stroke, pos2};
 use glam::DVec2;
 
-/// A point of the screen in double precision, in which lines may reach far out of sight.
+/// Converts a point of the screen to double precision, in which lines may reach far out of sight.
 pub fn exact(at: Pos2) -> DVec2 {
     DVec2::new(at.x.into(), at.y.into())
 }
@@ -13,7 +13,7 @@ fn rounded(at: &DVec2) -> Pos2 {
     pos2(at.x as f32, at.y as f32)
 }
 
-/// What the painter shows, with room for a stroke of `width`; points.
+/// Returns the painter's clip rectangle with a margin for a stroke of `width`; points.
 pub fn sight(painter: &Painter, width: f32) -> Area {
     let rect = painter.clip_rect().expand(2.0 * width);
     Area {
@@ -22,7 +22,7 @@ pub fn sight(painter: &Painter, width: f32) -> Area {
     }
 }
 
-/// The whole window; points.
+/// Returns the area of the whole window; points.
 pub fn window(painter: &Painter) -> Area {
     let rect = painter.ctx().content_rect();
     Area {
@@ -31,7 +31,8 @@ pub fn window(painter: &Painter) -> Area {
     }
 }
 
-/// Draws a line through points of the screen; `dashes` are lengths of dashes and gaps in turn, none for a solid line.
+/// Draws a line through points of the screen. `dashes` are alternating lengths of dashes and gaps; empty for a solid
+/// line.
 pub fn line(
     painter: &Painter,
     points: impl IntoIterator<Item = DVec2>,
@@ -43,13 +44,13 @@ pub fn line(
     let period = f64::from(dashes.iter().sum::<f32>());
     for run in clipped(points, &sight(painter, stroke.width)) {
         let mut points: Vec<Pos2> = run.points.iter().map(rounded).collect();
-        // A segment without a length has no direction for its dashes.
+        // A segment of zero length has no direction for its dashes.
         points.dedup();
         if points.len() < 2 {
             continue;
         }
         if period > 0.0 {
-            // What is clipped away has had its dashes too.
+            // The dashes start at the beginning of the line, also where it is clipped.
             let offset = -run.start.rem_euclid(period) as f32;
             painter.extend(Shape::dashed_line_with_offset(
                 &points,

@@ -1,29 +1,29 @@
 //! The colours that carry meaning: one for each vector and one for each term of the equation.
 //!
-//! The interface itself is grey, so that a colour on the screen always says which letter is meant. A term takes the
-//! colour of the vector that makes it: diffuse light that of L, specular light that of R (of H for Blinn's model);
-//! ambient light comes from nowhere in particular and stays neutral.
+//! The interface itself is grey, so that a colour on the screen always refers to a letter. A term takes the colour of
+//! the vector that determines it: diffuse light that of L, specular light that of R (of H in Blinn's model). Ambient
+//! light has no direction and stays neutral.
 
 use crate::analysis::probe::Tone;
 use crate::figure::palette::{self, Rgb8, Vector};
 use eframe::egui::{Color32, Visuals};
 
-/// Contrast that WCAG 2.2 asks of text (success criterion 1.4.3).
+/// Minimum contrast of text required by WCAG 2.2 (success criterion 1.4.3).
 pub const READABLE: f64 = 4.5;
 
-/// A vector's colour as drawn in pictures.
+/// Returns a vector's colour as drawn in pictures.
 pub fn vector(vector: Vector) -> Color32 {
     let [r, g, b] = vector.colour();
     Color32::from_rgb(r, g, b)
 }
 
-/// A vector's colour as text on a panel, a window, a row of a table or a control.
+/// Returns a vector's colour as text on a panel, a window, a row of a table or a control.
 pub fn vector_text(visuals: &Visuals, letter: Vector) -> Color32 {
-    // A control is nearest to text in lightness, in both themes.
+    // A control is the background closest to text in lightness, in both themes.
     readable(vector(letter), visuals.widgets.inactive.bg_fill)
 }
 
-/// A part of the equation as text on a panel.
+/// Returns the colour of a part of the equation as text on a panel.
 pub fn tone_text(visuals: &Visuals, tone: Tone) -> Color32 {
     match tone {
         Tone::Plain => visuals.text_color(),
@@ -33,7 +33,7 @@ pub fn tone_text(visuals: &Visuals, tone: Tone) -> Color32 {
     }
 }
 
-/// `colour`, moved towards black or white no further than it takes to be read on `background`.
+/// Moves `colour` towards black or white just far enough to be readable on `background`.
 pub fn readable(colour: Color32, background: Color32) -> Color32 {
     let [r, g, b] = palette::readable(rgb(colour), rgb(background), READABLE);
     Color32::from_rgb(r, g, b)
@@ -52,7 +52,7 @@ mod tests {
         palette::contrast(rgb(a), rgb(b))
     }
 
-    /// `colour` as it is painted over `background` with so much of it left.
+    /// Returns `colour` painted over `background` with the opacity `share`.
     fn over(colour: Color32, background: Color32, share: f32) -> Color32 {
         let mix =
             |a: u8, b: u8| (f32::from(a) * share + f32::from(b) * (1.0 - share)).round() as u8;
@@ -116,7 +116,7 @@ mod tests {
                 );
             }
             assert!(contrast(visuals.text_color(), visuals.panel_fill) >= 7.0);
-            // What shows where the focus is, and what is chosen, stands out from the panel (WCAG 2.2, 1.4.11).
+            // The focus ring and the selection stand out from the panel (WCAG 2.2, 1.4.11).
             for colour in [visuals.hyperlink_color, selection.bg_fill] {
                 assert!(contrast(colour, visuals.panel_fill) >= 3.0, "{colour:?}");
             }

@@ -1,10 +1,10 @@
-//! Small drawings on buttons. They are drawn, since no font has all of them.
+//! Icons on buttons, drawn as shapes since no font has all of them.
 
 use super::focus::switch_named;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Color32, Painter, Pos2, Rect, Sense, Shape, Stroke, StrokeKind, Ui, vec2};
 
-/// What a button shows.
+/// The icon of a button.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sign {
     Controls,
@@ -119,7 +119,7 @@ impl Sign {
     }
 }
 
-/// A small button with a sign; whether it was clicked.
+/// Shows a small button with a sign; returns whether it was clicked.
 pub fn sign_button(ui: &mut Ui, sign: Sign, name: &str) -> bool {
     let side = ui.spacing().interact_size.y;
     let (rect, response) = ui.allocate_exact_size(vec2(side, side), Sense::click());
@@ -134,7 +134,7 @@ pub fn sign_button(ui: &mut Ui, sign: Sign, name: &str) -> bool {
     response.on_hover_text(name).clicked()
 }
 
-/// A tick within `room`.
+/// Returns the shape of a tick within `room`.
 pub fn tick(room: Rect, colour: Color32) -> Shape {
     let at = |x: f32, y: f32| room.lerp_inside(vec2(x, y));
     Shape::line(

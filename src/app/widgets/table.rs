@@ -1,4 +1,4 @@
-//! A table of a report in a panel: as many of its columns as there is room for.
+//! A table of a report in a panel, with as many columns as fit.
 
 use super::letter::lettered;
 use crate::analysis::report::Table;
@@ -9,26 +9,27 @@ use eframe::egui::{
 use std::fmt::Debug;
 use std::hash::Hash;
 
-/// Narrowest column, points. Narrower ones let a table that just fits change its mind about its scroll bar in every frame.
+/// Minimum width of a column, points. With narrower ones, the scroll bar of a table that just fits would toggle in
+/// every frame.
 const NARROWEST: f32 = 28.0;
-/// Between columns: where there is room, and where there is little.
+/// Gap between columns, points: the ordinary one, and the one for tight space.
 const GAPS: [f32; 2] = [14.0, 6.0];
 const ROW_GAP: f32 = 3.0;
-/// A first column of words is not made narrower than this.
+/// Minimum width of a first column of words, points.
 const LEAST_WORDS: f32 = 84.0;
 
-/// What of a table is shown in a width.
+/// The part of a table that fits a width.
 struct Fitted<'a> {
     heads: Vec<&'a str>,
     rows: Vec<Vec<String>>,
-    /// Whether each column holds numbers.
+    /// For each column, true if it holds numbers.
     numbers: Vec<bool>,
     gap: f32,
-    /// The width that the first column's words are broken at.
+    /// The width at which the words of the first column wrap.
     words: Option<f32>,
 }
 
-/// A table; returns the row that is clicked, where rows are to choose from.
+/// Shows a table; returns the row that is clicked, if rows can be chosen.
 pub fn table_ui(
     ui: &mut Ui,
     id: impl Hash + Copy + Debug,
@@ -38,9 +39,9 @@ pub fn table_ui(
     rows_ui(ui, id, table, (pick, None))
 }
 
-/// A table: columns that can be done without are left out where the panel is narrow, then the words of the first one are
-/// broken; what is too wide still is scrolled. Where rows are to choose from, the first cell is a button, and one of them may
-/// be chosen already.
+/// Shows a table; returns the row that is clicked. In a narrow panel, optional columns are omitted first, then the
+/// words of the first column wrap; a table that is still too wide scrolls. If rows can be chosen, the first cell is a
+/// button, and one row may already be chosen.
 pub fn rows_ui(
     ui: &mut Ui,
     id: impl Hash + Copy + Debug,
@@ -98,12 +99,12 @@ fn head_ui(ui: &mut Ui, fitted: &Fitted<'_>) {
     ui.end_row();
 }
 
-/// The first cell of a row, a button where rows are to choose from; returns whether it is clicked.
+/// Shows the first cell of a row, a button if rows can be chosen; returns whether it is clicked.
 fn first_ui(ui: &mut Ui, cell: &str, width: Option<f32>, chosen: Option<bool>) -> bool {
     let colour = ui.visuals().text_color();
     let cell_ui = |ui: &mut Ui| {
         let text: WidgetText = match chosen {
-            // A button's name is that of its text.
+            // A button's accessible name is its text.
             Some(_) => cell.into(),
             None => lettered(cell, colour).into(),
         };
@@ -132,7 +133,7 @@ fn first_ui(ui: &mut Ui, cell: &str, width: Option<f32>, chosen: Option<bool>) -
     ui.vertical(broken).inner
 }
 
-/// As much of a table as there is room for.
+/// Fits a table to the available width.
 fn fit<'a>(ui: &Ui, table: &'a Table) -> Fitted<'a> {
     let room = ui.available_width();
     let extras = table.columns.iter().filter(|column| column.extra).count();
@@ -163,7 +164,7 @@ fn fit<'a>(ui: &Ui, table: &'a Table) -> Fitted<'a> {
     unreachable!("the last round returns")
 }
 
-/// The width that a column's cells take without a break.
+/// Returns the width of a column's cells without wrapping.
 fn column_width(ui: &Ui, column: usize, heads: &[&str], rows: &[Vec<String>], number: bool) -> f32 {
     let style = if number {
         TextStyle::Monospace
@@ -177,7 +178,7 @@ fn column_width(ui: &Ui, column: usize, heads: &[&str], rows: &[Vec<String>], nu
             .size()
             .x
     };
-    // A button has some room about its text.
+    // A button has some padding around its text.
     let padding = if column == 0 { 8.0 } else { 0.0 };
     rows.iter()
         .filter_map(|row| row.get(column))

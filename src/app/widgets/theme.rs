@@ -1,4 +1,4 @@
-//! How the window looks: type, spacing and two calm themes.
+//! The look of the window: fonts, spacing, and two calm themes.
 
 use crate::text::{FONTS, chinese_font};
 use eframe::egui::style::{HandleShape, Selection, TextCursorStyle, WidgetVisuals, Widgets};
@@ -8,24 +8,25 @@ use eframe::egui::{
 };
 use serde::{Deserialize, Serialize};
 
-/// Size of ordinary text, in points.
+/// Size of ordinary text, points.
 pub const TEXT: f32 = 14.0;
-/// Lines of ordinary text as high as the window at projector size: 28 to the screen are read from the back of a room.
+/// Height of the window in lines of ordinary text at projector size: 28 lines on the screen are readable from the back
+/// of a room.
 pub const PROJECTOR_LINES: f32 = 28.0;
-/// The steps by which the interface grows and shrinks; 1 is the size that the type was chosen for.
+/// The scales of the interface; 1 is the size for which the fonts were chosen.
 pub const SCALES: [f32; 9] = [0.8, 0.9, 1.0, 1.1, 1.25, 1.5, 1.75, 2.0, 2.5];
 
-/// A screen narrower than this, in points, is held in the hand.
+/// Width below which a screen counts as hand-held, points.
 pub const NARROW: f32 = 600.0;
 
 /// Height of a control for a pointer and for a finger, points.
 const CONTROL: [f32; 2] = [24.0, 44.0];
-/// Height of a list that unfolds before it scrolls, in that of a control: the shading modes are seen at once.
+/// Maximum height of a drop-down list, in heights of a control; all shading modes are visible at once.
 const LIST: f32 = 8.5;
 /// Radius of corners, points.
 const RADIUS: u8 = 6;
 
-/// Which theme is shown.
+/// The choice of a theme.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ThemeChoice {
@@ -36,29 +37,29 @@ pub enum ThemeChoice {
     Light,
 }
 
-/// Gives `ctx` the window's two themes.
+/// Installs the fonts and the two themes of the window.
 pub fn install(ctx: &Context) {
     install_fonts(ctx);
     ctx.set_style_of(Theme::Dark, style(dark_visuals()));
     ctx.set_style_of(Theme::Light, style(light_visuals()));
-    // The window has its own commands for this, which remember the size.
+    // The window has its own zoom commands, which store the size.
     ctx.options_mut(|options| options.zoom_with_keyboard = false);
 }
 
-/// Gives `ctx` the fonts that there are.
+/// Installs the available fonts.
 pub fn install_fonts(ctx: &Context) {
     ctx.set_fonts(fonts());
 }
 
-/// Forgets letters of another size than those in sight; `known` is theirs, pixels to a point. egui keeps every size that was ever
-/// shown, in memory and on the graphics card, until they fill 16 384 pixels squared.
+/// Clears the font atlas when the pixels per point change; `known` is the value of the letters in it. egui keeps every
+/// size that was ever shown, in memory and on the graphics card, until they fill 16 384 pixels squared.
 pub fn forget_letters(ctx: &Context, known: &mut Option<f32>) {
     let now = ctx.pixels_per_point();
     if known
         .replace(now)
         .is_some_and(|before| before.to_bits() != now.to_bits())
     {
-        // The window has no font providers; setting none again clears the letters.
+        // The window has no font providers; setting none again clears the atlas.
         ctx.set_font_providers(Vec::new());
     }
 }
@@ -74,8 +75,8 @@ pub fn touch(ctx: &Context, on: bool) {
     }
 }
 
-/// The fonts: behind the proportional one stands the monospaced one, which has the arrows and the squares, and the other way
-/// round; behind both, the Chinese characters of the catalogue.
+/// Returns the fonts. The proportional font falls back to the monospaced one, which has the arrows and squares, and the
+/// other way round; both fall back to the Chinese characters of the catalogue.
 fn fonts() -> FontDefinitions {
     let mut fonts = FontDefinitions::empty();
     let chinese = Some(("Chinese", chinese_font())).filter(|(_, file)| !file.is_empty());
@@ -92,7 +93,7 @@ fn fonts() -> FontDefinitions {
     fonts
 }
 
-/// A field for a line of text, in the middle of its height: a field for a finger is higher than its text.
+/// Creates a single-line text field with its text vertically centred: a field for a finger is higher than its text.
 pub fn text_field(text: &mut dyn TextBuffer) -> TextEdit<'_> {
     TextEdit::singleline(text).align(Align2::LEFT_CENTER)
 }
@@ -135,21 +136,21 @@ struct Colours {
     layers: [u32; 5],
     /// Fields for text.
     field: u32,
-    /// Controls at rest, hovered and pressed.
+    /// Controls: inactive, hovered and pressed.
     controls: [u32; 3],
     /// Weak, ordinary and strong text.
     texts: [u32; 3],
-    /// What is chosen, text on it, and the accent as text: links and the ring of the focus.
+    /// The selection, text on it, and the accent as text: links and the focus ring.
     accents: [u32; 3],
     warning: u32,
     error: u32,
-    /// How much of a control is left that is disabled.
+    /// Opacity of disabled controls.
     disabled: f32,
     /// Alpha of shadows.
     shadow: u8,
 }
 
-/// Light text on dark panels, for a dark room.
+/// Returns the dark theme: light text on dark panels, for a dark room.
 pub fn dark_visuals() -> Visuals {
     let colours = Colours {
         layers: [0x13_15_19, 0x1b_1d_22, 0x22_25_2b, 0x22_25_2a, 0x34_38_41],
@@ -165,7 +166,7 @@ pub fn dark_visuals() -> Visuals {
     visuals(Visuals::dark(), &colours)
 }
 
-/// Dark text on light panels, for a bright room.
+/// Returns the light theme: dark text on light panels, for a bright room.
 pub fn light_visuals() -> Visuals {
     let colours = Colours {
         layers: [0xff_ff_ff, 0xf5_f6_f8, 0xfc_fc_fd, 0xec_ee_f2, 0xd3_d8_e0],
@@ -181,7 +182,7 @@ pub fn light_visuals() -> Visuals {
     visuals(Visuals::light(), &colours)
 }
 
-/// The look of widgets in the colours of a theme.
+/// Returns the look of widgets in the colours of a theme.
 fn visuals(base: Visuals, colours: &Colours) -> Visuals {
     let rgb = |colour: u32| {
         let [_, r, g, b] = colour.to_be_bytes();
@@ -236,7 +237,7 @@ fn visuals(base: Visuals, colours: &Colours) -> Visuals {
         slider_trailing_fill: true,
         handle_shape: HandleShape::Circle,
         indent_has_left_vline: false,
-        // A blinking cursor repaints the window for as long as a field has the focus.
+        // A blinking cursor would repaint the window as long as a field has the focus.
         text_cursor: TextCursorStyle {
             blink: false,
             stroke: Stroke::new(2.0, strong),

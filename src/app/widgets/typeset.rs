@@ -1,4 +1,4 @@
-//! Formulas as the textbooks set them: italic letters with lowered and raised ones, each symbol a way to its control.
+//! Formulas set as in textbooks: italic letters with subscripts and superscripts, each symbol linked to its control.
 
 use super::letter::{append, lettered};
 use super::palette::vector_text;
@@ -15,11 +15,11 @@ use eframe::egui::{
 use std::borrow::Cow;
 use std::sync::Arc;
 
-/// How far above the middle of a run the top of raised letters lies, in heights of the run.
+/// Distance from the middle of a run up to the top of its superscripts, in heights of the run.
 const RAISED: f32 = 0.42;
 
-/// A letter of formulas: its name there, how it is written with what is lowered behind it, its symbol, and the key of what it
-/// stands for where it is not what its symbol does.
+/// A letter of formulas: its name in them, its text, its subscript, its symbol, and the key of its meaning if that
+/// differs from its symbol's.
 type Letter = (
     &'static str,
     &'static str,
@@ -27,7 +27,7 @@ type Letter = (
     Symbol,
     &'static str,
 );
-/// The exponent alone in its place above the line.
+/// The exponent alone, in its place above the line.
 const RAISED_EXPONENT: Letter = ("n", "", "", Symbol::Exponent, "");
 const LETTERS: [Letter; 27] = [
     ("I", "I", "", Symbol::Intensity, ""),
@@ -65,8 +65,9 @@ const LETTERS: [Letter; 27] = [
     ("Idc", "I", "dc", Symbol::Depth, "point-letter-idc"),
 ];
 
-/// The pieces of a formula whose letters stand in braces, as [`Here::filled`](crate::analysis::probe::Here::filled) has them.
-/// Letters have the `colour`, vectors their own; `here` says what a letter is at the pixel, or nothing.
+/// Splits a formula whose letters stand in braces, as in [`Here::filled`](crate::analysis::probe::Here::filled), into
+/// pieces. Letters have the `colour`, vectors their own. `here` returns the value of a letter at the pixel, or an empty
+/// string.
 pub fn formula(
     visuals: &Visuals,
     formula: &str,
@@ -101,14 +102,14 @@ pub fn formula(
     pieces
 }
 
-/// Ends the row of letters and signs that are no symbols.
+/// Ends a run of letters and signs that are not symbols.
 fn push_plain(visuals: &Visuals, pieces: &mut Vec<Piece>, plain: &mut String) {
     if !plain.is_empty() {
         pieces.push(Piece::plain(std::mem::take(plain), visuals.text_color()));
     }
 }
 
-/// What stands in braces: a letter by its name, or a result behind `=`.
+/// Returns the piece for a group in braces: a letter by its name, or a result after `=`.
 fn grouped(visuals: &Visuals, name: &str, colour: Color32, here: impl Fn(&str) -> String) -> Piece {
     if let Some(result) = name.strip_prefix('=') {
         return Piece::plain(result.to_owned(), visuals.strong_text_color());
@@ -119,7 +120,7 @@ fn grouped(visuals: &Visuals, name: &str, colour: Color32, here: impl Fn(&str) -
     }
 }
 
-/// A symbol with what it is at the pixel.
+/// Returns the piece of a known letter, with its value at the pixel in its tooltip.
 fn known(
     visuals: &Visuals,
     (name, text, low, symbol, meaning): Letter,
@@ -143,7 +144,7 @@ fn known(
     }
 }
 
-/// A letter of the formulas by its name, such as `Ka` or `n`, in its own colour; none where it is not one of them.
+/// Returns a letter of the formulas by its name, such as `Ka` or `n`, in its own colour; `None` for an unknown name.
 pub fn letter(visuals: &Visuals, name: &str) -> Option<Piece> {
     let exponent = ("n", "n", "", Symbol::Exponent, "");
     let known = LETTERS.iter().find(|(known, ..)| *known == name);
@@ -167,18 +168,18 @@ pub fn letter(visuals: &Visuals, name: &str) -> Option<Piece> {
 #[derive(Clone, Debug)]
 pub struct Piece {
     pub text: Cow<'static, str>,
-    /// Lowered letters behind the text.
+    /// The subscript after the text.
     pub low: Cow<'static, str>,
-    /// Raised letters behind the text.
+    /// The superscript after the text.
     pub high: Cow<'static, str>,
     pub symbol: Option<Symbol>,
     pub colour: Color32,
-    /// What is said where the pointer rests on it; the symbol's meaning without.
+    /// The tooltip; the symbol's meaning if `None`.
     pub tip: Option<String>,
 }
 
 impl Piece {
-    /// What is no symbol: a sign, a bracket, a number, a word.
+    /// Creates a piece that is not a symbol: a sign, a bracket, a number, a word.
     pub fn plain(text: impl Into<Cow<'static, str>>, colour: Color32) -> Self {
         Self {
             text: text.into(),
@@ -190,7 +191,7 @@ impl Piece {
         }
     }
 
-    /// A symbol with a lowered letter, which may be empty.
+    /// Creates a symbol with a subscript, which may be empty.
     pub fn symbol(
         text: &'static str,
         low: impl Into<Cow<'static, str>>,
@@ -226,7 +227,7 @@ impl Piece {
     }
 }
 
-/// What a run of pieces reads, for a screen reader.
+/// Returns the text of the pieces for a screen reader.
 pub fn spoken(pieces: &[Piece]) -> String {
     let each = pieces.iter().map(|piece| {
         let high = if piece.high.is_empty() {
@@ -246,11 +247,11 @@ pub struct Run<'a> {
     height: f32,
 }
 
-/// Which run of a panel it is.
+/// The identity of a run in a panel.
 #[derive(Clone, Copy, Debug)]
 pub struct Place<'a> {
     pub id: Id,
-    /// Behind the symbols' accessible names.
+    /// The suffix of the symbols' accessible names.
     pub name: &'a str,
 }
 
@@ -272,7 +273,7 @@ impl<'a> Run<'a> {
         self.galleys.iter().map(|galley| galley.size().x).sum()
     }
 
-    /// Paints the run from `left`, the middle of its left side. Its symbols light up what controls them.
+    /// Paints the run from `left`, the middle of its left side. Its symbols highlight their controls.
     pub fn paint(&self, ui: &Ui, left: Pos2, place: Place<'_>) {
         let mut x = left.x;
         for (index, (piece, galley)) in self.pieces.iter().zip(&self.galleys).enumerate() {
@@ -280,7 +281,7 @@ impl<'a> Run<'a> {
             let rect = Rect::from_min_size(pos2(x, left.y - self.height / 2.0), size);
             x += size.x;
             if let Some(symbol) = piece.symbol {
-                // A symbol may stand more than once.
+                // A symbol may appear more than once.
                 symbol_ui(
                     ui,
                     piece,
@@ -293,7 +294,7 @@ impl<'a> Run<'a> {
                 );
             }
             let top = if piece.text.is_empty() {
-                // Alone in its row it has nothing to be raised above.
+                // Alone in its row, it has no base above which to rise.
                 rect.center().y - self.height * RAISED
             } else {
                 rect.center().y - galley.size().y / 2.0
@@ -304,7 +305,7 @@ impl<'a> Run<'a> {
     }
 }
 
-/// Adds a run of pieces that stays on one line.
+/// Shows a run of pieces on a single line.
 pub fn run_ui(ui: &mut Ui, pieces: &[Piece], size: f32, place: Place<'_>) -> Response {
     let run = Run::new(ui, pieces, size);
     let (rect, response) = ui.allocate_exact_size(vec2(run.width(), run.height), Sense::hover());
