@@ -1,8 +1,8 @@
-//! A session: the document that is open, as its panes show it, with what undo and redo lead to. What is open and how it is looked
-//! at is a [`Session`] and a [`window::WindowState`]; what is asked of them is an [`action::Action`].
+//! A session: the open document as its panes show it, and the undo history. The state of what is open and how it is
+//! viewed is a [`Session`] and a [`window::WindowState`]; a request to change it is an [`action::Action`].
 //!
-//! A pane's scene is derived from the document's. The controls edit the active pane's, [`Session::shown`]; [`Session::commit`] sends
-//! what has changed in it to the document, except for what the pane has of its own:
+//! A pane's scene is derived from the document's. The controls edit the scene of the active pane, [`Session::shown`];
+//! [`Session::commit`] sends its changes to the document, except for settings of the pane's own:
 //!
 //! ```text
 //!   document ──┬────────────────────────→ pane 0     a key that a pane sets itself changes there alone,
@@ -25,10 +25,10 @@ use crate::scene::{Choice as _, Compare, CompareView, Pane, Scene, SceneError, S
 use document::{Document, Origin};
 use history::History;
 
-/// The document that is open, as its panes show it, and the documents that undo and redo lead to.
+/// The open document as its panes show it, and the documents that undo and redo lead to.
 #[derive(Default)]
 pub struct Session {
-    /// The scene that is open.
+    /// The open document.
     document: Document,
     /// The document as the active pane shows it; the controls edit its scene, see [`Session::commit`].
     pub shown: Document,
@@ -40,27 +40,27 @@ pub struct Session {
     saved: Document,
     /// The scene as opened, or as saved in a new file.
     opened: Scene,
-    /// The active pane's scene as opened: the values that resetting returns to.
+    /// The active pane's scene as opened: the values that a reset restores.
     pub initial: Scene,
-    /// Whether another scene has been opened since the controls were last shown.
+    /// True if another scene has been opened since the controls were last shown.
     just_opened: bool,
-    /// Whether the document differs from what was saved; and whether it has changed since the history last saw it.
+    /// True if the document differs from the saved one; and true if it has changed since the history last observed it.
     modified: bool,
     unobserved: bool,
-    /// Documents that were open before, as they were opened or saved: undo reaches back to them.
+    /// Previously open documents, as they were opened or saved: undo can return to them.
     opened_history: Vec<(Document, Scene)>,
     /// Index of the light whose controls are shown.
     pub light: usize,
-    /// Number of the vertex whose place is shown, of a scene's own polygons.
+    /// Index of the vertex whose position is shown, among a scene's own polygons.
     pub vertex: usize,
-    /// What was last done, said for a few seconds; another document that is opened takes it away.
+    /// A message about the last action, shown for a few seconds or until another document is opened.
     pub notice: Option<String>,
-    /// What is wrong with what is open, said until it is dismissed or another document is opened.
+    /// A message about a problem with the open document, shown until it is dismissed or another document is opened.
     pub warning: Option<String>,
 }
 
 impl Session {
-    /// Returns the document that is open.
+    /// Returns the open document.
     pub fn document(&self) -> &Document {
         &self.document
     }
@@ -85,13 +85,13 @@ impl Session {
         std::mem::take(&mut self.just_opened)
     }
 
-    /// Begins anew with `document`, which undo does not take back.
+    /// Starts a new history with the open document, which undo does not take back.
     pub fn begin(&mut self) {
         self.history = History::new(self.document.clone());
     }
 
-    /// Puts another document in the place of this one; the present one is a step of undo away. Where the memory to draw it cannot be
-    /// had, a notice says so and this one stays; returns whether it went.
+    /// Replaces the document by another one; undo returns to the present one. If there is not enough memory to draw the
+    /// new one, shows a notice and keeps the present one. Returns whether the document was replaced.
     pub fn replace(&mut self, document: Document) -> bool {
         if let Err(error) = check_mesh_memory(&document.scene, document.model.as_deref()) {
             self.notice = Some(error.to_string());
@@ -109,7 +109,7 @@ impl Session {
         true
     }
 
-    /// Takes the document as it is for saved, and remembers it for when undo comes back to it.
+    /// Marks the document as saved, and remembers it for when undo returns to it.
     fn mark_saved(&mut self) {
         self.saved = self.document.clone();
         (self.modified, self.unobserved) = (false, true);
@@ -120,19 +120,20 @@ impl Session {
             .push((self.saved.clone(), self.opened.clone()));
     }
 
-    /// Takes the last step back.
+    /// Undoes the last step.
     pub fn undo(&mut self) {
         self.history.undo(&mut self.document);
         self.return_to_origin();
     }
 
-    /// Takes the last step that was undone again.
+    /// Redoes the last step that was undone.
     pub fn redo(&mut self) {
         self.history.redo(&mut self.document);
         self.return_to_origin();
     }
 
-    /// After undo or redo: what was opened or saved may have been another document.
+    /// Restores what belongs to the document that undo or redo led to, which may have been opened or saved as another
+    /// one.
     fn return_to_origin(&mut self) {
         let origin = &self.document.origin;
         let mut known = self.opened_history.iter();
@@ -148,7 +149,7 @@ impl Session {
         }
     }
 
-    /// Records in the history what has become of the document by the end of a frame, see [`History::observe`].
+    /// Records in the history the document at the end of a frame, see [`History::observe`].
     pub fn observe(&mut self, held: bool, time: f64) {
         if held || std::mem::take(&mut self.unobserved) {
             self.history.observe(&self.document, held, time);
@@ -160,8 +161,8 @@ impl Session {
         self.modified
     }
 
-    /// Takes over what has changed in the active pane's scene or in the document, so that every pane shows it. What a scene
-    /// file would refuse is taken back, and the notice says why in the same words.
+    /// Applies the changes of the active pane's scene or of the document, so that every pane shows them. Changes that a
+    /// scene file would reject are reverted, with the file's error message as the notice.
     pub fn commit(&mut self) {
         let changes = self.panes.changes(&self.shown.scene);
         if !changes.is_empty() || self.document.scene != self.panes.document {
@@ -192,8 +193,8 @@ impl Session {
             .map_err(|error| error.to_string())
     }
 
-    /// Derives from the document all that follows from it: the panes' scenes, what is chosen in them and what is wrong with the
-    /// model. Whatever changes the document ends here, undo and redo too.
+    /// Derives from the document everything that depends on it: the panes' scenes, the selection in them, and the
+    /// warning about the model. Every change of the document ends here, undo and redo included.
     fn derive(&mut self) {
         self.modified = self.document != self.saved;
         self.unobserved = true;
@@ -225,7 +226,7 @@ impl Session {
         self.keep_chosen();
     }
 
-    /// Keeps the chosen light and the chosen vertex among those that there are.
+    /// Clamps the selected light and the selected vertex to those that exist.
     pub fn keep_chosen(&mut self) {
         let Scene { lights, object, .. } = &self.shown.scene;
         let vertices = object.polygons().vertices.len();
@@ -233,19 +234,19 @@ impl Session {
         self.vertex = self.vertex.min(vertices.saturating_sub(1));
     }
 
-    /// Edits the document's scene, beside the active pane's as opened; what a scene file would refuse is taken back, see
-    /// [`Session::commit`].
+    /// Edits the document's scene; `change` also gets the active pane's scene as opened. Changes that a scene file
+    /// would reject are reverted, see [`Session::commit`].
     pub fn edit(&mut self, change: impl FnOnce(&mut Scene, &Scene)) {
         change(&mut self.document.scene, &self.initial);
         self.commit();
     }
 
-    /// Puts another scene in the place of the document's, as one edit of it.
+    /// Replaces the document's scene, as one edit.
     pub fn put_scene(&mut self, scene: Scene) {
         self.edit(|present, _| *present = scene);
     }
 
-    /// Takes the document as it is for saved as `origin`. In a new file it is as opened.
+    /// Marks the document as saved as `origin`. After a save in a new file, resets restore the saved scene.
     pub fn save_as(&mut self, origin: Origin) {
         if self.document.origin != origin {
             self.opened = self.document.scene.clone();
@@ -255,20 +256,20 @@ impl Session {
         self.mark_saved();
     }
 
-    /// Puts another scene in the place of the document's, as a change that needs not be saved.
+    /// Replaces the document's scene, as a change that does not need to be saved.
     pub fn show_scene(&mut self, scene: Scene) {
         self.put_scene(scene);
         self.saved.scene.clone_from(&self.document.scene);
         self.modified = self.document != self.saved;
     }
 
-    /// Takes `document` for the one that is open as it has become.
+    /// Replaces the open document by a later state of it.
     pub fn restore(&mut self, document: Document) {
         self.document = document;
         self.derive();
     }
 
-    /// The message to show: what was last done goes before what is wrong.
+    /// Returns the message to show: the notice, or else the warning.
     pub fn said(&self) -> Option<&str> {
         self.notice.as_deref().or(self.warning.as_deref())
     }
@@ -286,7 +287,7 @@ impl Session {
         self.initial = initial.unwrap_or_else(|_| self.opened.clone());
     }
 
-    /// Shows the panes in another way; where there are none, beside the exact picture.
+    /// Shows the panes in another view; if there are none, adds one with the exact picture.
     pub fn compare(&mut self, view: CompareView) {
         let exact = self.shown.scene.shading.mode == ShadingMode::Exact;
         let compare = &mut self.document.scene.compare;
@@ -302,7 +303,7 @@ impl Session {
         compare.view = view;
     }
 
-    /// Changes which panes there are; pane `active` is the active one afterwards.
+    /// Adds, removes or moves panes; pane `active` is the active one afterwards.
     pub fn rearrange(
         &mut self,
         active: usize,
@@ -312,7 +313,7 @@ impl Session {
         match change(&mut self.document.scene) {
             Ok(()) => {
                 self.panes.active = active;
-                // What resetting returns to goes with its pane.
+                // The values that a reset restores move with their pane.
                 let count = self.document.scene.pane_count();
                 let mut opened = self.opened.clone();
                 if change(&mut opened).is_ok() && opened.pane_count() == count {
@@ -325,7 +326,7 @@ impl Session {
         }
     }
 
-    /// The way to compare after the present one.
+    /// Returns the comparison view after the present one.
     pub fn next_comparison(&self) -> CompareView {
         let present = self.document.scene.compare.view;
         let views = CompareView::VALUES;
@@ -334,13 +335,13 @@ impl Session {
     }
 }
 
-/// Returns whether panes cannot differ in a parameter here.
+/// Returns whether panes cannot differ in a parameter.
 fn is_shared(parameter: &Parameter) -> bool {
     Compare::shares(parameter.key) || parameter.section() == "about"
 }
 
-/// Sends each change of the active pane to the document, or to the pane; a change of the first pane alone is kept from the
-/// others.
+/// Sends each change of the active pane to the document, or to the pane itself. A change of the first pane alone is
+/// kept from the other panes, which get the previous value as a setting.
 fn distribute(document: &mut Scene, panes: &Panes, after: &Scene, changes: &[Change]) {
     let before = panes.scene(panes.active);
     // Lights are added and removed for all.
@@ -377,7 +378,7 @@ fn distribute(document: &mut Scene, panes: &Panes, after: &Scene, changes: &[Cha
     }
 }
 
-/// Takes back what panes set that the document no longer allows, such as a key of a light that is gone.
+/// Removes settings of panes that the document no longer allows, such as a key of a removed light.
 fn mend(document: &mut Scene) {
     for place in 0..document.compare.panes.len() {
         if document.pane(place + 1).is_ok() {
@@ -393,31 +394,31 @@ fn mend(document: &mut Scene) {
     }
 }
 
-/// Which pane is being worked on, and what the panes show.
+/// The active pane, and the scenes of all panes.
 #[derive(Debug, Default)]
 pub struct Panes {
-    /// The pane whose scene the controls show, from 0.
+    /// Index of the pane whose scene the controls show.
     pub active: usize,
-    /// Whether changes concern that pane alone.
+    /// True if changes concern that pane alone.
     pub own: bool,
-    /// The document's scene that the others are derived from; the first pane shows it.
+    /// The document's scene, from which the others are derived; the first pane shows it.
     document: Scene,
-    /// The scenes of the panes beside the first.
+    /// The scenes of the panes after the first.
     others: Vec<Scene>,
 }
 
-/// A parameter and the number of the light that it belongs to.
+/// A parameter and the index of the light that it belongs to.
 type Change = (&'static Parameter, usize);
 
 impl Panes {
-    /// The scene that a pane shows.
+    /// Returns the scene that a pane shows.
     pub fn scene(&self, pane: usize) -> &Scene {
         pane.checked_sub(1)
             .and_then(|index| self.others.get(index))
             .unwrap_or(&self.document)
     }
 
-    /// What differs in a scene from what the active pane shows.
+    /// Returns the differences between a scene and that of the active pane.
     fn changes(&self, scene: &Scene) -> Vec<Change> {
         let before = self.scene(self.active);
         before
@@ -432,7 +433,7 @@ mod tests {
     use super::*;
     use crate::scene::Light;
 
-    /// A scene beside which a pane shows it exactly.
+    /// Returns a session with three panes: one shows the scene exactly, one with 64 segments.
     fn session() -> Session {
         let mut session = Session::default();
         let compare = &mut session.document.scene.compare;
@@ -502,7 +503,7 @@ mod tests {
     fn a_change_of_one_pane_alone_stays_there() {
         let mut session = session();
         session.panes.own = true;
-        // Looking changes nothing.
+        // Activating a pane changes nothing.
         let before = session.document.scene.clone();
         (0..3).for_each(|pane| edit(&mut session, pane, |_| {}));
         assert_eq!(session.document.scene, before);

@@ -1,4 +1,4 @@
-//! What can be asked of the window. Menus, buttons and keys all ask here, so that each does the same by every way.
+//! The actions of the window. Menus, buttons and keys all request them here, so that each does the same in every way.
 
 use super::appearance::{Appearance, ViewName};
 use crate::analysis::Format;
@@ -6,25 +6,25 @@ use crate::analysis::scan::ScanLevel;
 use crate::scene::{CompareView, Light, ShadingMode};
 use std::path::PathBuf;
 
-/// Something to do.
+/// A request to the window.
 #[derive(Clone, Debug)]
 pub enum Action {
     /// Asks for a file to open.
     Open,
     OpenFile(PathBuf),
     OpenBuiltIn(String),
-    /// The gallery of built-in scenes.
+    /// Shows the gallery of built-in scenes.
     Scenes,
-    /// The built-in scene so many places further.
+    /// Opens the built-in scene at this distance from the present one, in their order.
     NextScene(isize),
     Save,
     SaveAs,
     SaveTo(PathBuf),
     Export,
     CopyPicture,
-    /// Puts the link of what is seen on the clipboard.
+    /// Copies the link of the current view to the clipboard.
     CopyLink,
-    /// Opens what is seen in a page of its own.
+    /// Opens the current view in a web page of its own.
     OpenPage,
     /// Opens the scene of a link.
     OpenLink(String),
@@ -38,9 +38,9 @@ pub enum Action {
     Undo,
     Redo,
     ResetCamera,
-    /// Takes the value of the row that has the focus back to what it was as opened.
+    /// Resets the value of the focused row to that of the opened scene.
     ResetRow,
-    /// Gives the picture the focus, where the arrows move the probe.
+    /// Gives the picture the focus, so that the arrow keys move the probe.
     TakeProbe,
     /// Gives the menus the focus.
     Menus,
@@ -48,83 +48,83 @@ pub enum Action {
         mode: ShadingMode,
         renormalise: bool,
     },
-    /// Adds a light like this one, where no other is.
+    /// Adds a light like this one, at a position where there is no other.
     AddLight(Light),
     /// Moves the probe by pixels.
     MoveProbe([i32; 2]),
-    /// Turns the camera about its target, degrees to the right and up.
+    /// Orbits the camera about its target, degrees to the right and up.
     Orbit([f64; 2]),
     /// Moves the camera sideways and up, in heights of the picture.
     Pan([f64; 2]),
     /// Multiplies the distance from the target.
     Zoom(f64),
-    /// Shows or hides what a switch of the look stands for.
+    /// Toggles a switch of the appearance.
     Show(fn(&mut Appearance) -> &mut bool),
-    /// Changes how the window looks in another way.
+    /// Changes the appearance in another way.
     ChangeLook(fn(&mut Appearance)),
-    /// Shows nothing but the picture, on the whole screen, and back.
+    /// Toggles the view of the picture alone on the whole screen.
     PictureAlone,
-    /// Shows panes in this way.
+    /// Shows the panes in this view.
     Compare(CompareView),
     NextComparison,
-    /// Makes a pane the one that the controls show.
+    /// Makes a pane the active one, which the controls show.
     Activate(usize),
     NextPane,
     /// Shows all shading modes side by side.
     AllModes,
-    /// Moves a pane to the place of another.
+    /// Moves a pane to the position of another.
     MovePane(usize, usize),
     RemovePane(usize),
-    /// Measures the others against this pane.
+    /// Makes a pane the reference that the others are compared with.
     Reference(usize),
     /// Steps through the scan of a polygon.
     Scan(Walk),
-    /// A view, whose panel opens if it is closed.
+    /// Shows a view, and opens its panel if it is closed.
     View(ViewName),
-    /// What is asked of the course.
+    /// Moves through the course.
     Course(Turn),
     /// Asks for a name and a file for the answers to the lesson.
     HandIn,
-    /// Makes the scene in view the target of a match.
+    /// Makes the current scene the target of a match.
     SetTarget,
-    /// Loads the scene of the step that is open.
+    /// Loads the scene of the open step.
     LoadStage,
     /// Shows the scene that the right answer is about.
     ShowAnswer,
     Keys,
     About,
-    /// Closes the window; asks first where there are unsaved changes.
+    /// Closes the window; asks first if there are unsaved changes.
     Quit,
-    /// Closes the window and drops unsaved changes.
+    /// Closes the window and discards unsaved changes.
     CloseUnsaved,
     /// Opens the unsaved work that a window left behind.
     Restore,
-    /// Goes on with that work as this window's own.
+    /// Continues the restored work as this window's own.
     AdoptRestored,
     DeleteLeft,
 }
 
-/// A way through the course.
+/// A step in the course.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Turn {
     /// The first lesson.
     Start,
-    /// A lesson of the program, by its name.
+    /// A built-in lesson, by its name.
     Open(String),
-    /// Opens the built-in lesson of that name at a step, from 0.
+    /// A step of a built-in lesson, by the lesson's name and the step's index.
     OpenAt(String, usize),
-    /// The lesson that was opened from a file.
+    /// The lesson opened from a file.
     Own,
-    /// So many steps further.
+    /// A number of steps forwards; backwards if negative.
     Step(isize),
     To(usize),
     /// The scene of the step as it was at first.
     Again,
-    /// All lessons.
+    /// The list of lessons.
     List,
 }
 
-/// A way through the steps of a scanned polygon.
+/// A move through the steps of a scanned polygon.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Walk {
     First,
@@ -135,17 +135,17 @@ pub enum Walk {
     Play,
 }
 
-/// What was asked for in this frame; done at its end.
+/// The actions requested in this frame; they are carried out at its end.
 #[derive(Debug, Default)]
 pub struct Requests(Vec<Action>);
 
 impl Requests {
-    /// Asks for an action.
+    /// Requests an action.
     pub fn ask(&mut self, action: Action) {
         self.0.push(action);
     }
 
-    /// Takes what was asked for.
+    /// Takes the requested actions.
     pub fn take(&mut self) -> Vec<Action> {
         std::mem::take(&mut self.0)
     }

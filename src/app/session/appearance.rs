@@ -1,4 +1,4 @@
-//! How the window looks: what is written to disk between two sessions.
+//! The appearance of the window, stored on disk between two sessions.
 
 pub mod profile;
 
@@ -10,37 +10,37 @@ use crate::text::Language;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 
-/// How the window looks.
+/// The appearance of the window.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Appearance {
-    /// Dark, light, or as the system has it.
+    /// Dark, light, or following the system.
     pub theme: ThemeChoice,
-    /// Size of the interface; 1 is 14-point text.
+    /// Scale of the interface; 1 is 14-point text.
     pub scale: f32,
-    /// Whether the interface is large enough for a room: it grows with the window, see [`Appearance::zoom`].
+    /// True if the interface is large enough for a room: it grows with the window, see [`Appearance::zoom`].
     pub projector: bool,
-    /// Whether the panel of controls is open.
+    /// True if the panel of controls is open.
     pub controls: bool,
-    /// Whether the panel of views is open.
+    /// True if the panel of views is open.
     pub views: bool,
-    /// Whether the bar of stages is open.
+    /// True if the bar of stages is open.
     pub stages: bool,
-    /// Whether the equation stands over the picture.
+    /// True if the equation is shown over the picture.
     pub equation: bool,
-    /// The language of the text; the system's where none is chosen.
+    /// The language of the text; that of the system if `None`.
     pub language: Option<Language>,
-    /// Whether the first start's card has been answered.
+    /// True if the welcome card of the first start has been answered.
     pub welcomed: bool,
-    /// Whether coefficients have a number for each channel.
+    /// True if coefficients have a number for each channel.
     pub channels: bool,
-    /// The view that is open.
+    /// The open view.
     pub view: ViewName,
-    /// What is drawn over the picture.
+    /// The overlays drawn over the picture.
     pub overlay: Overlays,
-    /// Whether a picture that rests is drawn with several samples a pixel.
+    /// True if the picture is drawn with several samples a pixel when nothing changes.
     pub smooth_edges: bool,
-    /// How profiles are looked at.
+    /// The settings of the profile's view.
     pub profile: ProfileAppearance,
     /// Files opened or saved, the latest first.
     pub recent: Vec<PathBuf>,
@@ -48,11 +48,11 @@ pub struct Appearance {
     pub page: String,
 }
 
-/// How many files are remembered.
+/// Maximum number of files in the list of recent ones.
 const RECENT: usize = 10;
 
 impl Appearance {
-    /// The same with what is out of bounds put back to its default.
+    /// Resets values that are out of bounds to their defaults.
     pub fn sound(self) -> Self {
         let sizes = SCALES[0]..=SCALES[SCALES.len() - 1];
         let scale = if sizes.contains(&self.scale) {
@@ -68,7 +68,7 @@ impl Appearance {
         }
     }
 
-    /// Puts a file first among those that were opened or saved; a page cannot open them again.
+    /// Moves a file to the front of the recent ones. Does nothing on a page, which cannot open files again.
     pub fn remember(&mut self, path: &Path) {
         if system::PAGE {
             return;
@@ -85,7 +85,7 @@ impl Appearance {
         (self.overlay.face_normals, self.overlay.vertex_normals) = (on, on);
     }
 
-    /// The next larger size of the interface.
+    /// Increases the scale of the interface to the next step.
     pub fn larger(&mut self) {
         self.scale = SCALES
             .into_iter()
@@ -93,7 +93,7 @@ impl Appearance {
             .unwrap_or(self.scale);
     }
 
-    /// The next smaller size.
+    /// Decreases the scale of the interface to the next step.
     pub fn smaller(&mut self) {
         self.scale = SCALES
             .into_iter()
@@ -101,20 +101,20 @@ impl Appearance {
             .unwrap_or(self.scale);
     }
 
-    /// The ordinary size of the interface.
+    /// Resets the interface to its ordinary size.
     pub fn ordinary_size(&mut self) {
         (self.scale, self.projector) = (1.0, false);
     }
 
-    /// The size of text for a room, and back. The panels fold, so that the picture is seen; the course stays, which the room
-    /// is there for.
+    /// Toggles the size of text for a room. The panels fold, so that the picture is visible; the course stays, since
+    /// the room is there for it.
     pub fn projector(&mut self) {
         (self.scale, self.projector) = (1.0, !self.projector);
         self.controls = !self.projector && self.view != ViewName::Course;
         self.views = !self.projector || self.view == ViewName::Course && self.views;
     }
 
-    /// The scale of the interface in a window so many points of the screen high.
+    /// Returns the scale of the interface in a window of this height, points.
     pub fn zoom(&self, height: f32) -> f32 {
         if self.projector {
             self.scale.max(1.0) * (height / (PROJECTOR_LINES * TEXT)).max(1.0)
@@ -152,7 +152,7 @@ impl Default for Appearance {
     }
 }
 
-/// The view that is open.
+/// The open view.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ViewName {
@@ -169,7 +169,7 @@ pub enum ViewName {
     Defects,
     /// A polygon's conversion to pixels.
     ScanLine,
-    /// What a frame evaluates, and what it leaves out.
+    /// The terms that a frame evaluates, and those that it skips.
     Plan,
     /// Error against run time.
     Study,
@@ -180,27 +180,27 @@ pub enum ViewName {
 }
 
 impl ViewName {
-    /// The view that links and lessons call so.
+    /// Returns the view that has this name in links and lessons.
     pub fn named(name: &str) -> Option<Self> {
         serde_json::from_value(name.into()).ok()
     }
 }
 
-/// What is drawn over the picture.
+/// The overlays drawn over the picture.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Overlays {
     /// N, L, R or H, and V at the probe's point.
     pub vectors: bool,
-    /// The angles between them.
+    /// The angles between the vectors.
     pub angles: bool,
-    /// How R is constructed.
+    /// The construction of R.
     pub construction: bool,
     /// The plane of N and L, seen from its side.
     pub side_view: bool,
-    /// What the point reflects to every side.
+    /// The light that the point reflects in every direction.
     pub lobe: bool,
-    /// H, for models too that do not need it.
+    /// H, even for models that do not need it.
     pub half_vector: bool,
     /// The handles of lights and of vertices.
     pub handles: bool,
@@ -211,7 +211,7 @@ pub struct Overlays {
 }
 
 impl Overlays {
-    /// Whether any needles are shown.
+    /// Returns whether normals of polygons or of vertices are shown.
     pub fn normals(&self) -> bool {
         self.face_normals || self.vertex_normals
     }

@@ -1,4 +1,4 @@
-//! A document: a scene, the model it shows, and where both came from.
+//! A document: a scene, its model, and the origin of both.
 
 use crate::document::{Loaded, open_picture};
 use crate::geometry::Mesh;
@@ -17,21 +17,21 @@ pub struct Document {
     pub scene: Scene,
     /// The mesh of an object of kind `obj`.
     pub model: Option<Arc<Mesh>>,
-    /// Where both came from.
+    /// The origin of the scene and the model.
     pub origin: Origin,
-    /// What it is in the course.
+    /// The role of the document in the course.
     pub part: CoursePart,
 }
 
-/// What a document is in the course.
+/// The role of a document in the course.
 #[derive(Clone, Debug, Default)]
 pub enum CoursePart {
-    /// A scene like any other.
+    /// No role in the course.
     #[default]
     None,
     /// The scene of a step of the lesson of this name.
     Step(String),
-    /// The last picture of answers that were handed in; or why these do not count.
+    /// The last picture of handed-in answers; or why these are not valid.
     HandIn(Arc<Result<HandIn, HandInError>>),
 }
 
@@ -46,13 +46,13 @@ impl PartialEq for CoursePart {
     }
 }
 
-/// Where a document came from.
+/// The origin of a document.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Origin {
     /// The scene that the program starts with.
     #[default]
     New,
-    /// A scene that comes with the program, by its name.
+    /// A built-in scene, by its name.
     BuiltIn(String),
     /// A file, or a picture with a scene inside.
     File(PathBuf),
@@ -78,7 +78,7 @@ impl From<Loaded> for Document {
 }
 
 impl Document {
-    /// The built-in scene of this name, if there is one.
+    /// Returns the built-in scene of this name, if there is one.
     pub fn built_in(name: &str) -> Option<Self> {
         let scene = presets::find(name)?.scene();
         Some(Self {
@@ -88,7 +88,7 @@ impl Document {
         })
     }
 
-    /// The same document with the answers that its picture holds, where it is one that was handed in.
+    /// Adds the answers that the document's picture holds, if it was handed in.
     fn with_hand_in(mut self) -> Self {
         if let Origin::File(path) = &self.origin
             && let Ok(picture) = open_picture(path)
@@ -101,7 +101,7 @@ impl Document {
         self
     }
 
-    /// What its scene is called: its title, or the name of its file.
+    /// Returns the title of the scene, or the name of its file.
     pub fn title(&self) -> String {
         let title = self
             .preset()
@@ -113,13 +113,13 @@ impl Document {
         }
     }
 
-    /// What there is to see in its scene; may be empty.
+    /// Returns the sentence that describes the scene; may be empty.
     pub fn sentence(&self) -> &str {
         self.preset()
             .map_or(&*self.scene.about.sentence, |preset| preset.sentence())
     }
 
-    /// The built-in scene that it comes from, whose words follow the language.
+    /// Returns the built-in scene that the document comes from, whose texts follow the language.
     fn preset(&self) -> Option<&'static Preset> {
         match &self.origin {
             Origin::BuiltIn(name) => presets::find(name),
@@ -133,7 +133,7 @@ impl Document {
         }
     }
 
-    /// The scene file that it was opened from or saved to.
+    /// Returns the scene file that the document was opened from or saved to.
     pub fn scene_file(&self) -> Option<PathBuf> {
         match &self.origin {
             Origin::File(path) if path.extension().is_some_and(|ending| ending == "toml") => {
@@ -143,7 +143,7 @@ impl Document {
         }
     }
 
-    /// A name for a file with `ending` beside what is open.
+    /// Returns an absolute path with the extension `ending`, suggested for a new file beside the open one.
     pub fn suggested(&self, ending: &str) -> String {
         let path = match &self.origin {
             Origin::File(path) => path.with_extension(ending),
@@ -155,12 +155,12 @@ impl Document {
             .to_string()
     }
 
-    /// Whether the two show different models.
+    /// Returns whether the documents show different models.
     pub fn model_differs(&self, other: &Self) -> bool {
         !same_model(self.model.as_ref(), other.model.as_ref())
     }
 
-    /// Whether it came from this file.
+    /// Returns whether the document came from this file.
     pub fn is_from(&self, file: &Path) -> bool {
         let absolute = |path: &Path| std::path::absolute(path).ok();
         matches!(&self.origin, Origin::File(path) if absolute(path) == absolute(file))
@@ -168,7 +168,7 @@ impl Document {
 }
 
 impl Origin {
-    /// What the window's title calls it: the name of the file or of the built-in scene.
+    /// Returns the name in the window's title: that of the file or of the built-in scene.
     pub fn name(&self) -> String {
         match self {
             Self::New => "untitled".to_owned(),
@@ -181,7 +181,7 @@ impl Origin {
     }
 }
 
-/// Whether both are one model, or none.
+/// Returns whether both are the same model, or both are `None`.
 pub fn same_model(a: Option<&Arc<Mesh>>, b: Option<&Arc<Mesh>>) -> bool {
     match (a, b) {
         (Some(a), Some(b)) => Arc::ptr_eq(a, b),

@@ -1,14 +1,14 @@
-//! Undo and redo, one step a gesture.
+//! Undo and redo, one step per gesture.
 
 use super::document::{Document, Origin};
 use crate::text::text;
 use std::collections::VecDeque;
 use std::mem::replace;
 
-/// How many steps can be undone.
+/// Maximum number of steps that can be undone.
 const DEPTH: usize = 200;
-/// Changes of the same thing within this time, without a press of the pointer between them, are one step: turns of the
-/// wheel, keys held down. Seconds.
+/// Maximum time between changes of the same parameter that form one step if the pointer is not pressed between them,
+/// such as turns of the wheel or held keys. Seconds.
 const PAUSE: f64 = 0.8;
 
 /// The documents that undo and redo lead to.
@@ -17,12 +17,12 @@ pub struct History {
     past: VecDeque<Document>,
     future: Vec<Document>,
     settled: Document,
-    /// The name and the time of the last change that others may join.
+    /// The name and the time of the last change that later ones may join.
     last: Option<(String, f64)>,
 }
 
 impl History {
-    /// A history that begins with `document`.
+    /// Creates a history that begins with `document`.
     pub fn new(document: Document) -> Self {
         Self {
             settled: document,
@@ -30,8 +30,8 @@ impl History {
         }
     }
 
-    /// Records what has become of the document by the end of a frame. While `held` (the pointer is down) changes
-    /// gather; `time` is in seconds.
+    /// Records the document at the end of a frame. While `held` (the pointer is down), changes accumulate; `time` is in
+    /// seconds.
     pub fn observe(&mut self, document: &Document, held: bool, time: f64) {
         if held {
             self.last = None;
@@ -56,7 +56,7 @@ impl History {
         self.last = Some((change, time));
     }
 
-    /// Takes the last step back.
+    /// Undoes the last step.
     pub fn undo(&mut self, document: &mut Document) {
         self.observe(document, false, f64::INFINITY);
         if let Some(before) = self.past.pop_back() {
@@ -66,7 +66,7 @@ impl History {
         }
     }
 
-    /// Takes the last step that was undone again.
+    /// Redoes the last step that was undone.
     pub fn redo(&mut self, document: &mut Document) {
         if let Some(after) = self.future.pop() {
             *document = after.clone();
@@ -75,7 +75,7 @@ impl History {
         }
     }
 
-    /// Whether undo or redo lead to a document of this origin.
+    /// Returns whether undo or redo lead to a document of this origin.
     pub fn reaches(&self, origin: &Origin) -> bool {
         let steps = self.past.iter().chain(&self.future);
         steps
@@ -83,18 +83,18 @@ impl History {
             .any(|document| document.origin == *origin)
     }
 
-    /// What undo would take back.
+    /// Returns the name of the change that undo would revert.
     pub fn undoable(&self) -> Option<String> {
         self.past.back().map(|before| change(before, &self.settled))
     }
 
-    /// What redo would do again.
+    /// Returns the name of the change that redo would repeat.
     pub fn redoable(&self) -> Option<String> {
         self.future.last().map(|after| change(&self.settled, after))
     }
 }
 
-/// The name of what differs between two documents.
+/// Returns the name of the difference between two documents.
 fn change(before: &Document, after: &Document) -> String {
     let same = before.origin == after.origin && before.part == after.part;
     if !same || before.model_differs(after) {
@@ -131,7 +131,7 @@ mod tests {
         document
     }
 
-    /// A history that has seen each n, with the pointer held or not, at a time; and the last document.
+    /// Returns a history that has observed each n, with the pointer held or not, at a time; and the last document.
     fn seen(frames: impl IntoIterator<Item = (f64, bool, f64)>) -> (History, Document) {
         let (mut history, mut document) = (History::new(with_n(1.0)), with_n(1.0));
         for (n, held, time) in frames {
@@ -141,7 +141,7 @@ mod tests {
         (history, document)
     }
 
-    /// The exponents that undoing leads to.
+    /// Returns the exponents that undoing leads to.
     fn undone((mut history, mut document): (History, Document)) -> Vec<f64> {
         let mut exponents = vec![];
         while history.undoable().is_some() {

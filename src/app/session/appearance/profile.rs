@@ -1,5 +1,5 @@
-//! What the profile's view shows. How it is looked at is kept between two sessions; what is compared begins anew with each
-//! scene.
+//! The settings of the profile's view. Those of how it is viewed are stored between two sessions; those of what is
+//! compared are reset with each scene.
 
 use crate::analysis::perception::{Perception, Viewing};
 use crate::analysis::profile::ProfileQuestion;
@@ -7,21 +7,21 @@ use crate::scene::{Choice, ShadingMode};
 use glam::DVec2;
 use serde::{Deserialize, Serialize};
 
-/// What is compared and how it is looked at.
+/// The compared modes, and how the profile is viewed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct ProfileAppearance {
-    /// Modes that are compared with the picture's own.
+    /// Modes compared with the picture's own.
     #[serde(skip)]
     pub added: Vec<ShadingMode>,
-    /// Whether the picture is shown as it is perceived.
+    /// True if the picture is shown as it is perceived.
     #[serde(skip)]
     pub perceived: bool,
-    /// Whether the plots mark where polygons meet.
+    /// True if the plots mark where polygons meet.
     pub edges: bool,
-    /// Whether the perceived brightness is plotted beside the intensity.
+    /// True if the perceived brightness is plotted beside the intensity.
     pub brightness: bool,
-    /// How large a pixel is for the eye.
+    /// The viewing conditions, which determine how large a pixel is for the eye.
     pub viewing: Viewing,
     /// The model of the eye.
     pub perception: Perception,
@@ -41,7 +41,7 @@ impl Default for ProfileAppearance {
 }
 
 impl ProfileAppearance {
-    /// The same with what is out of bounds put back to its default.
+    /// Resets values that are out of bounds to their defaults.
     pub fn sound(self) -> Self {
         Self {
             viewing: self.viewing.sound(),
@@ -50,13 +50,13 @@ impl ProfileAppearance {
         }
     }
 
-    /// Compares nothing, as when a scene is opened.
+    /// Clears the comparison, as when a scene is opened.
     pub fn begin(&mut self) {
         self.added.clear();
         self.perceived = false;
     }
 
-    /// The profile between two places, of the picture's mode and those beside it.
+    /// Returns the question for a profile between two points, in the picture's mode and the added ones.
     pub fn request(&self, [from, to]: [DVec2; 2], own: ShadingMode) -> ProfileQuestion {
         let shown = |mode: &ShadingMode| *mode == own || self.added.contains(mode);
         ProfileQuestion {
