@@ -48,7 +48,7 @@ pub enum Action {
         mode: ShadingMode,
         renormalise: bool,
     },
-    /// Adds a light like this one, at a position where there is no other.
+    /// Adds a light like this one, at a distance from the other lights.
     AddLight(Light),
     /// Moves the probe by pixels.
     MoveProbe([i32; 2]),

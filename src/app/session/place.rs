@@ -1,21 +1,22 @@
-//! Places in the picture: on the screen, and in a way that keeps to the scene when the window changes its size.
+//! Positions in the picture: on the screen, and relative to the picture so that they stay at the same place of the
+//! scene when the window is resized.
 
 use crate::app::widgets::lines;
 use eframe::egui::{Pos2, Rect, Ui, vec2};
 use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};
 
-/// Where the picture is on the screen, in points and in pixels.
+/// The position of the picture on the screen, in points and in pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
     pub rect: Rect,
-    /// In physical pixels.
+    /// Size in physical pixels.
     pub size: [u32; 2],
     pub pixels_per_point: f32,
 }
 
 impl Place {
-    /// The whole pixels inside the space that `ui` has left.
+    /// Returns the area of whole pixels inside the space that `ui` has left.
     pub fn of(ui: &Ui) -> Self {
         let pixels_per_point = ui.ctx().pixels_per_point();
         let room = ui.available_rect_before_wrap();
@@ -36,35 +37,36 @@ impl Place {
         }
     }
 
-    /// A point of the screen in the picture's pixels.
+    /// Converts a point of the screen to the picture's pixels.
     pub fn pixel(&self, at: Pos2) -> DVec2 {
         let offset = (at - self.rect.min) * self.pixels_per_point;
         DVec2::new(f64::from(offset.x), f64::from(offset.y))
     }
 
-    /// A point of the picture, in pixels, on the screen.
+    /// Converts a point of the picture, in pixels, to the screen.
     pub fn point(&self, pixel: DVec2) -> Pos2 {
         self.rect.min + vec2(pixel.x as f32, pixel.y as f32) / self.pixels_per_point
     }
 
-    /// [`Place::pixel`] in double precision.
+    /// Converts a point of the screen to the picture's pixels, as [`Place::pixel`] does, in double precision.
     pub fn exact_pixel(&self, at: DVec2) -> DVec2 {
         (at - lines::exact(self.rect.min)) * f64::from(self.pixels_per_point)
     }
 
-    /// [`Place::point`] in double precision, for lines that may reach far out of sight.
+    /// Converts a point of the picture to the screen, as [`Place::point`] does, in double precision, for lines that may
+    /// reach far out of sight.
     pub fn exact_point(&self, pixel: DVec2) -> DVec2 {
         lines::exact(self.rect.min) + pixel / f64::from(self.pixels_per_point)
     }
 }
 
-/// The shorter side of a picture, at least 1 pixel.
+/// Returns the shorter side of a picture, at least 1 pixel.
 fn shorter(size: [u32; 2]) -> f64 {
     f64::from(size[0].min(size[1]).max(1))
 }
 
-/// Where the probe stands: from the picture's middle, in units of its shorter side, so that it keeps to the same
-/// place of the scene when the window changes its size.
+/// The position of the probe, relative to the picture's middle in units of its shorter side, so that the probe stays at
+/// the same place of the scene when the window is resized.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ProbePoint(pub DVec2);
 
@@ -75,7 +77,7 @@ impl Default for ProbePoint {
 }
 
 impl ProbePoint {
-    /// The pixel it stands on in a picture of `size` pixels, kept inside.
+    /// Returns the probe's pixel in a picture of `size` pixels, clamped to the picture.
     pub fn pixel(self, size: [u32; 2]) -> [u32; 2] {
         let ([width, height], unit) = (size.map(f64::from), shorter(size));
         let inside = |value: f64, side: u32| {
@@ -87,13 +89,13 @@ impl ProbePoint {
         ]
     }
 
-    /// The centre of that pixel.
+    /// Returns the centre of the probe's pixel in a picture of `size` pixels.
     pub fn centre(self, size: [u32; 2]) -> DVec2 {
         let [x, y] = self.pixel(size).map(f64::from);
         DVec2::new(x + 0.5, y + 0.5)
     }
 
-    /// The probe at the centre of pixel `x`, `y` of a picture of `size` pixels.
+    /// Returns the probe at the centre of `pixel`, its `x` and `y`, in a picture of `size` pixels.
     pub fn at(pixel: [u32; 2], size: [u32; 2]) -> Self {
         let [width, height] = size.map(|side| f64::from(side.max(1)));
         let [x, y] = pixel.map(|value| f64::from(value) + 0.5);
@@ -103,7 +105,7 @@ impl ProbePoint {
         ))
     }
 
-    /// The probe moved by whole pixels, not past the picture's edge.
+    /// Returns the probe moved by whole pixels, but not past the picture's edge.
     pub fn moved(self, by: [i32; 2], size: [u32; 2]) -> Self {
         let [x, y] = self.pixel(size);
         let step = |value: u32, by: i32, side: u32| {
@@ -113,7 +115,7 @@ impl ProbePoint {
     }
 }
 
-/// Where the profile is taken: both ends from the picture's middle in units of its shorter side, like the probe.
+/// The line of the profile: both ends relative to the picture's middle in units of its shorter side, like the probe.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ProfileLine(pub [DVec2; 2]);
 
@@ -124,7 +126,7 @@ impl Default for ProfileLine {
 }
 
 impl ProfileLine {
-    /// Both ends in a picture of `size` pixels, kept inside.
+    /// Returns both ends in a picture of `size` pixels, clamped to the picture.
     pub fn pixels(self, size: [u32; 2]) -> [DVec2; 2] {
         let unit = shorter(size);
         let size = DVec2::from_array(size.map(f64::from));
@@ -132,7 +134,7 @@ impl ProfileLine {
             .map(|end| (end * unit + 0.5 * size).clamp(DVec2::ZERO, size))
     }
 
-    /// Puts an end at a place of a picture of `size` pixels.
+    /// Moves an end to a point of a picture of `size` pixels.
     pub fn put(&mut self, end: usize, pixel: DVec2, size: [u32; 2]) {
         let unit = shorter(size);
         let size = DVec2::from_array(size.map(|side| f64::from(side.max(1))));
@@ -142,10 +144,10 @@ impl ProfileLine {
     }
 }
 
-/// `v` rounded to the decimal place below `step`, so that no digits are shown that the hand did not mean.
+/// Rounds `v` to the decimal place below `step`, so that no digits are shown that the user did not intend.
 pub fn tidy(v: DVec3, step: f64) -> DVec3 {
     let unit = 10f64.powf(step.max(1e-12).log10().floor());
-    // Multiplying by a negative power of ten leaves a trail of digits; dividing by the positive one does not.
+    // Multiplying by a negative power of ten leaves trailing digits; dividing by the positive one does not.
     if unit < 1.0 {
         (v * (1.0 / unit).round()).round() / (1.0 / unit).round()
     } else {

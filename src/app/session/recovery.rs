@@ -1,4 +1,4 @@
-//! Unsaved work outlives the window: kept in a file while there is some, offered at the next start.
+//! Recovery of unsaved work, which is kept in a file as long as there is some, and offered at the next start.
 //!
 //! Each window has a [`Slot`] of its own.
 
@@ -22,12 +22,12 @@ use slot::Slot;
 use std::path::Path;
 use std::time::Duration;
 
-/// A change is kept after so many seconds, together with those that follow it in that time.
+/// Delay before a change is written, together with those that follow in that time, seconds.
 const PAUSE: f64 = 3.0;
-/// The first line of a kept scene begins with this; what follows is [`Around`] as JSON.
+/// The beginning of the first line of a kept scene; [`Around`] follows as JSON.
 const HEAD: &str = "# Unsaved work of shading-lab, from ";
 
-/// What is kept beside the scene: where it came from, and what was being looked at.
+/// The state kept beside the scene: its origin, and what was in view.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Around {
@@ -35,7 +35,7 @@ pub struct Around {
     probe: ProbePoint,
     line: ProfileLine,
     view: ViewName,
-    /// The pane that was being worked on.
+    /// The pane that was active.
     pane: usize,
 }
 
@@ -50,7 +50,7 @@ impl Around {
         }
     }
 
-    /// Shows again what was being looked at; not what no file of ours would say.
+    /// Restores what was in view; skips values that no file of this program would contain.
     pub fn apply(&self, session: &mut Session, window: &mut WindowState) {
         let sound = |point: DVec2| point.is_finite() && point.abs().max_element() < 1e6;
         if sound(self.probe.0) {
@@ -66,21 +66,22 @@ impl Around {
     }
 }
 
-/// The work of this window, and what another one left behind.
+/// The kept work of this window, and that of another one which was left behind.
 pub struct Recovery {
     own: Slot,
     left: Option<Slot>,
-    /// The document as last kept, and what was around it.
+    /// The document as last kept, and the state around it.
     kept: Option<(Document, Around)>,
-    /// When the next change is to be kept, seconds.
+    /// The time at which the next change is to be kept, seconds.
     due: Option<f64>,
-    /// Whether there may be a file of this window's.
+    /// True if this window may have written its file.
     written: bool,
     writing: Option<Job<Task<()>>>,
 }
 
 impl Recovery {
-    /// Takes a free file in `folder`, and the latest of those left behind. Nothing where no file can be made there.
+    /// Takes a free file in `folder`, and the latest of those left behind. Returns `None` if no file can be created
+    /// there.
     pub fn new(folder: &Path) -> Option<Self> {
         let (own, left) = slot::find(folder)?;
         Some(Self {
@@ -93,14 +94,14 @@ impl Recovery {
         })
     }
 
-    /// The file that was left behind, and the name of what is in it.
+    /// Returns the file that was left behind, and the name of the document in it.
     pub fn left(&self) -> Option<(&Path, String)> {
         self.left
             .as_ref()
             .map(|slot| (&*slot.path, around(&slot.path).origin.name()))
     }
 
-    /// Makes what was left behind this window's work.
+    /// Takes over the work that was left behind as this window's own.
     pub fn adopt(&mut self) {
         if let Some(slot) = self.left.take() {
             self.forget();
@@ -109,15 +110,16 @@ impl Recovery {
         }
     }
 
-    /// Removes what was left behind.
+    /// Deletes the work that was left behind.
     pub fn delete(&mut self) {
         if let Some(slot) = self.left.take() {
-            // What cannot be removed is offered again.
+            // A file that cannot be removed is offered again.
             let _ = slot::remove(&slot.path);
         }
     }
 
-    /// Keeps the document a while after it has changed, and nothing once it is saved. Nothing runs in between.
+    /// Writes the document a while after it has changed, and deletes the file once the document is saved. Nothing runs
+    /// in between.
     pub fn keep(
         &mut self,
         ctx: &Context,
@@ -162,7 +164,7 @@ impl Recovery {
         self.writing = Some(Job::start(Task::new(write), |_| ()));
     }
 
-    /// Removes what is kept of this window's work.
+    /// Deletes the kept work of this window.
     pub fn forget(&mut self) {
         (self.kept, self.due) = (None, None);
         if std::mem::take(&mut self.written) {
@@ -175,7 +177,7 @@ impl Recovery {
     }
 }
 
-/// What was around the scene in a file of kept work.
+/// Reads the state around the scene from a file of kept work.
 fn around(path: &Path) -> Around {
     let text = slot::read(path);
     let around = text.lines().next().and_then(|line| line.strip_prefix(HEAD));
@@ -184,7 +186,7 @@ fn around(path: &Path) -> Around {
         .unwrap_or_default()
 }
 
-/// The document in a file of kept work, the one that it was made from, and what was around it.
+/// Restores from a file of kept work: returns the document, the one that it was made from, and the state around it.
 pub fn restore(path: &Path) -> Result<(Document, Document, Around), String> {
     let loaded = load_scene(path).map_err(|error| {
         let path = path.display().to_string();

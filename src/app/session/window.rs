@@ -1,4 +1,4 @@
-//! What a window remembers of how the session is looked at.
+//! The state of a window: how the session is viewed.
 
 use super::appearance::{Appearance, ViewName};
 use super::place::{ProbePoint, ProfileLine};
@@ -8,39 +8,39 @@ use glam::{DVec2, DVec3};
 use std::any::{Any, TypeId};
 use std::collections::HashMap;
 
-/// How the session is looked at.
+/// The state of how the session is viewed.
 #[derive(Default)]
 pub struct WindowState {
-    /// The window's looks, which are written to disk between two starts.
+    /// The window's appearance, stored on disk between two starts.
     pub appearance: Appearance,
-    /// The pixel that is probed.
+    /// The position of the probe.
     pub probe: ProbePoint,
-    /// Whether the probe is to be put beside the highlight, once the picture is drawn.
+    /// True if the probe is to be put beside the highlight, once the picture is drawn.
     pub seek_highlight: bool,
-    /// Where the profile is taken.
+    /// The line of the profile.
     pub line: ProfileLine,
-    /// The vertex whose faces are lit up, while normals are shown.
+    /// The vertex whose faces are highlighted, while normals are shown.
     pub pointed: PointedVertex,
-    /// What is being dragged in the picture.
+    /// The drag in the picture, if any.
     pub drag: Option<Drag>,
-    /// What handles and captions cover in the active pane, in its pixels: the letters of vectors keep off it.
+    /// The areas that handles and captions cover in the active pane, in its pixels: the letters of vectors avoid them.
     pub covered: Vec<Area>,
-    /// Shows the open view alone.
+    /// True if the open view is shown alone.
     pub enlarged: bool,
-    /// The controls that the window shows as a figure in another page, by the words of the link.
+    /// The controls shown by a window that is embedded as a figure in another page, by their names in the link.
     pub embedded: Option<Vec<String>>,
-    /// Whether the first start's card is shown.
+    /// True if the welcome card of the first start is shown.
     pub welcome: bool,
-    /// Shows the picture alone.
+    /// True if the picture is shown alone.
     pub picture_alone: bool,
     /// Size of the picture with all its panes, pixels.
     pub room: [u32; 2],
-    /// What views and dialogs remember for themselves.
+    /// The states of views and dialogs.
     pub own: ViewStates,
 }
 
 impl WindowState {
-    /// Whether a view is in sight.
+    /// Returns whether a view is visible.
     pub fn shows(&self, view: ViewName) -> bool {
         self.appearance.views && !self.picture_alone && self.appearance.view == view
     }
@@ -51,45 +51,46 @@ impl WindowState {
     }
 }
 
-/// The vertex that the pointer is on, or was clicked on, in the active pane.
+/// The vertex under the pointer, or clicked on, in the active pane.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PointedVertex {
-    /// The vertex that is lit up, by its number among those with normals.
+    /// The highlighted vertex, by its index among those with normals.
     pub lit: Option<u32>,
-    /// The point of the mesh that was clicked on: its vertex stays lit when the pointer is elsewhere, whichever normals are
-    /// chosen.
+    /// The point of the mesh that was clicked on: its vertex stays highlighted when the pointer is elsewhere, whichever
+    /// normals are chosen.
     pub kept: Option<u32>,
 }
 
-/// What the pointer drags in the picture.
+/// A drag in the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drag {
     pub grip: Grip,
-    /// From the pointer to the middle of what it holds, pixels.
+    /// Offset from the pointer to the middle of the grip, pixels.
     pub grab: DVec2,
-    /// A light changes its distance, a vertex moves towards the viewer and away; the camera moves along the picture's plane.
+    /// True if the drag changes the depth: a light changes its distance, a vertex moves towards the viewer or away; the
+    /// camera moves along the picture's plane.
     pub deep: bool,
-    /// Where the light was that it holds.
+    /// The position of the dragged light at the start.
     pub start: LightStart,
 }
 
-/// Where a light was when a drag of it began.
+/// The position of a light when a drag of it began.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct LightStart {
-    /// From the object's middle towards the light, world.
+    /// Offset from the object's middle towards the light, world.
     pub offset: DVec3,
-    /// Its handle, in the picture's pixels.
+    /// Position of the light's handle, in the picture's pixels.
     pub pixel: DVec2,
-    /// Whether the handle was where the light is, not at the picture's edge.
+    /// True if the handle was at the light's position, not at the picture's edge.
     pub in_picture: bool,
 }
 
-/// What the pointer can take hold of in the picture.
+/// A part of the picture that the pointer can drag.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Grip {
     /// An end of the profile's line.
     LineEnd(usize),
-    /// The knob by which the picture is turned.
+    /// The knob that rolls the picture.
     Roll,
     /// A light, by its index.
     Light(usize),
@@ -99,10 +100,10 @@ pub enum Grip {
     },
     /// The edge of the chosen spot light's cone; the unit vector points away from its axis.
     Rim(Vec2),
-    /// A vertex of the scene's own polygons, by its number.
+    /// A vertex of the scene's own polygons, by its index.
     Vertex(u32),
     Probe,
-    /// The place that is marked as the answer to a question.
+    /// The point marked as the answer to a question.
     Mark,
     /// The line of a wipe.
     Wipe,
@@ -110,17 +111,17 @@ pub enum Grip {
     Camera,
 }
 
-/// What each view and dialog remembers, kept by its type, so that the window's state need not know them.
+/// The states of views and dialogs, keyed by type, so that the window's state need not know them.
 #[derive(Debug, Default)]
 pub struct ViewStates(HashMap<TypeId, Box<dyn Any>>);
 
 impl ViewStates {
-    /// The value, if there is one yet.
+    /// Returns the value of type `T`, if there is one yet.
     pub fn get<T: 'static>(&self) -> Option<&T> {
         self.0.get(&TypeId::of::<T>())?.downcast_ref()
     }
 
-    /// Takes the value out, to be put back; its default if there is none yet.
+    /// Takes the value out, to be put back; returns its default if there is none yet.
     pub fn take<T: Default + 'static>(&mut self) -> T {
         let value = self
             .0
@@ -129,12 +130,12 @@ impl ViewStates {
         value.map(|value| *value).unwrap_or_default()
     }
 
-    /// Puts a value in its place.
+    /// Stores a value under its type.
     pub fn put<T: 'static>(&mut self, value: T) {
         self.0.insert(TypeId::of::<T>(), Box::new(value));
     }
 
-    /// Changes the value.
+    /// Changes the value of type `T`.
     pub fn change<T: Default + 'static>(&mut self, change: impl FnOnce(&mut T)) {
         let mut value = self.take();
         change(&mut value);

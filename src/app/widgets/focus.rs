@@ -114,8 +114,8 @@ fn next(stops: &[(Id, bool)], focused: Option<Id>, back: bool) -> Option<Id> {
     Some(id)
 }
 
-/// Handles Tab at the beginning of a frame: moves the focus to the next stop, with Shift to the previous one. In
-/// windows `in_front` of the panels, egui's own order applies.
+/// Handles Tab at the beginning of a frame: moves the focus to the next stop, with Shift to the previous one. While
+/// something is `in_front` of the panels, egui's own order applies.
 pub fn listen(ctx: &Context, in_front: bool) {
     let (pointed, escape) =
         ctx.input(|input| (input.pointer.any_pressed(), input.key_pressed(Key::Escape)));

@@ -1,6 +1,6 @@
-//! Kept work of a web page, in the browser's local storage. A tab keeps the name of its own in its session, so that it finds
-//! its work again after it was loaded anew, and holds the browser's lock of that name while it is open. What no tab holds and none
-//! has adopted or deleted is offered to the next.
+//! Kept work of a web page, in the browser's local storage. A tab stores the name of its own entry in its session
+//! storage, so that it finds its work again after a reload, and holds the browser's lock of that name while it is open.
+//! Work that no tab holds, and that none has adopted or deleted, is offered to the next tab.
 
 use crate::document::give;
 use crate::text::text;
@@ -9,11 +9,12 @@ use std::path::{Path, PathBuf};
 use wasm_bindgen::{JsCast, JsValue};
 use web_sys::Storage;
 
-/// What the names begin with; a number and the ending follow.
+/// The prefix of entry names; a number and the extension follow.
 const NAME: &str = "shading-lab-work-";
-/// Where a tab keeps the name of its own.
+/// The key under which a tab stores the name of its own entry.
 const OWN: &str = "shading-lab-own";
-/// The page's object, where its script put what other tabs held when it was opened, and a function that holds a name.
+/// The page's object, in which its script put the names that other tabs held when the page was opened, and a function
+/// that holds a name.
 const PAGE: &str = "shadingLab";
 const HELD: &str = "held";
 const HOLD: &str = "hold";
@@ -27,7 +28,8 @@ fn local() -> Option<Storage> {
     web_sys::window()?.local_storage().ok()?
 }
 
-/// An entry for this tab, and the latest that there is. Nothing where the browser stores nothing.
+/// Returns an entry for this tab, and the latest one that was left behind. Returns `None` if the browser stores
+/// nothing.
 pub fn find(_: &Path) -> Option<(Slot, Option<Slot>)> {
     let (storage, session) = (local()?, web_sys::window()?.session_storage().ok()??);
     let page = Reflect::get(&js_sys::global(), &PAGE.into()).unwrap_or_default();
@@ -46,7 +48,7 @@ pub fn find(_: &Path) -> Option<(Slot, Option<Slot>)> {
         name.strip_prefix(NAME)?.strip_suffix(".toml")?.parse().ok()
     };
     let own = session.get_item(OWN).ok().flatten();
-    // Before it was loaded anew, this tab itself held its own.
+    // Before a reload, this tab itself held its own.
     let free = |name: &String| own.as_ref() == Some(name) || !held.contains(name);
     let kept = names.filter(|name| number(name).is_some() && free(name));
     let left = kept.max_by_key(|name| (own.as_ref() == Some(name), number(name)));
@@ -55,7 +57,7 @@ pub fn find(_: &Path) -> Option<(Slot, Option<Slot>)> {
     Some((slot(name), left.map(slot)))
 }
 
-/// What an entry holds, which can be opened under its name from then on.
+/// Returns the content of an entry, which can be opened under its name from then on.
 pub fn read(path: &Path) -> String {
     let read = || local()?.get_item(path.to_str()?).ok()?;
     let text: String = read().unwrap_or_default();
@@ -63,12 +65,15 @@ pub fn read(path: &Path) -> String {
     text
 }
 
-/// Writes it, or says why not.
+/// Writes an entry.
+///
+/// # Errors
+/// The browser does not store it.
 pub fn write(path: &Path, text: &str) -> Result<(), String> {
     let written = || {
         let name = path.to_str()?;
         local()?.set_item(name, text).ok()?;
-        // What was adopted has another name than this tab began with.
+        // An adopted entry has another name than the one this tab began with.
         let session = web_sys::window()?.session_storage().ok()??;
         session.set_item(OWN, name).ok()
     };

@@ -1,24 +1,25 @@
-//! Files for kept work. Each window holds the lock of a numbered file of its own, which the system releases when the process
-//! ends, however it ends. A kept scene whose lock is free was left behind.
+//! Files for kept work. Each window holds the lock of a numbered file of its own, which the system releases when the
+//! process ends, however it ends. A kept scene whose lock is free was left behind.
 
 use crate::document::write_whole;
 use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Most windows at a time that keep their work.
+/// Maximum number of windows that keep their work at the same time.
 const MOST: usize = 100;
 
-/// A file for kept work, which is this process's alone.
+/// A file for kept work, locked by this process.
 pub struct Slot {
     pub path: PathBuf,
     _lock: File,
 }
 
-/// A free file in `folder`, and the latest of those left behind. Nothing where no file can be made there.
+/// Returns a free file in `folder`, and the latest of those left behind. Returns `None` if no file can be created
+/// there.
 pub fn find(folder: &Path) -> Option<(Slot, Option<Slot>)> {
     fs::create_dir_all(folder).ok()?;
-    // Nothing where another process has it.
+    // `None` if another process holds the lock.
     let lock = |path: PathBuf| {
         let lock = File::options()
             .create(true)
@@ -48,7 +49,10 @@ pub fn read(path: &Path) -> String {
     fs::read_to_string(path).unwrap_or_default()
 }
 
-/// Writes it whole, or says why not.
+/// Writes the whole file, or leaves the earlier one.
+///
+/// # Errors
+/// The file cannot be written.
 pub fn write(path: &Path, text: &str) -> Result<(), String> {
     write_whole(path, |out| out.write_all(text.as_bytes())).map_err(|error| error.to_string())
 }
