@@ -1,4 +1,5 @@
-//! The engine behind the window: draws the panes, probes them, and keeps everything as textures until something changes.
+//! The engine behind the window: draws the panes, probes them, and caches the results as textures until something
+//! changes.
 
 mod normals;
 mod pane;
@@ -35,36 +36,37 @@ use refined::Refined;
 use refined::Supersampled;
 use std::cell::OnceCell;
 
-/// Draws for the window.
+/// The pictures of the window: panes, probes and overlays.
 #[derive(Default)]
 pub struct Engine {
-    /// By the panes' numbers; there is always the active one.
+    /// The engines of the panes, by pane index; the active one always exists.
     panes: Vec<PaneEngine>,
-    /// The numbers of the panes that are shown.
+    /// The indices of the shown panes.
     pub shown: Vec<usize>,
     active: usize,
-    /// The size of each pane in pixels, when drawn whole.
+    /// The size of each pane at full resolution, pixels.
     pub size: [u32; 2],
-    /// The figures of the shown panes, in their order; the reference has no error. None where nothing is compared.
+    /// The figures of the shown panes, in their order; the reference has no error. Empty if nothing is compared.
     pub figures: Vec<PaneFigures>,
-    /// The reference of these figures, and the language of the panes' names.
+    /// The reference pane of the figures, and the language of the panes' names in them.
     measured: Option<(usize, Language)>,
-    /// The difference picture as last drawn, and how.
+    /// The difference picture as last drawn, and its parameters.
     difference: Option<(TextureHandle, (DifferenceKind, f64, f32))>,
     overlay: Option<DrawnOverlay>,
     normals: NormalsDrawing,
     refined: Refined,
     terms: OnceCell<Vec<Term>>,
-    /// Grows whenever a picture or the probe has changed.
+    /// A counter that increases whenever a picture or the probe has changed.
     pub revision: u64,
 }
 
-/// The overlay as last drawn, and what for.
+/// The overlay as last drawn, and its inputs.
 struct DrawnOverlay {
     texture: TextureHandle,
     overlay: Overlay,
     size: [u32; 2],
-    /// With the light's index, whether the background is dark, the scale of the interface, and what handles cover.
+    /// The overlays, with the light's index, whether the background is dark, the scale of the letters, and the areas
+    /// that handles cover.
     appearance: (Overlays, usize, bool, f64, Vec<Area>),
 }
 
@@ -76,8 +78,8 @@ impl Engine {
         }
     }
 
-    /// Brings pictures, probes and overlay up to date for panes of `size` pixels each; what has not changed is kept. Pictures
-    /// that rest get `smooth` edges.
+    /// Updates pictures, probes and the overlay for panes of `size` pixels each; keeps what has not changed. With
+    /// `smooth`, edges are antialiased when nothing changes.
     pub fn update(
         &mut self,
         ctx: &Context,
@@ -110,7 +112,7 @@ impl Engine {
                 )
             })
             .collect();
-        // While something is dragged the pictures keep up with the hand, coarser if they must be.
+        // While something is dragged, the pictures keep up with the pointer, at a lower resolution if necessary.
         let held = ctx.input(|input| input.pointer.any_down());
         let expected: u64 = wanted
             .iter()
@@ -152,7 +154,7 @@ impl Engine {
         self.refine(ctx, session, window, redrawn, smooth);
     }
 
-    /// Smooths the edges of the pictures once they rest, unless something over them shows pixels.
+    /// Antialiases the edges of the pictures when nothing changes, unless something over them shows pixels.
     fn refine(
         &mut self,
         ctx: &Context,
@@ -191,13 +193,13 @@ impl Engine {
         });
     }
 
-    /// Samples a pixel of what is shown.
+    /// Returns the samples per pixel of the pictures shown.
     pub fn samples(&self) -> u32 {
         self.refined.samples.max(1)
     }
 
-    /// Lights up the faces of the vertex `near` the pointer, within so many pixels, or else of the one that is kept; a click
-    /// keeps what is under it.
+    /// Highlights the faces of the vertex `near` the pointer, a position and a radius in pixels, or else those of the
+    /// kept vertex. A click keeps the vertex under the pointer.
     pub fn point_at(
         &mut self,
         ctx: &Context,
@@ -352,7 +354,7 @@ impl Engine {
         &self.panes[self.active]
     }
 
-    /// A pane's picture, or the difference.
+    /// Returns a pane's picture, or the difference picture.
     pub fn picture(&self, pane: usize) -> Option<&TextureHandle> {
         let difference = self.difference.as_ref().map(|(texture, _)| texture);
         difference
@@ -360,7 +362,7 @@ impl Engine {
             .or_else(|| self.panes.get(pane)?.picture.as_ref())
     }
 
-    /// What lies over the active pane's picture, from the bottom up: needles, vectors, and lit faces.
+    /// Returns the layers over the active pane's picture, from the bottom up: needles, vectors, and highlighted faces.
     pub fn overlays(&self) -> [Option<&TextureHandle>; 3] {
         let [needles, lit] = self.normals.textures();
         let overlay = self
@@ -371,17 +373,17 @@ impl Engine {
         [needles, overlay, lit]
     }
 
-    /// The active pane's picture as last drawn.
+    /// Returns the active pane's picture as last drawn.
     pub fn frame(&self) -> &Frame {
         self.active().renderer().frame()
     }
 
-    /// What drawing the active pane last did.
+    /// Returns the report of the active pane's last drawing.
     pub fn report(&self) -> &FrameReport {
         self.active().report()
     }
 
-    /// Nanoseconds that the shown panes last took.
+    /// Returns the time that drawing the shown panes last took, nanoseconds.
     pub fn nanoseconds(&self) -> u64 {
         self.shown
             .iter()
@@ -390,30 +392,30 @@ impl Engine {
             .sum()
     }
 
-    /// By what the sides of the pictures in sight are divided: more than 1 while something is dragged that they would not
-    /// keep up with.
+    /// Returns the downscale factor of the pictures shown: above 1 while something is dragged and full resolution would
+    /// not keep up.
     pub fn coarser(&self) -> u32 {
         self.active().coarser
     }
 
-    /// The plan of the active pane's picture, term by term; found when it is asked for.
+    /// Returns the plan of the active pane's picture, term by term; computed on first use.
     pub fn terms(&self) -> &[Term] {
         self.terms.get_or_init(|| self.active().renderer().terms())
     }
 
-    /// The curves at the probe and of the light of index `light`, those that say something.
+    /// Returns the informative curves at the probe, for the light of index `light`.
     pub fn curves(&self, light: usize) -> Option<Curves> {
         let pane = self.active();
         let ((_, probe), scene) = (pane.probed.as_ref()?, pane.drawn()?);
         Some(Curves::new(pane.renderer(), scene, probe, light))
     }
 
-    /// The active pane's scene as last drawn, in the picture's size.
+    /// Returns the active pane's scene as last drawn, in the picture's size.
     pub fn drawn(&self) -> Option<&Scene> {
         self.active().drawn()
     }
 
-    /// The polygon under the probe.
+    /// Returns the polygon under the probe.
     pub fn probed_face(&self) -> Option<u32> {
         let ([x, y], probe) = self.active().probed.as_ref()?;
         let coarser = self.coarser();
@@ -424,7 +426,7 @@ impl Engine {
         })
     }
 
-    /// A polygon of the picture, scanned in so many rows.
+    /// Scans a polygon of the picture in this many rows.
     pub fn scan(&self, face: u32, rows: u32) -> Option<Result<Scan, ScanError>> {
         Some(scan_drawn(
             self.active().renderer(),
@@ -434,7 +436,7 @@ impl Engine {
         ))
     }
 
-    /// Makes `known` the polygons of the active pane's picture.
+    /// Sets `known` to the normals of the active pane's picture, unless it already holds them.
     pub fn update_field(&self, known: &mut Option<NormalField>) {
         let renderer = self.active().renderer();
         let Some(scene) = self.drawn() else { return };
@@ -444,7 +446,7 @@ impl Engine {
         }
     }
 
-    /// The equation at the probe in the active pane.
+    /// Returns the probe of the active pane, with the equation at its pixel.
     pub fn probed(&self) -> Option<&Probe> {
         self.active().probed.as_ref().map(|(_, probe)| probe)
     }

@@ -1,4 +1,4 @@
-//! What the browser does for the window of a web page.
+//! The services of the browser for the window of a web page.
 
 #[path = "page/scripts.rs"]
 mod scripts;
@@ -21,39 +21,39 @@ use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::{JsFuture, spawn_local};
 use web_sys::{ClipboardEvent, Event, File, FileList, HtmlInputElement, Response};
 
-/// Whether this is a web page.
+/// True if this is a web page.
 pub const PAGE: bool = true;
-/// Beside the page.
+/// The files beside the page: a font, and the lessons.
 const CHINESE_FONT: &str = "chinese.otf";
 const LESSONS: &str = "lessons.txt";
-/// After this long lessons that did not come are asked for again, seconds.
+/// Delay before lessons that did not arrive are requested again, seconds.
 const LESSONS_PAUSE: f64 = 5.0;
-/// The page's own object, and what scripts can call in it.
+/// The page's own object, and its function for scripts that returns the picture.
 const OWN: &str = "shadingLab";
 const PICTURE: &str = "picture";
-/// The address follows what is seen this often at most, seconds.
+/// Minimum time between updates of the address to the current view, seconds.
 const ADDRESS_PAUSE: f64 = 0.5;
 
 thread_local! {
-    /// Files that have come in since the last frame.
+    /// The files that have arrived since the last frame.
     static ARRIVED: RefCell<Vec<PathBuf>> = const { RefCell::new(Vec::new()) };
-    /// Of the window, once it has drawn a frame.
+    /// The context of the window, once it has drawn a frame.
     static CONTEXT: RefCell<Option<Context>> = const { RefCell::new(None) };
     static FONT_ASKED: Cell<bool> = const { Cell::new(false) };
     static SHOWN_IN: Cell<Option<Language>> = const { Cell::new(None) };
-    /// The link of what is seen, and when it was last looked for, seconds.
+    /// The link of the current view, and the time when it was last checked, seconds.
     static LINK: RefCell<Option<String>> = const { RefCell::new(None) };
     static LOOKED_AT: Cell<f64> = const { Cell::new(f64::NEG_INFINITY) };
-    /// Whether what points is a finger, as the page's script has found.
+    /// True if the pointing device is a finger, as the page's script has detected.
     static COARSE: Cell<bool> = const { Cell::new(false) };
     static UNSAVED: Cell<bool> = const { Cell::new(false) };
-    /// When the lessons were last asked for, seconds.
+    /// The time when the lessons were last requested, seconds.
     static LESSONS_ASKED: Cell<f64> = const { Cell::new(f64::NEG_INFINITY) };
-    /// Those who have asked for the picture.
+    /// The callbacks of pending requests for the picture.
     static ASKED: RefCell<Vec<Function>> = const { RefCell::new(Vec::new()) };
 }
 
-/// Does what is to be done before a frame.
+/// Prepares a frame; the first one sets up the page.
 pub fn begin_frame(ctx: &Context) {
     if CONTEXT.with_borrow(Option::is_none) {
         CONTEXT.set(Some(ctx.clone()));
@@ -76,7 +76,7 @@ pub fn show(what: &str) {
     }
 }
 
-/// The files that were dropped on the page, pasted or chosen, once their content is there.
+/// Returns the files that were dropped on the page, pasted or chosen, once their content is available.
 pub fn dropped(ctx: &Context) -> Vec<PathBuf> {
     let dropped = ctx.input(|input| input.raw.dropped_files.clone());
     if !dropped.is_empty() {
@@ -129,7 +129,8 @@ fn all(files: Option<FileList>) -> Vec<File> {
         .collect()
 }
 
-/// Takes pictures that are pasted, text goes another way; and has the browser ask before it leaves unsaved work.
+/// Listens for pasted files, such as pictures (text is handled elsewhere), and has the browser ask before it leaves
+/// unsaved work.
 fn listen() {
     let leave = Closure::<dyn Fn(Event)>::new(|event: Event| {
         if UNSAVED.get() {
@@ -154,7 +155,7 @@ fn listen() {
     paste.forget();
 }
 
-/// Shows the browser's dialog for files; what is chosen comes as what is [dropped].
+/// Shows the browser's dialog for files; the chosen ones arrive as [dropped] files.
 pub fn pick(_opens: bool, kind: &FileKind) -> Picked {
     let input = document().and_then(|document| document.create_element("input").ok());
     let Some(input) = input else {
@@ -174,12 +175,12 @@ pub fn pick(_opens: bool, kind: &FileKind) -> Picked {
     Picked::Nothing
 }
 
-/// Whether fingers do what elsewhere the mouse does: the browser says so before the first touch.
+/// Returns whether touch replaces the mouse; the browser reports it before the first touch.
 pub fn fingers(ctx: &Context) -> bool {
     COARSE.get() || ctx.input(InputState::has_touch_screen)
 }
 
-/// Opens an address in a tab of its own, which learns nothing of this one; a letter in the program for letters.
+/// Opens an address in a tab of its own, which learns nothing of this one; opens a mail address in the mail program.
 pub fn open_address(_: &Context, address: &str) {
     let letter = address
         .get(..7)
@@ -197,7 +198,7 @@ pub fn set_title(_: &Context, title: &str) {
         .for_each(|document| document.set_title(title));
 }
 
-/// A browser that refuses leaves the page as it is.
+/// Enters or leaves full screen. A browser that refuses leaves the page as it is.
 pub fn set_fullscreen(_: &Context, on: bool) {
     let Some(document) = document() else { return };
     if !on {
@@ -207,8 +208,8 @@ pub fn set_fullscreen(_: &Context, on: bool) {
     }
 }
 
-/// Does what is to be done after a frame: the browser knows whether to ask before it leaves, the address follows the link of
-/// what is seen, and who asked for the picture gets it.
+/// Finishes a frame: updates whether the browser asks before it leaves, and the address to the link of the current
+/// view, and answers requests for the picture.
 pub fn end_frame(
     ctx: &Context,
     unsaved: bool,
@@ -237,8 +238,8 @@ pub fn end_frame(
     }
 }
 
-/// Shows a link as the page's address, if it is another than before. The first one is not shown: nothing has changed yet. A page
-/// inside another keeps the address that it was given.
+/// Shows a link as the page's address, if it differs from the previous one. The first link is not shown, since nothing
+/// has changed yet. A page embedded in another keeps its original address.
 fn follow(link: &str) {
     let before = LINK.with_borrow_mut(|known| known.replace(link.to_owned()));
     let window = web_sys::window();
@@ -256,7 +257,8 @@ fn follow(link: &str) {
         .and_then(|history| history.replace_state_with_url(&JsValue::NULL, "", Some(link)));
 }
 
-/// Gives scripts `shadingLab.picture()`, a promise of the picture as a PNG with its scene inside, and what else they can call.
+/// Gives scripts `shadingLab.picture()`, which returns a promise of the picture as a PNG with its scene inside, and the
+/// other functions that they can call.
 fn offer(ctx: &Context) {
     let picture = Closure::<dyn Fn() -> Promise>::new(|| {
         CONTEXT.with_borrow(|ctx| ctx.iter().for_each(Context::request_repaint));
@@ -270,7 +272,7 @@ fn offer(ctx: &Context) {
     }
 }
 
-/// Fetches the letters for the language of the moment, once.
+/// Sets the page's language, and fetches the font for the current language, once.
 fn want_letters(ctx: &Context) {
     if let Some(page) = document().and_then(|document| document.document_element()) {
         let _ = page.set_attribute("lang", language().tag());
@@ -286,13 +288,13 @@ fn want_letters(ctx: &Context) {
                 theme::install_fonts(&ctx);
                 ctx.request_repaint();
             }
-            // Until then the browser draws the characters. The next choice of the language asks again.
+            // Until then the browser draws the characters. The next choice of the language tries again.
             Err(_) => FONT_ASKED.set(false),
         }
     });
 }
 
-/// Fetches the lessons, which the first picture does not wait for.
+/// Fetches the lessons, without delaying the first picture.
 fn want_lessons(ctx: &Context) {
     let now = ctx.input(|input| input.time);
     if are_there() || now - LESSONS_ASKED.get() < LESSONS_PAUSE {
@@ -308,7 +310,7 @@ fn want_lessons(ctx: &Context) {
     });
 }
 
-/// A file beside the page.
+/// Fetches a file beside the page.
 async fn fetch(name: &str) -> Result<Vec<u8>, JsValue> {
     let window = web_sys::window().ok_or(JsValue::NULL)?;
     let response: Response = JsFuture::from(window.fetch_with_str(name)).await?.into();

@@ -1,4 +1,4 @@
-//! Opening the window, and saying in a sentence why it does not open.
+//! Opening the window, or reporting in a sentence why it does not open.
 
 use crate::app::App;
 use crate::document::Loaded;
@@ -7,7 +7,7 @@ use crate::text::{Language, text};
 use eframe::egui::ViewportBuilder;
 use std::path::Path;
 
-/// What the window loads while it starts, and the Debian package that brings it.
+/// The libraries that the window loads at its start, each with its Debian package.
 const X11_LIBRARIES: [(&str, &str); 5] = [
     ("libX11.so.6", "libx11-6"),
     ("libX11-xcb.so.1", "libx11-xcb1"),
@@ -16,27 +16,27 @@ const X11_LIBRARIES: [(&str, &str); 5] = [
     ("libxkbcommon-x11.so.0", "libxkbcommon-x11-0"),
 ];
 
-/// A picture of the program's own.
+/// The program's icon.
 const ICON: &[u8] = include_bytes!("../../assets/web/icon-192.png");
 
-/// What the window begins with.
+/// The state that the window starts with.
 pub struct Start {
     /// The scene.
     pub loaded: Loaded,
-    /// A lesson from a file, opened.
+    /// An opened lesson from a file.
     pub lesson: Option<Lesson>,
-    /// Decides what is drawn at random in lessons.
+    /// The seed of random numbers in lessons.
     pub seed: Option<u64>,
-    /// Goes before what the window was in last time.
+    /// The language; overrides that of the last session.
     pub language: Option<Language>,
-    /// Goes before the address that its links began with.
+    /// The address that links begin with; overrides that of the last session.
     pub page: Option<String>,
 }
 
 /// Opens the window and returns when it is closed.
 ///
 /// # Errors
-/// No display, or a library that it needs is missing; in a sentence.
+/// No display, or a required library is missing; in a sentence.
 pub fn run(start: Start) -> Result<(), String> {
     let Start {
         loaded,
@@ -80,7 +80,7 @@ pub fn run(start: Start) -> Result<(), String> {
     })
 }
 
-/// Looks for the display and the libraries before anything panics for want of them.
+/// Checks for the display and the libraries, before their absence causes a panic.
 fn check_environment() -> Result<(), String> {
     let set = |name: &str| std::env::var_os(name).is_some_and(|value| !value.is_empty());
     if !cfg!(target_os = "linux") || set("WAYLAND_DISPLAY") || set("WAYLAND_SOCKET") {
@@ -98,8 +98,8 @@ fn check_environment() -> Result<(), String> {
     }
 }
 
-/// Whether the dynamic linker would find a library: in its cache, in its usual folders or where it is told to look. Where
-/// there is no cache to read nothing can be said, and the library counts as installed.
+/// Returns whether the dynamic linker would find a library: in its cache, in its usual folders, or in those of
+/// `LD_LIBRARY_PATH`. If the cache cannot be read, assumes that the library is installed.
 fn is_installed(library: &str) -> bool {
     let Ok(cache) = std::fs::read("/etc/ld.so.cache") else {
         return true;

@@ -1,4 +1,4 @@
-//! What the system does for a window. A web page has its own, `page.rs`.
+//! The services of the system for a window. The counterpart for a web page is `page.rs`.
 
 use crate::app::widgets::dialog::{FileKind, Picked};
 use eframe::egui::{Context, InputState, OpenUrl, ViewportCommand};
@@ -6,13 +6,13 @@ use log::{Level, LevelFilter, Log, Metadata, Record};
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Whether this is a web page.
+/// True if this is a web page.
 pub const PAGE: bool = false;
 
-/// Does what is to be done before a frame.
+/// Prepares a frame.
 pub fn begin_frame(_: &Context) {}
 
-/// The files that were dropped on the window.
+/// Returns the files that were dropped on the window.
 pub fn dropped(ctx: &Context) -> Vec<PathBuf> {
     let dropped = ctx.input(|input| input.raw.dropped_files.clone());
     dropped
@@ -21,12 +21,13 @@ pub fn dropped(ctx: &Context) -> Vec<PathBuf> {
         .collect()
 }
 
-/// Hears that neither the desktop nor zenity has a dialog: for the caller of `rfd` that is the same as a dialog that was cancelled.
+/// A logger that detects that neither the desktop nor zenity has a dialog; `rfd` reports that to its caller as a
+/// cancelled dialog.
 struct Listener {
     failed: AtomicBool,
 }
 
-/// Where `rfd` logs, as an error, that its last way to a dialog has failed.
+/// The log target under which `rfd` reports, as an error, that its last way to a dialog has failed.
 const LAST_WAY: &str = "rfd::backend::xdg_desktop_portal";
 
 static LISTENER: Listener = Listener {
@@ -49,7 +50,7 @@ impl Log for Listener {
 
 /// Shows the desktop's own dialog for a file, to open it or to write it, and waits for the answer.
 pub fn pick(opens: bool, kind: &FileKind) -> Picked {
-    // It is there from the second time on.
+    // Fails from the second time on, when the logger is already set.
     let _ = log::set_logger(&LISTENER);
     log::set_max_level(LevelFilter::Error);
     LISTENER.failed.store(false, Ordering::Relaxed);
@@ -74,12 +75,12 @@ fn shown(opens: bool, kind: &FileKind) -> Option<PathBuf> {
     }
 }
 
-/// Whether fingers do what elsewhere the mouse does.
+/// Returns whether touch replaces the mouse.
 pub fn fingers(ctx: &Context) -> bool {
     ctx.input(InputState::has_touch_screen)
 }
 
-/// Has the desktop open an address, in its browser or its program for letters.
+/// Has the desktop open an address, in its browser or its mail program.
 pub fn open_address(ctx: &Context, address: &str) {
     ctx.open_url(OpenUrl::new_tab(address));
 }
@@ -92,7 +93,7 @@ pub fn set_fullscreen(ctx: &Context, on: bool) {
     ctx.send_viewport_cmd(ViewportCommand::Fullscreen(on));
 }
 
-/// Does what is to be done after a frame, with whether there is unsaved work, the link of what is seen and its picture as a file.
+/// Finishes a frame, given whether there is unsaved work, the link of the current view, and its picture as a file.
 pub fn end_frame(
     _: &Context,
     _unsaved: bool,

@@ -1,4 +1,4 @@
-//! Normals over the active pane: needles, kept until something moves, and the faces of the vertex under the pointer.
+//! Normals over the active pane: needles, cached until something moves, and the faces of the vertex under the pointer.
 
 use super::pane::{PaneEngine, drawing, lettering, overlay_options, upload};
 use crate::analysis::normals::{LitVertex, Needles, NormalField, SeenNormals};
@@ -9,7 +9,7 @@ use crate::scene::{Camera, Scene, ShadingMode, View};
 use eframe::egui::{Context, TextureHandle, TextureOptions};
 use glam::DVec2;
 
-/// What is drawn of the normals, and what for. Nothing is kept while none are shown.
+/// The drawings of the normals, and their inputs. Nothing is cached while none are shown.
 #[derive(Default)]
 pub struct NormalsDrawing {
     field: Option<NormalField>,
@@ -19,19 +19,19 @@ pub struct NormalsDrawing {
     lit: Option<(u32, TextureHandle)>,
 }
 
-/// What needles depend on beside the field.
+/// The inputs of the needles besides the field.
 #[derive(PartialEq)]
 struct NeedlesKey {
     pane: usize,
     options: OverlayOptions,
     camera: Camera,
     size: [u32; 2],
-    /// The true surface hides otherwise than its polygons.
+    /// True for the true surface, which hides needles differently than its polygons do.
     exact: bool,
 }
 
 impl NormalsDrawing {
-    /// Brings the needles up to date with the picture of the active pane.
+    /// Updates the needles to the picture of the active pane.
     pub fn update(
         &mut self,
         ctx: &Context,
@@ -60,7 +60,7 @@ impl NormalsDrawing {
                 .as_ref()
                 .is_some_and(|field| !field.of_equal_mesh(renderer))
             {
-                // Its numbers mean other points.
+                // Its indices refer to other points.
                 window.pointed.kept = None;
             }
             self.drawn = None;
@@ -95,7 +95,8 @@ impl NormalsDrawing {
         (self.drawn, self.lit) = (Some(key), None);
     }
 
-    /// Lights up the vertex that is `near` the pointer, within so many pixels, or else the one that is kept.
+    /// Highlights the vertex `near` the pointer, a position and a radius in pixels, or else the kept one. A click keeps
+    /// the vertex under the pointer.
     pub fn point_at(
         &mut self,
         ctx: &Context,
@@ -105,7 +106,7 @@ impl NormalsDrawing {
         near: Option<(DVec2, f64)>,
         clicked: bool,
     ) {
-        // A coarser picture is dragged in: nothing is pointed at.
+        // While a downscaled picture is shown, something is dragged and nothing is pointed at.
         if engine.coarser > 1 {
             return;
         }
@@ -140,7 +141,7 @@ impl NormalsDrawing {
         }
     }
 
-    /// The needles and the lit faces.
+    /// Returns the needles and the highlighted faces.
     pub fn textures(&self) -> [Option<&TextureHandle>; 2] {
         [
             self.needles.as_ref(),
@@ -149,7 +150,7 @@ impl NormalsDrawing {
     }
 }
 
-/// How needles are drawn; no light has a part in it.
+/// Returns the options of needles, which are independent of the lights.
 fn options(
     ctx: &Context,
     session: &Session,

@@ -1,7 +1,7 @@
-//! One pane's picture: drawn and probed, and kept until something changes.
+//! One pane's picture, drawn and probed, and cached until something changes.
 //!
-//! Where drawing all of it would not keep up with the hand, a coarser picture is drawn while the pointer is held, by a renderer
-//! of its own, so that the whole one's stages are kept.
+//! If drawing at full resolution would not keep up with the pointer, a downscaled picture is drawn while the pointer is
+//! held. It has a renderer of its own, so that the full picture's stages stay cached.
 
 use crate::analysis::comparison::LinearPicture;
 use crate::analysis::overlay::{Halo, OverlayLayer, OverlayOptions, overlay_letters};
@@ -16,7 +16,7 @@ use crate::scene::{Rgb, Scene};
 use eframe::egui::{ColorImage, Context, ImageData, TextureHandle, TextureOptions};
 use std::sync::Arc;
 
-/// A renderer, and what it drew last.
+/// A renderer, and the last picture that it drew.
 struct Drawing {
     renderer: Renderer,
     model: Option<Arc<Mesh>>,
@@ -39,7 +39,8 @@ impl Default for Drawing {
 }
 
 impl Drawing {
-    /// Whether the last picture is one of `wanted` at `size` pixels; the size in a scene is that of exported pictures.
+    /// Returns whether the last picture is that of `wanted` at `size` pixels; the size in a scene is that of exported
+    /// pictures.
     fn shows(&self, wanted: &Wanted<'_>, size: [u32; 2]) -> bool {
         let sized = self
             .drawn
@@ -49,7 +50,8 @@ impl Drawing {
         sized && same && self.changed_parts(wanted.scene).is_empty()
     }
 
-    /// The tables of a scene file in which a scene differs from the one drawn last, as far as the picture depends on them.
+    /// Returns the tables of a scene file in which a scene differs from the one drawn last, as far as the picture
+    /// depends on them.
     fn changed_parts(&self, scene: &Scene) -> Vec<&'static str> {
         let Some(drawn) = &self.drawn else {
             return vec!["all"];
@@ -65,7 +67,7 @@ impl Drawing {
         parts
     }
 
-    /// Draws unless it has.
+    /// Draws the picture, unless it is already drawn.
     fn draw(&mut self, wanted: &Wanted<'_>, size: [u32; 2]) {
         if self.shows(wanted, size) {
             return;
@@ -84,38 +86,38 @@ impl Drawing {
     }
 }
 
-/// What a pane is to show.
+/// The picture that a pane is to show.
 pub struct Wanted<'a> {
     pub scene: &'a Scene,
     pub model: Option<&'a Arc<Mesh>>,
-    /// In pixels, when drawn whole.
+    /// The size at full resolution, pixels.
     pub size: [u32; 2],
-    /// Whether the picture is kept before the display too.
+    /// True if the linear picture, before the display, is kept too.
     pub linear: bool,
 }
 
-/// One is shown while another is filled.
+/// The number of images: one is shown while another is filled.
 const IMAGES: usize = 2;
 
-/// A pane with renderers of its own, so that each pane's stages are kept.
+/// A pane with renderers of its own, so that each pane's stages stay cached.
 #[derive(Default)]
 pub struct PaneEngine {
     whole: Drawing,
-    /// While something is dragged.
+    /// The downscaled picture, while something is dragged.
     draft: Option<Drawing>,
-    /// By what the sides of the picture in sight are divided; 0 before anything is drawn.
+    /// The downscale factor of the picture shown; 0 before anything is drawn.
     pub coarser: u32,
-    /// What a whole picture took after a change of these parts, nanoseconds.
+    /// The time that a picture at full resolution took after a change of these parts, nanoseconds.
     costs: Vec<(Vec<&'static str>, u64)>,
     pub picture: Option<TextureHandle>,
-    /// At most [`IMAGES`].
+    /// The images of the pictures, at most [`IMAGES`].
     images: Vec<Arc<ColorImage>>,
     pub probed: Option<([u32; 2], Probe)>,
 }
 
 impl PaneEngine {
-    /// What drawing `wanted` whole would take, nanoseconds, by what it took after the last change of the same parts; 0 where
-    /// it is drawn.
+    /// Returns the expected time to draw `wanted` at full resolution, nanoseconds: the time after the last change of
+    /// the same parts; 0 if it is already drawn.
     pub fn expected(&self, wanted: &Wanted<'_>) -> u64 {
         let parts = self.whole.changed_parts(wanted.scene);
         if parts.is_empty() {
@@ -129,12 +131,12 @@ impl PaneEngine {
         known.unwrap_or_else(|| self.greatest_cost())
     }
 
-    /// The most that drawing a whole picture took, nanoseconds.
+    /// Returns the maximum time that a picture at full resolution took, nanoseconds.
     pub fn greatest_cost(&self) -> u64 {
         self.costs.iter().map(|(_, cost)| *cost).max().unwrap_or(0)
     }
 
-    /// Brings the picture up to date, its sides divided by `coarser`; returns whether what is in sight has changed.
+    /// Updates the picture, downscaled by the factor `coarser`; returns whether the picture shown has changed.
     pub fn draw(&mut self, ctx: &Context, wanted: &Wanted<'_>, coarser: u32) -> bool {
         let size = coarser_size(wanted.size, coarser);
         if self.coarser == coarser && self.in_sight().shows(wanted, size) {
@@ -144,7 +146,7 @@ impl PaneEngine {
         if coarser > 1 {
             let draft = self.draft.get_or_insert_default();
             draft.draw(wanted, size);
-            // Not every stage shrinks with the picture: what is still too slow is drawn coarser next time.
+            // Not every stage scales with the picture: if it is still too slow, the next one is drawn coarser.
             let spread = draft.report.nanoseconds * u64::from(coarser * coarser);
             if coarseness(spread) > coarser {
                 let parts = self.whole.changed_parts(wanted.scene);
@@ -159,7 +161,7 @@ impl PaneEngine {
             self.whole.draw(wanted, size);
             self.remember(parts, self.whole.report.nanoseconds);
         }
-        // A coarser picture is spread smoothly.
+        // A downscaled picture is magnified smoothly.
         let options = if coarser > 1 {
             TextureOptions::LINEAR
         } else {
@@ -170,9 +172,9 @@ impl PaneEngine {
         true
     }
 
-    /// An image of the picture in sight: in the place of an earlier one, or a new one.
+    /// Returns an image of the picture shown, reusing an earlier image if possible.
     fn image(&mut self) -> Arc<ColorImage> {
-        // The last picture's may still be on its way to the texture.
+        // The last picture's image may still be on its way to the texture.
         let free = self
             .images
             .iter_mut()
@@ -203,7 +205,7 @@ impl PaneEngine {
             .unwrap_or(&self.whole)
     }
 
-    /// Brings the probe at a pixel of the whole picture up to date; returns whether it had to be.
+    /// Updates the probe at a pixel of the full picture; returns whether that was necessary.
     pub fn probe(&mut self, pixel: [u32; 2], redrawn: bool) -> bool {
         if !redrawn && self.probed.as_ref().is_some_and(|(at, _)| *at == pixel) {
             return false;
@@ -222,7 +224,7 @@ impl PaneEngine {
         true
     }
 
-    /// A pixel of the whole picture beside its highlight.
+    /// Returns a pixel of the full picture beside its highlight.
     pub fn beside_highlight(&mut self) -> Option<[u32; 2]> {
         let Drawing {
             renderer, drawn, ..
@@ -230,22 +232,22 @@ impl PaneEngine {
         pixel_beside_highlight(renderer, drawn.as_ref()?)
     }
 
-    /// The renderer of the picture in sight.
+    /// Returns the renderer of the picture shown.
     pub fn renderer(&self) -> &Renderer {
         &self.in_sight().renderer
     }
 
-    /// The scene of the picture in sight, in that picture's size.
+    /// Returns the scene of the picture shown, in that picture's size.
     pub fn drawn(&self) -> Option<&Scene> {
         self.in_sight().drawn.as_ref()
     }
 
-    /// What drawing the picture in sight did.
+    /// Returns the report of drawing the picture shown.
     pub fn report(&self) -> &FrameReport {
         &self.in_sight().report
     }
 
-    /// The picture in sight before the display.
+    /// Returns the linear picture shown, before the display.
     pub fn linear(&self) -> Option<LinearPicture<'_>> {
         let drawing = self.in_sight();
         let scene = drawing.drawn.as_ref().filter(|_| drawing.linear)?;
@@ -257,7 +259,7 @@ impl PaneEngine {
     }
 }
 
-/// What an overlay shows under `look` for the light of index `light`.
+/// Returns the options of an overlay with this `appearance`, for the light of index `light`.
 pub fn overlay_options(appearance: &Overlays, light: usize, scene: &Scene) -> OverlayOptions {
     let layers = [
         (appearance.vectors, OverlayLayer::Vectors),
@@ -294,8 +296,8 @@ pub fn overlay_options(appearance: &Overlays, light: usize, scene: &Scene) -> Ov
     }
 }
 
-/// Scale of letters over a picture of `size` pixels, of which one covers `coarser` of the screen's: to a room they are no
-/// smaller than the window's own text.
+/// Returns the scale of letters over a picture of `size` pixels, each of which covers `coarser` pixels of the screen.
+/// At projector size they are at least as large as the window's own text.
 pub fn lettering(ctx: &Context, appearance: &Appearance, size: [u32; 2], coarser: u32) -> f64 {
     let own = f64::from(appearance.scale);
     if !appearance.projector {
@@ -305,19 +307,19 @@ pub fn lettering(ctx: &Context, appearance: &Appearance, size: [u32; 2], coarser
     own.max(text / overlay_letters(f64::from(size[0].min(size[1]))))
 }
 
-/// Whether the picture's background is dark.
+/// Returns whether the picture's background is dark.
 pub fn is_dark(scene: &Scene) -> bool {
     scene.image.background.dot(Rgb::new(0.2126, 0.7152, 0.0722)) < 0.4
 }
 
-/// A picture for the window.
+/// Converts a picture for the window.
 pub fn image_of(frame: &Frame) -> ColorImage {
     let size = [frame.width as usize, frame.height as usize];
-    // No alpha but 255 occurs.
+    // Alpha is always 255.
     ColorImage::from_rgba_premultiplied(size, frame.pixels.as_flattened())
 }
 
-/// A picture of `size` pixels that `draw` puts on nothing.
+/// Returns a picture that `draw` paints on a transparent background, `width` by `height` pixels.
 pub fn drawing(
     [width, height]: [u32; 2],
     draw: impl FnOnce(&mut tiny_skia::PixmapMut<'_>),

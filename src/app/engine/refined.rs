@@ -1,4 +1,5 @@
-//! Smooth edges: pictures of several samples a pixel, drawn in the background once nothing has moved for a while.
+//! Antialiased edges: pictures with several samples per pixel, drawn in the background when nothing has changed for a
+//! while.
 
 use crate::analysis::Watch;
 use crate::analysis::codec::{Codec, from_bytes, to_bytes};
@@ -12,35 +13,37 @@ use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::time::Duration;
 
-/// How long the pictures rest before they are refined, seconds.
+/// Time without changes before the pictures are refined, seconds.
 const REST: f64 = 0.2;
-/// Samples a pixel, one after the other.
+/// Samples per pixel of the successive pictures.
 const SAMPLES: [u32; 2] = [4, 16];
-/// Pictures that would take longer than this with all of their samples are not refined, nanoseconds.
+/// Maximum expected time for pictures with all of their samples, nanoseconds; slower ones are not refined.
 const MOST: u64 = 2_000_000_000;
-/// Nor are those of which one sample took longer than this; what the first picture took once is part of it.
+/// Maximum time for one sample of the pictures, nanoseconds, including the one-time cost of the first picture; slower
+/// ones are not refined.
 const MOST_ONCE: u64 = MOST / 4;
 
-/// Nor are pictures of more triangles than this in all: the work has meshes of its own, beside those of the panes.
+/// Maximum number of triangles in all pictures; larger ones are not refined, since the work has meshes of its own
+/// besides those of the panes.
 const MOST_TRIANGLES: u64 = 600_000;
 
-/// The panes in sight, refined.
+/// The refined pictures of the panes shown.
 #[derive(Default)]
 pub struct Refined {
-    /// Since when the pictures have not changed, seconds.
+    /// The time of the last change of the pictures, seconds.
     since: Option<f64>,
     job: Option<Job<Supersampled>>,
-    /// Whether there is nothing left to draw.
+    /// True if there is nothing left to draw.
     over: bool,
     textures: Vec<(usize, TextureHandle)>,
-    /// Samples a pixel of what is shown; 0 before there is anything.
+    /// Samples per pixel of the pictures shown; 0 before there are any.
     pub samples: u32,
-    /// Shared with the work under way. One that was given up goes on to the end of its sample; until then no other begins, so that
-    /// there is one more renderer in memory and not many.
+    /// Shared with the work in progress. Cancelled work continues to the end of its sample; no other begins until then,
+    /// so that at most one more renderer is in memory.
     alive: Arc<()>,
 }
 
-/// Panes by their numbers, to be drawn with several samples a pixel.
+/// Panes by their indices, to be drawn with several samples per pixel.
 #[derive(Serialize, Deserialize)]
 pub struct Supersampled {
     pub panes: Vec<(usize, Scene)>,
@@ -54,7 +57,7 @@ pub struct Supersampled {
     pub alive: Arc<()>,
 }
 
-/// The pictures in the panes' order, and their samples.
+/// The pictures in the order of the panes, and their samples per pixel.
 #[derive(Clone)]
 pub struct Pictures {
     samples: u32,
@@ -94,13 +97,13 @@ impl Work for Supersampled {
                 let frame = renderer.render_supersampled(scene, samples, &mut |n| {
                     let now = nanoseconds();
                     let took = now - std::mem::replace(&mut before, now);
-                    // The first sample of all makes the mesh as well.
+                    // The time of the very first sample includes making the mesh.
                     let affordable = done + n < 2 || took.saturating_mul(u64::from(all)) <= MOST;
                     goes_on = affordable && watch.progress((done + n) as f32 / all as f32);
                     goes_on
                 });
                 if !goes_on {
-                    // Nobody reads why.
+                    // Nobody reads the message.
                     return Err(String::new());
                 }
                 done += samples;
@@ -115,12 +118,13 @@ impl Work for Supersampled {
 }
 
 impl Refined {
-    /// Whether pictures of which one sample took so long, nanoseconds, and of so many triangles in all may be refined.
+    /// Returns whether pictures may be refined if one sample takes `cost` nanoseconds and they have this many triangles
+    /// in all.
     pub fn affords(cost: u64, triangles: u64) -> bool {
         cost <= MOST_ONCE && triangles <= MOST_TRIANGLES
     }
 
-    /// Goes back to one sample a pixel.
+    /// Returns to one sample per pixel.
     pub fn forget(&mut self) {
         let alive = self.alive.clone();
         *self = Self {
@@ -129,7 +133,7 @@ impl Refined {
         };
     }
 
-    /// Begins to refine the pictures when they have rested for long enough, and takes what has been drawn.
+    /// Starts to refine the pictures when nothing has changed for long enough, and takes those that have been drawn.
     pub fn update(&mut self, ctx: &Context, work: impl FnOnce(Arc<()>) -> Supersampled) {
         if let Some(job) = &self.job {
             let news = job.news();
@@ -169,7 +173,7 @@ impl Refined {
             .collect();
     }
 
-    /// The refined picture of a pane, where there is one.
+    /// Returns the refined picture of a pane, if there is one.
     pub fn picture(&self, pane: usize) -> Option<&TextureHandle> {
         self.textures
             .iter()

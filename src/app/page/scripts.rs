@@ -1,5 +1,5 @@
-//! What scripts can ask of the page beside the picture in sight: `shadingLab.link(text)`, `.render(link, width, height)` and
-//! `.bench(link, width, height, frames)`. What is wrong is thrown, in a sentence.
+//! The functions for scripts besides that of the picture shown: `shadingLab.link(text)`, `.render(link, width, height)`
+//! and `.bench(link, width, height, frames)`. Errors are thrown, in a sentence.
 
 use crate::analysis::bench::BenchQuestion;
 use crate::analysis::{Answer, Question, ReportContext, Subject, unwatched};
@@ -12,14 +12,14 @@ use js_sys::{Reflect, Uint8Array};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::closure::Closure;
 
-/// Longest side of a picture that is drawn for a script.
+/// Maximum side of a picture drawn for a script, pixels.
 const LONGEST: u32 = 4096;
 
 fn say(problem: impl ToString) -> JsValue {
     js_sys::Error::new(&problem.to_string()).into()
 }
 
-/// Gives them to scripts, as properties of `own`.
+/// Gives the functions to scripts, as properties of `own`.
 pub fn offer(own: &JsValue) {
     let link =
         Closure::<dyn Fn(String) -> Result<String, JsValue>>::new(|text: String| again(&text));
@@ -39,14 +39,14 @@ pub fn offer(own: &JsValue) {
     }
 }
 
-/// The link of what a link opens: the shortest way to say the same.
+/// Returns the shortest link to what a link opens.
 fn again(text: &str) -> Result<String, JsValue> {
     let Link { scene, name, shown } = read(text).map_err(say)?;
     let written = write("", &scene, Some(&name), &shown).map_err(say)?;
     Ok(written.link)
 }
 
-/// The scene of a link alone, without other panes, in a picture of some size.
+/// Returns the scene of a link alone, without other panes, in a picture of `size` pixels, clamped to [`LONGEST`].
 fn scene(link: &str, size: [u32; 2]) -> Result<Scene, JsValue> {
     let mut scene = read(link).map_err(say)?.scene;
     scene.compare.view = CompareView::Single;
@@ -54,7 +54,7 @@ fn scene(link: &str, size: [u32; 2]) -> Result<Scene, JsValue> {
     Ok(scene)
 }
 
-/// The picture of a link as a PNG.
+/// Returns the picture of a link as a PNG.
 fn drawn(link: &str, size: [u32; 2]) -> Result<Uint8Array, JsValue> {
     let scene = scene(link, size)?;
     let mut renderer = Renderer::default();
@@ -63,7 +63,7 @@ fn drawn(link: &str, size: [u32; 2]) -> Result<Uint8Array, JsValue> {
     Ok(Uint8Array::from(&*bytes))
 }
 
-/// What `bench` prints as JSON.
+/// Returns the output of `bench` as JSON.
 fn timed(link: &str, size: [u32; 2], frames: u32) -> Result<String, JsValue> {
     let subject = Subject {
         scene: scene(link, size)?,

@@ -1,5 +1,5 @@
-//! Where the controls of the window are, for scripts: `shadingLab.widgets()` is a promise of a list of them, each with its `role`,
-//! its `name`, its `value` and its place in the page, as what the window tells screen readers has them.
+//! The positions of the window's controls, for scripts: `shadingLab.widgets()` returns a promise of a list of them,
+//! each with its `role`, `name`, `value` and position in the page, as reported to screen readers.
 
 use eframe::egui::{Context, FullOutput, Plugin};
 use js_sys::{Function, JSON, Promise, Reflect};
@@ -9,11 +9,11 @@ use wasm_bindgen::JsValue;
 use wasm_bindgen::closure::Closure;
 
 thread_local! {
-    /// Those who have asked.
+    /// The callbacks of pending requests.
     static ASKED: RefCell<Vec<Function>> = const { RefCell::new(Vec::new()) };
 }
 
-/// Gives it to scripts, as a property of `own`.
+/// Gives the function to scripts, as a property of `own`.
 pub fn offer(own: &JsValue, ctx: &Context) {
     ctx.add_plugin(Widgets);
     let ctx = ctx.clone();
@@ -25,7 +25,8 @@ pub fn offer(own: &JsValue, ctx: &Context) {
     let _ = Reflect::set(own, &"widgets".into(), &widgets.into_js_value());
 }
 
-/// Answers with what the next frame tells. Nothing is told while nobody asks.
+/// The plugin that answers requests with the accessibility tree of the next frame. No tree is built while there are no
+/// requests.
 struct Widgets;
 
 impl Plugin for Widgets {

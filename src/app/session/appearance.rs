@@ -114,7 +114,7 @@ impl Appearance {
         self.views = !self.projector || self.view == ViewName::Course && self.views;
     }
 
-    /// Returns the scale of the interface in a window of this height, points.
+    /// Returns the scale of the interface in a window of this height, in points before scaling.
     pub fn zoom(&self, height: f32) -> f32 {
         if self.projector {
             self.scale.max(1.0) * (height / (PROJECTOR_LINES * TEXT)).max(1.0)

@@ -27,10 +27,10 @@ use wasm_bindgen::JsCast;
 use wasm_bindgen_futures::spawn_local;
 use web_sys::HtmlCanvasElement;
 
-/// The canvas of the page.
+/// The ID of the page's canvas element.
 const CANVAS: &str = "shading-lab";
 
-/// Opens the window on the page's canvas; what goes wrong stands in the console, and the page says that something did.
+/// Opens the window on the page's canvas. Errors are logged to the console, and the page says that something failed.
 pub fn run() {
     if serve(workers()) {
         console_error_panic_hook::set_once();
@@ -89,7 +89,7 @@ async fn start(canvas: HtmlCanvasElement) {
     }
 }
 
-/// What workers do.
+/// Returns the kinds of work that workers do.
 fn workers() -> Vec<Served> {
     vec![
         served::<Request<AreaLight>>(),
@@ -111,7 +111,7 @@ fn workers() -> Vec<Served> {
     ]
 }
 
-/// The page's address, and the link in it.
+/// Returns the page's address, and the link in it.
 fn address() -> (String, String) {
     let location = || {
         let location = web_sys::window()?.location();
@@ -121,7 +121,7 @@ fn address() -> (String, String) {
     location().unwrap_or_default()
 }
 
-/// Moves nothing of itself where the reader wants it so.
+/// Disables animations if the user prefers reduced motion.
 fn reduce_motion(ctx: &Context) {
     let wanted = web_sys::window().and_then(|window| {
         window
