@@ -403,7 +403,7 @@ impl Engine {
         self.terms.get_or_init(|| self.active().renderer().terms())
     }
 
-    /// Returns the informative curves at the probe, for the light of index `light`.
+    /// Returns the curves that apply at the probe, for the light of index `light`.
     pub fn curves(&self, light: usize) -> Option<Curves> {
         let pane = self.active();
         let ((_, probe), scene) = (pane.probed.as_ref()?, pane.drawn()?);

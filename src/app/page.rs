@@ -23,13 +23,15 @@ use web_sys::{ClipboardEvent, Event, File, FileList, HtmlInputElement, Response}
 
 /// True if this is a web page.
 pub const PAGE: bool = true;
-/// The files beside the page: a font, and the lessons.
+/// The file of the Chinese font, beside the page.
 const CHINESE_FONT: &str = "chinese.otf";
+/// The file of the lessons, beside the page.
 const LESSONS: &str = "lessons.txt";
 /// Delay before lessons that did not arrive are requested again, seconds.
 const LESSONS_PAUSE: f64 = 5.0;
-/// The page's own object, and its function for scripts that returns the picture.
+/// The page's own object for scripts.
 const OWN: &str = "shadingLab";
+/// The function of [`OWN`] that returns the picture.
 const PICTURE: &str = "picture";
 /// Minimum time between updates of the address to the current view, seconds.
 const ADDRESS_PAUSE: f64 = 0.5;
@@ -41,8 +43,9 @@ thread_local! {
     static CONTEXT: RefCell<Option<Context>> = const { RefCell::new(None) };
     static FONT_ASKED: Cell<bool> = const { Cell::new(false) };
     static SHOWN_IN: Cell<Option<Language>> = const { Cell::new(None) };
-    /// The link of the current view, and the time when it was last checked, seconds.
+    /// The link of the current view.
     static LINK: RefCell<Option<String>> = const { RefCell::new(None) };
+    /// The time when the link was last checked, seconds.
     static LOOKED_AT: Cell<f64> = const { Cell::new(f64::NEG_INFINITY) };
     /// True if the pointing device is a finger, as the page's script has detected.
     static COARSE: Cell<bool> = const { Cell::new(false) };

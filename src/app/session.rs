@@ -1,5 +1,5 @@
-//! A session: the open document as its panes show it, and the undo history. The state of what is open and how it is
-//! viewed is a [`Session`] and a [`window::WindowState`]; a request to change it is an [`action::Action`].
+//! A session: the open document as its panes show it, and the undo history. A [`Session`] holds what is open, a
+//! [`window::WindowState`] how it is viewed; an [`action::Action`] is a request to change them.
 //!
 //! A pane's scene is derived from the document's. The controls edit the scene of the active pane, [`Session::shown`];
 //! [`Session::commit`] sends its changes to the document, except for settings of the pane's own:
@@ -44,8 +44,9 @@ pub struct Session {
     pub initial: Scene,
     /// True if another scene has been opened since the controls were last shown.
     just_opened: bool,
-    /// True if the document differs from the saved one; and true if it has changed since the history last observed it.
+    /// True if the document differs from the saved one.
     modified: bool,
+    /// True if the document has changed since the history last observed it.
     unobserved: bool,
     /// Previously open documents, as they were opened or saved: undo can return to them.
     opened_history: Vec<(Document, Scene)>,
@@ -90,8 +91,8 @@ impl Session {
         self.history = History::new(self.document.clone());
     }
 
-    /// Replaces the document by another one; undo returns to the present one. If there is not enough memory to draw the
-    /// new one, shows a notice and keeps the present one. Returns whether the document was replaced.
+    /// Replaces the document with another one; undo returns to the present one. If there is not enough memory to draw
+    /// the new one, shows a notice and keeps the present one. Returns whether the document was replaced.
     pub fn replace(&mut self, document: Document) -> bool {
         if let Err(error) = check_mesh_memory(&document.scene, document.model.as_deref()) {
             self.notice = Some(error.to_string());
@@ -132,8 +133,8 @@ impl Session {
         self.return_to_origin();
     }
 
-    /// Restores what belongs to the document that undo or redo led to, which may have been opened or saved as another
-    /// one.
+    /// Restores the saved state after undo or redo, which may have led to a document that was opened or saved as
+    /// another one.
     fn return_to_origin(&mut self) {
         let origin = &self.document.origin;
         let mut known = self.opened_history.iter();
@@ -263,7 +264,7 @@ impl Session {
         self.modified = self.document != self.saved;
     }
 
-    /// Replaces the open document by a later state of it.
+    /// Replaces the open document with a later state of it.
     pub fn restore(&mut self, document: Document) {
         self.document = document;
         self.derive();
@@ -287,7 +288,8 @@ impl Session {
         self.initial = initial.unwrap_or_else(|_| self.opened.clone());
     }
 
-    /// Shows the panes in another view; if there are none, adds one with the exact picture.
+    /// Shows the panes in another view. If there are none, adds one with the exact picture, or with Phong shading
+    /// beside an exact one.
     pub fn compare(&mut self, view: CompareView) {
         let exact = self.shown.scene.shading.mode == ShadingMode::Exact;
         let compare = &mut self.document.scene.compare;
@@ -399,7 +401,7 @@ fn mend(document: &mut Scene) {
 pub struct Panes {
     /// Index of the pane whose scene the controls show.
     pub active: usize,
-    /// True if changes concern that pane alone.
+    /// True if changes apply to the active pane alone.
     pub own: bool,
     /// The document's scene, from which the others are derived; the first pane shows it.
     document: Scene,

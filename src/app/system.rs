@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 /// True if this is a web page.
 pub const PAGE: bool = false;
 
-/// Prepares a frame.
+/// Prepares a frame; on the desktop there is nothing to do.
 pub fn begin_frame(_: &Context) {}
 
 /// Returns the files that were dropped on the window.
@@ -93,7 +93,8 @@ pub fn set_fullscreen(ctx: &Context, on: bool) {
     ctx.send_viewport_cmd(ViewportCommand::Fullscreen(on));
 }
 
-/// Finishes a frame, given whether there is unsaved work, the link of the current view, and its picture as a file.
+/// Finishes a frame, given whether there is unsaved work, the link of the current view, and its picture as a file; on
+/// the desktop there is nothing to do.
 pub fn end_frame(
     _: &Context,
     _unsaved: bool,

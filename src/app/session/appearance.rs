@@ -38,7 +38,7 @@ pub struct Appearance {
     pub view: ViewName,
     /// The overlays drawn over the picture.
     pub overlay: Overlays,
-    /// True if the picture is drawn with several samples a pixel when nothing changes.
+    /// True if the picture is drawn with several samples per pixel when nothing changes.
     pub smooth_edges: bool,
     /// The settings of the profile's view.
     pub profile: ProfileAppearance,

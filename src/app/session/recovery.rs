@@ -22,7 +22,7 @@ use slot::Slot;
 use std::path::Path;
 use std::time::Duration;
 
-/// Delay before a change is written, together with those that follow in that time, seconds.
+/// Delay before a change is written, together with the changes that follow in that time; seconds.
 const PAUSE: f64 = 3.0;
 /// The beginning of the first line of a kept scene; [`Around`] follows as JSON.
 const HEAD: &str = "# Unsaved work of shading-lab, from ";

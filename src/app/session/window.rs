@@ -67,8 +67,8 @@ pub struct Drag {
     pub grip: Grip,
     /// Offset from the pointer to the middle of the grip, pixels.
     pub grab: DVec2,
-    /// True if the drag changes the depth: a light changes its distance, a vertex moves towards the viewer or away; the
-    /// camera moves along the picture's plane.
+    /// True for the other mode of dragging: a light changes its distance, a vertex moves towards the viewer or away,
+    /// and the camera moves along the picture's plane.
     pub deep: bool,
     /// The position of the dragged light at the start.
     pub start: LightStart,

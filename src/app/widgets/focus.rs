@@ -35,9 +35,10 @@ struct FocusMemory {
     by_key: bool,
     /// True if a key moved the focus in this frame.
     moved: bool,
-    /// Height of the window, points, and whether it has just decreased while a field is being edited: the on-screen
-    /// keyboard of a phone takes half of the screen.
+    /// Height of the window, points.
     height: f32,
+    /// True if the window has just become lower while a field is being edited: the on-screen keyboard of a phone takes
+    /// half of the screen.
     lower: bool,
     /// Frames since Escape was pressed, as long as a field that lost the focus may still commit its text.
     escaped: Option<u8>,

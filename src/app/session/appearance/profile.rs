@@ -1,5 +1,5 @@
-//! The settings of the profile's view. Those of how it is viewed are stored between two sessions; those of what is
-//! compared are reset with each scene.
+//! The settings of the profile's view. Those for viewing are stored between two sessions; those for comparing are reset
+//! with each scene.
 
 use crate::analysis::perception::{Perception, Viewing};
 use crate::analysis::profile::ProfileQuestion;

@@ -13,10 +13,11 @@ use web_sys::Storage;
 const NAME: &str = "shading-lab-work-";
 /// The key under which a tab stores the name of its own entry.
 const OWN: &str = "shading-lab-own";
-/// The page's object, in which its script put the names that other tabs held when the page was opened, and a function
-/// that holds a name.
+/// The page's own object.
 const PAGE: &str = "shadingLab";
+/// The names that other tabs held when the page was opened, put into [`PAGE`] by its script.
 const HELD: &str = "held";
+/// The function of [`PAGE`] that holds a name.
 const HOLD: &str = "hold";
 
 /// An entry for kept work.
