@@ -1,5 +1,6 @@
-//! The panel of controls: sections of rows, in the order of the equation. A row belongs to a parameter or holds a control of its
-//! own.
+//! The panel of controls: sections of rows, in the order of the equation.
+//!
+//! A row belongs to a parameter or is a control of its own.
 
 mod lights;
 pub mod materials;

@@ -1,8 +1,7 @@
-//! A row of the panel of controls: a label, a control, and a button that resets the value as opened. The row of a parameter
-//! follows the parameter's description.
+//! A row of the panel of controls: a label, a control, and a button that restores the value as opened.
 //!
-//! Every control can be reached by keyboard and has an accessible name. Its label shows the symbol of the equation in the
-//! symbol's colour, and pointing at either highlights the other.
+//! The row of a parameter follows the parameter's description. Every control can be reached by keyboard and has an accessible
+//! name. Its label shows the symbol of the equation in the symbol's colour, and pointing at either highlights the other.
 
 mod expression;
 mod layout;

@@ -27,7 +27,7 @@ const ALL: f32 = 480.0;
 /// Space between two plots, in points.
 const GAP: f32 = 8.0;
 
-/// Surroundings of the plots.
+/// Placement of the plots in the window.
 #[derive(Clone, Copy)]
 pub struct Room {
     /// Place where the picture was last shown.
