@@ -360,7 +360,7 @@ fn formula_ui(ui: &mut Ui, scan: &Scan, step: usize, mix: Option<&Mix<'_>>) {
     ui.add_space(6.0);
 }
 
-/// Returns the pieces of `I = (1−α)·I…`, where P is the first subscript.
+/// Returns the pieces of the formula of a mix, such as `I = (1−α)·I…` with P as the subscript of the first `I`.
 fn pieces(mix: &Mix<'_>, carried: Carried, visuals: &Visuals) -> Vec<Piece> {
     let plain = visuals.text_color();
     let (symbol, colour) = match carried {
