@@ -1,4 +1,6 @@
-//! The panel of controls, in the order of the equation: sections of rows, each the row of a parameter or a control of its own.
+//! The panel of controls: sections of rows, in the order of the equation.
+//!
+//! A row belongs to a parameter or is a control of its own.
 
 mod lights;
 pub mod materials;
@@ -29,46 +31,46 @@ use crate::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Button, CollapsingHeader, Label, RichText, ScrollArea, Ui};
 
-/// Width of a column of sections, points; a wide panel has several.
+/// Width of a column of sections, in points. A wide panel has several columns.
 const COLUMN: f32 = 320.0;
 const MOST_COLUMNS: usize = 3;
-/// A field of view that distorts, degrees.
+/// Field of view above which perspective distorts, in degrees.
 const WIDE: f64 = 60.0;
 
-/// What a section shows.
+/// A part of a section.
 enum Item {
     Rows(&'static [&'static Parameter]),
-    /// Rows that are shown while they have an effect.
+    /// Rows shown only while they have an effect.
     Used(&'static [&'static Parameter]),
-    /// Rows that are shown while this holds.
+    /// Rows shown only while the condition holds.
     While(fn(&Scene) -> bool, &'static [&'static Parameter]),
     Own(fn(&mut Ui, &mut Session, &mut WindowState, &mut Requests, &Engine)),
 }
 
 use Item::{Own, Rows, Used, While};
 
-/// A part of the panel that folds.
+/// A foldable part of the panel.
 struct Section {
-    /// The key of its title.
+    /// Key of the title.
     title: &'static str,
-    /// Whether a scene is about it.
+    /// Predicate for the scenes that the section is about.
     about: fn(&Scene) -> bool,
-    /// When else it is open.
+    /// Rule for opening the section with a scene.
     open: Open,
-    /// The symbols of the equation that open it.
+    /// Symbols of the equation that open the section.
     symbols: &'static [Symbol],
     items: &'static [Item],
 }
 
-/// When a section is open when a scene is opened.
+/// Rule that decides whether a section is open when a scene is opened.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Open {
     Always,
-    /// Where no special section is open, or the scene is about it.
+    /// Open if no special section is open, or if the scene is about it.
     Usually,
-    /// Where the scene is about it.
+    /// Open if the scene is about it.
     WhenAbout,
-    /// The same; it folds those that are open usually.
+    /// Open if the scene is about it. It then folds the sections that are open [`Usually`](Self::Usually).
     Special,
 }
 
@@ -292,7 +294,7 @@ fn special_camera(scene: &Scene) -> bool {
         || camera.fov_y > WIDE
 }
 
-/// Which sections are open in `scene` when it is opened: those that it is about.
+/// Returns for each section whether it is open when `scene` is opened, which depends on what the scene is about.
 fn open_in(scene: &Scene) -> [bool; SECTIONS.len()] {
     let is_special = |section: &Section| section.open == Open::Special && (section.about)(scene);
     let special = SECTIONS.iter().any(is_special);
@@ -307,8 +309,9 @@ fn has_facets(scene: &Scene) -> bool {
     scene.reflection.model == ReflectionModel::CookTorrance
 }
 
-/// The controls of what the symbols of the equation stand for. A scene that has just been opened is shown from the top, with the
-/// sections open that it is about.
+/// Shows the controls of the quantities in the equation.
+///
+/// A scene that has just been opened is shown from the top, with the sections open that it is about.
 pub fn controls_ui(
     ui: &mut Ui,
     session: &mut Session,
@@ -344,7 +347,7 @@ pub fn controls_ui(
     });
 }
 
-/// A section, which begins open or folded, and does so anew in another scene.
+/// Shows a section. Opening another scene opens or folds it anew.
 fn section_ui(
     ui: &mut Ui,
     session: &mut Session,
@@ -400,7 +403,7 @@ fn item_ui(
     }
 }
 
-/// What the shading mode does.
+/// Explains the shading mode.
 fn mode_ui(ui: &mut Ui, scene: &Scene) {
     let Scene {
         shading, object, ..
@@ -413,7 +416,7 @@ fn mode_ui(ui: &mut Ui, scene: &Scene) {
     ui.label(RichText::new(what).weak());
 }
 
-/// How many pixels the overflow policy is about.
+/// Shows the number of pixels that the overflow policy affects.
 fn overflow_ui(ui: &mut Ui, engine: &Engine) {
     let count = engine.report().overflowing;
     let text = text!(
@@ -424,7 +427,7 @@ fn overflow_ui(ui: &mut Ui, engine: &Engine) {
     ui.label(RichText::new(text).weak());
 }
 
-/// The constant that stands best for the bounce that is drawn, and a way to take it.
+/// Shows the constant that best approximates the drawn bounce, and a button that applies it.
 fn fit_ui(ui: &mut Ui, scene: &mut Scene, engine: &Engine) {
     let ambient = &mut scene.ambient;
     if ambient.source == AmbientSource::Constant {
@@ -466,7 +469,9 @@ fn fit_ui(ui: &mut Ui, scene: &mut Scene, engine: &Engine) {
     });
 }
 
-/// Where fading begins and ends. The sliders reach as far behind the camera's target as that is from the eye.
+/// Shows the depths at which fading begins and ends.
+///
+/// The sliders reach as far behind the camera's target as the target is from the eye.
 fn depths_ui(ui: &mut Ui, session: &mut Session) {
     let Session { shown, initial, .. } = session;
     let scene = &mut shown.scene;
@@ -488,7 +493,7 @@ fn depths_ui(ui: &mut Ui, session: &mut Session) {
     part(&mut scene.depth_cueing, front_moved, reach);
 }
 
-/// Keeps the front before the back: the one that moved pushes the other.
+/// Keeps the front before the back. The one that moved pushes the other.
 fn part(cueing: &mut DepthCueing, front_moved: bool, reach: f64) {
     let gap = (0.005 * reach).max(1e-9 * cueing.front.max(cueing.back));
     if cueing.front < cueing.back {

@@ -1,4 +1,4 @@
-//! The views: ways of reading the picture, in groups that the rail at the right shows.
+//! The views: ways of reading the picture, in groups on the rail at the right.
 
 pub mod compare;
 pub mod curves;
@@ -35,13 +35,13 @@ use eframe::egui::{
     Align, Align2, Button, FontId, Layout, Rect, ScrollArea, Sense, Ui, UiBuilder, Vec2, vec2,
 };
 
-/// A view.
+/// A way of reading the picture.
 #[derive(Clone, Copy)]
 pub struct View {
     pub key: ViewName,
-    /// The key of its name in the catalogue.
+    /// Key of the name in the catalogue.
     name: &'static str,
-    /// Whether it needs more width than a panel beside the picture has: it opens below it.
+    /// True if the view needs more width than a panel beside the picture has. It then opens below the picture.
     wide: bool,
     show: fn(&mut Ui, &mut Parts<'_>),
 }
@@ -52,7 +52,7 @@ impl View {
     }
 }
 
-/// Views that belong together, under one sign on the rail.
+/// Views that belong together, under one icon on the rail.
 pub struct Group {
     pub sign: Sign,
     name: &'static str,
@@ -177,7 +177,7 @@ pub static GROUPS: [Group; 5] = [
     },
 ];
 
-/// The parts of the window that a view may be about; each view takes those that it needs.
+/// Parts of the window that a view may show or change; each view takes those that it needs.
 struct Parts<'a> {
     session: &'a mut Session,
     window: &'a mut WindowState,
@@ -187,7 +187,7 @@ struct Parts<'a> {
 }
 
 impl Parts<'_> {
-    /// Shows a view with what it remembers.
+    /// Shows a view with its own state.
     fn with<T: Default + 'static>(&mut self, show: impl FnOnce(&mut Self, &mut T)) {
         let mut own = self.window.own.take();
         show(self, &mut own);
@@ -208,22 +208,22 @@ fn view(key: ViewName) -> &'static View {
         .unwrap_or(&views[0])
 }
 
-/// The view after this one, round all groups.
+/// Returns the view after this one. The first view follows the last one of the last group.
 pub fn after(key: ViewName) -> ViewName {
     let all: Vec<_> = GROUPS.iter().flat_map(|group| group.views).collect();
     let place = all.iter().position(|view| view.key == key).unwrap_or(0);
     all[(place + 1) % all.len()].key
 }
 
-/// Which view of each group was shown last, and where views stand, until the window closes.
+/// The view last shown in each group, and the views that were moved, until the window closes.
 #[derive(Debug, Default)]
 struct Habits {
     last: [Option<ViewName>; GROUPS.len()],
-    /// The views that were moved from where they open: below the picture or beside it.
+    /// Views that were moved from their default place, below the picture or beside it.
     moved: Vec<ViewName>,
 }
 
-/// Whether the present view stands below the picture, where there is room on both sides.
+/// Returns whether the present view is below the picture, in a window with space both there and beside it.
 pub fn stands_below(window: &WindowState) -> bool {
     let view = view(window.appearance.view);
     let moved = window
@@ -233,7 +233,7 @@ pub fn stands_below(window: &WindowState) -> bool {
     view.wide != moved
 }
 
-/// Shows the group's view that was shown last, or closes it if it is in sight.
+/// Shows the view that was last shown in the group, or closes it if it is visible.
 fn choose(window: &mut WindowState, index: usize) {
     let group = &GROUPS[index];
     if group.has(window.appearance.view) && window.appearance.views {
@@ -250,7 +250,8 @@ fn choose(window: &mut WindowState, index: usize) {
     window.show_view(present.or(last).unwrap_or(group.views[0].key));
 }
 
-/// The rail: a button for each group, below each other or, on a narrow window, side by side with one for the controls.
+/// Shows the rail: a button for each group. The buttons are below each other or, in a narrow window, side by side with one for
+/// the controls.
 pub fn rail_ui(ui: &mut Ui, window: &mut WindowState, narrow: bool, size: Vec2) {
     let between = if size.y < 52.0 { 0.0 } else { 4.0 };
     ui.spacing_mut().item_spacing = vec2(2.0, between);
@@ -276,7 +277,7 @@ pub fn rail_ui(ui: &mut Ui, window: &mut WindowState, narrow: bool, size: Vec2) 
     one_stop(ui, ui.min_rect());
 }
 
-/// A sign over its name; whether it was clicked.
+/// Shows an icon over its name, and returns whether it was clicked.
 fn sign_ui(ui: &mut Ui, sign: Sign, name: &str, on: bool, size: Vec2) -> bool {
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     let response = switch_named(response, Role::Button, on, name);
@@ -299,7 +300,7 @@ fn sign_ui(ui: &mut Ui, sign: Sign, name: &str, on: bool, size: Vec2) -> bool {
     response.clicked()
 }
 
-/// The view that is open, under the names of its group.
+/// Shows the open view under the names of its group.
 pub fn view_ui(
     ui: &mut Ui,
     session: &mut Session,
@@ -313,7 +314,7 @@ pub fn view_ui(
     ui.add_space(4.0);
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
-        // A lesson has its own head, and is alone in its group.
+        // A lesson has its own heading, and is alone in its group.
         if window.appearance.view == ViewName::Course && course.heading().is_some() {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 place_ui(ui, window, narrow);
@@ -343,7 +344,7 @@ pub fn view_ui(
         .change(|habits: &mut Habits| habits.last[index.unwrap_or(0)] = Some(name));
     ui.add_space(2.0);
     let view = view(name);
-    // A scroll bar that appears must not make the panel wider for a frame: the picture would be drawn anew.
+    // A scroll bar that appears must not widen the panel for a frame: the picture would be drawn again.
     let rect = ui.available_rect_before_wrap();
     let mut inside = ui.new_child(UiBuilder::new().max_rect(rect));
     ui.advance_cursor_after_rect(rect);
@@ -356,7 +357,7 @@ pub fn view_ui(
         engine,
     };
     if name == ViewName::Course {
-        // Its ways on stay in sight.
+        // Its navigation stays visible.
         return (view.show)(&mut inside, &mut parts);
     }
     let show = if hidden {
@@ -373,7 +374,7 @@ pub fn view_ui(
         });
 }
 
-/// Closes, enlarges or moves the view.
+/// Shows the buttons that close, enlarge or move the view.
 fn place_ui(ui: &mut Ui, window: &mut WindowState, narrow: bool) {
     ui.spacing_mut().item_spacing.x = 2.0;
     if sign_button(ui, Sign::Close, text!("view-close")) {
@@ -407,10 +408,10 @@ fn place_ui(ui: &mut Ui, window: &mut WindowState, narrow: bool) {
     }
 }
 
-/// How wide the rail is, and how tall where it lies at the bottom.
+/// Width of the rail, and its height at the bottom of the window, in points.
 pub const RAIL: f32 = 60.0;
 
-/// The size of a button of the rail where it lies at the bottom of a window of this width.
+/// Returns the size of a button on the rail at the bottom of a window of this width.
 pub fn narrow_size(width: f32) -> Vec2 {
     vec2(
         (width / (GROUPS.len() + 1) as f32 - 4.0).clamp(44.0, 110.0),
@@ -418,11 +419,11 @@ pub fn narrow_size(width: f32) -> Vec2 {
     )
 }
 
-/// The size of a button of the rail where it stands at the side, `height` high: all of them fit into a low window.
+/// Returns the size of a button on the rail at the side, `height` high. All buttons fit into a low window.
 pub fn wide_size(height: f32) -> Vec2 {
     let count = (GROUPS.len() + 1) as f32;
     let room = height / count;
-    // Fingers need 44 points; in a low window nothing is left between two buttons.
+    // Fingers need 44 points; in a low window no space is left between two buttons.
     let high = if room >= 56.0 {
         52.0
     } else {

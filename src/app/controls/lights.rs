@@ -1,4 +1,4 @@
-//! The lights: which there are, and the one chosen.
+//! The list of lights, and the controls of the chosen one.
 
 use super::row::{View, parameter_with, swatch};
 use super::sampling::{Finding, Sampling};
@@ -21,10 +21,12 @@ use eframe::egui::{
 };
 use glam::DVec3;
 
-/// The side of a light's sign, points.
+/// Side of a light's icon, in points.
 const SIGN: f32 = 16.0;
 
-/// A line for each light, and the rows of the chosen one; what its kind and its shape do not use is not shown.
+/// Shows a line for each light, and the rows of the chosen one.
+///
+/// Rows that the light's kind and shape do not use are hidden.
 pub fn lights_ui(
     ui: &mut Ui,
     session: &mut Session,
@@ -83,7 +85,7 @@ pub fn lights_ui(
     }
 }
 
-/// One line a light, and what adds and doubles them.
+/// Shows a line for each light, and the buttons that add and duplicate lights.
 fn list_ui(ui: &mut Ui, session: &mut Session, requests: &mut Requests) {
     let lit = symbol::is_lit(ui.ctx(), Symbol::Lights);
     let soloing = session.shown.scene.soloing();
@@ -115,26 +117,26 @@ fn list_ui(ui: &mut Ui, session: &mut Session, requests: &mut Requests) {
     });
 }
 
-/// A new light: the more there are, the weaker, so that their sum does not burn out.
+/// Returns a new light. The more lights are on, the weaker it is, so that their sum does not overflow.
 fn moderate(scene: &Scene) -> Light {
     let soloing = scene.soloing();
     let on = scene.lights.iter().filter(|light| light.shines(soloing));
     let share = 0.8 / (1.0 + on.count() as f64).sqrt();
     Light {
         color: Rgb::splat((share * 20.0).round() / 20.0),
-        // Beside lamps that are heard alone it is one of them.
+        // While other lights are shown solo, the new one is solo too.
         solo: soloing,
         ..Light::default()
     }
 }
 
-/// What a light's line asks for.
+/// An action requested in a light's line.
 enum LineAction {
     Choose,
     Remove,
 }
 
-/// A light's kind and colour, its name, and its switches at the right.
+/// Shows a light's icon, its name, and its switches at the right, and returns the requested action.
 fn line_ui(
     ui: &mut Ui,
     index: usize,
@@ -174,14 +176,16 @@ fn line_ui(
     action
 }
 
-/// Mute or Solo.
+/// Shows a Mute or Solo button.
 fn switch(ui: &mut Ui, [label, name, tip]: [&str; 3], on: &mut bool) {
     let button = Button::selectable(*on, label).frame_when_inactive(true);
     let response = switch_named(ui.add(button), Role::Button, *on, name);
     *on ^= response.on_hover_text(tip).clicked();
 }
 
-/// The light's sign and name over the rest of the line; struck through where it is off.
+/// Shows the light's icon and name over the rest of the line, and returns whether it was clicked.
+///
+/// The name is struck through while the light is off.
 fn name_ui(
     ui: &mut Ui,
     index: usize,
@@ -198,7 +202,7 @@ fn name_ui(
     let mut button = Button::selectable(chosen, (sign, label, Atom::grow()))
         .truncate()
         .min_size(vec2(ui.available_width(), 0.0));
-    // The chosen one keeps its colour, on which its letters are read.
+    // The chosen line keeps the selection colour, on which its text is legible.
     if lit && !chosen {
         button = button.fill(ui.visuals().widgets.hovered.bg_fill);
     }
@@ -221,7 +225,7 @@ fn name_ui(
     response.on_hover_text(tip).clicked()
 }
 
-/// A sign of the light's kind, filled with its colour; hollow where it is off.
+/// Draws the icon of the light's kind, filled with the light's colour, or hollow while the light is off.
 fn sign_of(ui: &Ui, at: Pos2, light: &Light, shines: bool) {
     let painter = ui.painter();
     let rim = Stroke::new(1.2, ui.visuals().weak_text_color());
@@ -270,7 +274,7 @@ fn kind_ui(ui: &mut Ui, initial: &Scene, scene: &mut Scene, index: usize) {
     let Some(light) = scene.lights.get_mut(index) else {
         return;
     };
-    // A light that has never been aimed is aimed at what the camera looks at.
+    // A light that has never been aimed is aimed at the camera's target.
     let default = Light::default();
     let unaimed = light.direction == default.direction && light.position != default.position;
     let aim = target - light.position;
@@ -284,7 +288,7 @@ fn kind_ui(ui: &mut Ui, initial: &Scene, scene: &mut Scene, index: usize) {
     }
 }
 
-/// The error of the points that stand for an area light.
+/// Formats the error of the points that approximate an area light.
 fn error_text(finding: Finding, samples: u32) -> String {
     match finding {
         Finding::Waiting => "…".to_owned(),
@@ -301,7 +305,7 @@ fn error_text(finding: Finding, samples: u32) -> String {
     }
 }
 
-/// A part of white with two digits that mean something.
+/// Formats a fraction of white as a percentage with two significant digits.
 fn percent(part: f64) -> String {
     let percent = part * 100.0;
     if percent < 0.001 {

@@ -1,5 +1,7 @@
-//! The material's own controls: the named materials to choose by eye, small spheres drawn in the background once somebody looks;
-//! and the n or m of the other models that makes a highlight as wide as the present one.
+//! Controls of the material that are more than rows of parameters.
+//!
+//! The named materials are chosen by eye, from small spheres drawn in the background while their list is open. Other buttons
+//! switch to another model with the n or m that makes its highlight as wide as the present one.
 
 use super::row::{About, display, row, value_row};
 use crate::analysis::Watch;
@@ -25,18 +27,18 @@ use eframe::egui::{
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 
-/// The side of a sphere's picture, points.
+/// Side of a sphere's picture, in points.
 const SPHERE: f32 = 48.0;
-/// The sphere with its name.
+/// Size of a sphere with its name, in points.
 const CELL: Vec2 = Vec2::new(104.0, 72.0);
 
-/// Samples a pixel of the pictures: 2 × 2.
+/// Samples per pixel of the pictures: 2 × 2.
 const SAMPLES: u32 = 4;
 
 /// The pictures of the named materials, in the order of [`NAMED`].
 pub type Gallery = Pictures<Spheres>;
 
-/// The spheres in pictures of so many pixels on a side.
+/// A request for the pictures of all spheres, with their side in pixels.
 #[derive(Clone, PartialEq, Serialize, Deserialize)]
 pub struct Spheres(u32);
 
@@ -58,7 +60,7 @@ impl Work for Spheres {
     }
 }
 
-/// The sphere as OpenGL lights it: N against H, a distant light from above, little ambient light.
+/// Returns the scene of a sphere lit as in OpenGL: N·H, a distant light from above, little ambient light.
 fn scene(named: &NamedMaterial, side: u32) -> Scene {
     Scene {
         image: Image {
@@ -94,7 +96,7 @@ fn scene(named: &NamedMaterial, side: u32) -> Scene {
     }
 }
 
-/// The sphere, cut out by its own coverage.
+/// Renders the sphere, cut out by its own coverage.
 fn picture(renderer: &mut Renderer, named: &NamedMaterial, side: u32) -> ColorImage {
     let frame = renderer.render_supersampled(&scene(named, side), SAMPLES, &mut |_| true);
     let mut white = scene(named, side);
@@ -107,13 +109,13 @@ fn picture(renderer: &mut Renderer, named: &NamedMaterial, side: u32) -> ColorIm
     white.ambient.color = Rgb::ONE;
     let coverage = renderer.render_supersampled(&white, SAMPLES, &mut |_| true);
     let pixels = frame.pixels.iter().zip(&coverage.pixels);
-    // The background is black, so the colours are multiplied by the coverage already.
+    // The background is black, so the colours are already premultiplied by the coverage.
     let pixels = pixels
         .map(|([r, g, b, _], [cover, ..])| Color32::from_rgba_premultiplied(*r, *g, *b, *cover));
     ColorImage::new([side as usize, side as usize], pixels.collect())
 }
 
-/// The keys of what each column holds.
+/// Keys of the kinds of materials, one for each column.
 const KINDS: [&str; 4] = [
     "controls-stones",
     "controls-metals",
@@ -121,7 +123,7 @@ const KINDS: [&str; 4] = [
     "controls-rubbers",
 ];
 
-/// A button that says which of the named materials this is, and opens all of them.
+/// Shows a button with the name of the present material, which opens the list of named materials.
 pub fn gallery_ui(ui: &mut Ui, initial: &Material, gallery: &mut Gallery, material: &mut Material) {
     let present = recognise(material);
     let [name, tip] = [text!("controls-materials"), text!("controls-materials.tip")];
@@ -173,7 +175,7 @@ pub fn gallery_ui(ui: &mut Ui, initial: &Material, gallery: &mut Gallery, materi
     });
 }
 
-/// A sphere of the material with its name below.
+/// Shows a sphere of the material with its name below, and returns whether it was clicked.
 fn material_ui(
     ui: &mut Ui,
     material: &NamedMaterial,
@@ -231,8 +233,10 @@ fn material_ui(
     response.on_hover_text(numbers).clicked()
 }
 
-/// The other models, each with the n or m that matches the highlight of `scene`, as far as there is one: Phong's lobe is never
-/// wider than 90° to each side, and microfacets are never perfectly smooth here.
+/// Returns the other models, each with the n or m that matches the highlight of `scene`.
+///
+/// Models without a match are left out: Phong's lobe is never wider than 90° to each side, and microfacets are never perfectly
+/// smooth here.
 fn matches(scene: &Scene) -> Vec<(ReflectionModel, f64)> {
     let Material {
         n, roughness: m, ..
@@ -261,7 +265,7 @@ fn matches(scene: &Scene) -> Vec<(ReflectionModel, f64)> {
     all.into_iter().filter(exists).collect()
 }
 
-/// Sets model and number together.
+/// Sets the model together with its n or m.
 fn take(scene: &mut Scene, model: ReflectionModel, number: f64) {
     scene.reflection.model = model;
     if model == ReflectionModel::CookTorrance {
@@ -272,9 +276,9 @@ fn take(scene: &mut Scene, model: ReflectionModel, number: f64) {
     }
 }
 
-/// A button for each other model.
+/// Shows a button for each other model.
 pub fn matching_ui(ui: &mut Ui, scene: &mut Scene) {
-    // GGX has no width that the others could have: its tail is longer.
+    // No other model has a width that matches GGX: its tail is longer.
     let tailed = scene.reflection.distribution == Distribution::Ggx;
     let found = matches(scene);
     if found.is_empty() || (tailed && scene.reflection.model == ReflectionModel::CookTorrance) {

@@ -1,4 +1,4 @@
-//! Controls by their names: those of a figure in another page, and of a step of a lesson.
+//! Controls found by name, for figures on other pages and for steps of lessons.
 
 use super::row::{View, parameter_with};
 use crate::app::session::Session;
@@ -6,16 +6,16 @@ use crate::scene::parameter::Parameter;
 use crate::scene::{LightKind, light};
 use eframe::egui::Ui;
 
-/// Least width of a column of controls, points, and the most columns.
+/// Minimum width of a column of controls, in points, and the maximum number of columns.
 const COLUMN: f32 = 290.0;
 const MOST_COLUMNS: usize = 3;
 
-/// What a word names.
+/// A control that a word names.
 #[derive(Clone, Copy, Debug)]
 pub enum Named {
-    /// A row; of the light of a number, or of the chosen one.
+    /// The row of a parameter, for the light with the given index or the chosen one.
     Row(&'static Parameter, Option<usize>),
-    /// Where the chosen light is, or which way it shines.
+    /// The position of the chosen light, or its direction.
     Light,
 }
 
@@ -30,8 +30,9 @@ impl PartialEq for Named {
 }
 
 impl Named {
-    /// The control of a parameter by its key, as in `material.n`, or by the last word of that, as in `n`; `light` is where the
-    /// light is.
+    /// Finds the control of a parameter by its key, such as `material.n`, or by the key's last word, such as `n`.
+    ///
+    /// `light` stands for the position or direction of the chosen light.
     pub fn find(word: &str) -> Option<Self> {
         if word == "light" {
             return Some(Self::Light);
@@ -42,7 +43,7 @@ impl Named {
     }
 }
 
-/// A row for each control, in columns where there is room.
+/// Shows a row for each control, in several columns if the width allows.
 pub fn rows_ui(ui: &mut Ui, session: &mut Session, controls: &[Named]) {
     let count = ((ui.available_width() / COLUMN) as usize)
         .min(controls.len())
@@ -72,7 +73,7 @@ fn row_ui(ui: &mut Ui, session: &mut Session, control: Named) {
     let view = View {
         index,
         numbered: last > 0 && matches!(control, Named::Row(_, Some(_))),
-        // Apart from the floor's other rows nothing else says whose coefficient it is.
+        // Away from the ground's other rows, only the full label says whose coefficient it is.
         in_full: parameter.section() == "ground",
         ..View::default()
     };

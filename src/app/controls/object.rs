@@ -1,4 +1,4 @@
-//! The object: its shape, how finely it is made of polygons or the polygons themselves, and its vertex normals.
+//! The controls of the object: its shape, its tessellation or its own polygons, and its vertex normals.
 
 use super::row::{
     About, NumberRow, SliderRange, View, axes, number, parameter, parameter_with, value_row, whole,
@@ -16,7 +16,7 @@ use crate::scene::{ChoiceOption, NormalSource, Object, ObjectKind, Scene};
 use crate::text;
 use eframe::egui::{RichText, Ui};
 
-/// The most triangles that the slider reaches, and the most that can be typed: more than a gigabyte of polygons.
+/// Maximum number of triangles on the slider, and the maximum that can be typed, which takes more than a gigabyte.
 const SLIDER: f64 = 1e6;
 const MOST: f64 = 4e6;
 
@@ -40,7 +40,7 @@ pub fn object_ui(ui: &mut Ui, session: &mut Session, requests: &mut Requests, en
         object.kind = before;
         requests.ask(Action::Open);
     }
-    // Another shape may need more of them.
+    // Another shape may need more segments or rings.
     (object.segments, object.rings) = (
         object.segments.max(object.min_segments()),
         object.rings.max(object.min_rings()),
@@ -90,7 +90,7 @@ pub fn object_ui(ui: &mut Ui, session: &mut Session, requests: &mut Requests, en
     }
 }
 
-/// Whether the object has vertex normals from this source.
+/// Returns whether the object has vertex normals from this source.
 fn has_normals(scene: &Scene, source: &ChoiceOption) -> bool {
     let Object {
         kind,
@@ -107,7 +107,7 @@ fn has_normals(scene: &Scene, source: &ChoiceOption) -> bool {
     }
 }
 
-/// One slider for segments and rings together.
+/// Shows one slider for segments and rings together.
 fn triangles_ui(ui: &mut Ui, initial: &Scene, idle: Option<&str>, object: &mut Object) {
     let plain = Object {
         segments: initial.object.segments,
@@ -149,12 +149,12 @@ fn triangles_ui(ui: &mut Ui, initial: &Scene, idle: Option<&str>, object: &mut O
     [object.segments, object.rings] = if wanted == default {
         [plain.segments, plain.rings]
     } else {
-        // Not negative, within the limits.
+        // The limits keep the number from being negative.
         divisions_for(object.kind, wanted.round() as u64)
     };
 }
 
-/// The scene's own polygons: how many there are, how they are edited, and the chosen vertex in numbers.
+/// Shows the size of the scene's own polygons, the ways to edit them, and the chosen vertex in numbers.
 fn polygons_ui(ui: &mut Ui, vertex: &mut usize, object: &mut Object) {
     let polygons = object.polygons();
     let count = polygons.vertices.len();

@@ -1,8 +1,7 @@
-//! A row of the panel of controls: what it is called, the control, and the way back to its value as opened. The row of a
-//! parameter says what the parameter's description says.
+//! A row of the panel of controls: a label, a control, and a button that restores the value as opened.
 //!
-//! Every control is reachable by keyboard and has an accessible name; its label carries the symbol of the equation in
-//! the symbol's colour, and pointing at either lights up the other.
+//! The row of a parameter follows the parameter's description. Every control can be reached by keyboard and has an accessible
+//! name. Its label shows the symbol of the equation in the symbol's colour, and pointing at either highlights the other.
 
 mod expression;
 mod layout;
@@ -28,27 +27,27 @@ use number::{
 };
 use widgets::{choice, swatch_button, text, toggle};
 
-/// Width that three fields need beside a swatch, and a list's sign with the space about its words, points.
+/// Width of three fields beside a swatch, and of a list's arrow with the space around its text, in points.
 const SWATCHED: f32 = 166.0;
 const LIST: f32 = 40.0;
 
-/// A row for a parameter of the scene.
+/// Shows a row for a parameter of the scene.
 pub fn parameter(ui: &mut Ui, initial: &Scene, scene: &mut Scene, parameter: &'static Parameter) {
     parameter_with(ui, initial, scene, parameter, &View::default());
 }
 
-/// What a row shows otherwise than its parameter's description has it.
+/// Options of a row that its parameter's description does not set.
 pub struct View {
-    /// The number of the light that the parameter belongs to.
+    /// Index of the light that the parameter belongs to.
     pub index: usize,
-    /// Whether the row says which light it belongs to.
+    /// True if the row says which light it belongs to.
     pub numbered: bool,
-    /// Whether the label says what it belongs to.
+    /// True if the label says what the parameter belongs to.
     pub in_full: bool,
-    /// Whether coefficients always have a field for each channel.
+    /// True if coefficients always have a field for each channel.
     pub channels: bool,
     pub slider: Option<Slider>,
-    /// The options that are offered; the present one always is.
+    /// Filter of the options on offer. The present option is always offered.
     pub offered: fn(&Scene, &ChoiceOption) -> bool,
 }
 
@@ -65,7 +64,7 @@ impl Default for View {
     }
 }
 
-/// A row for a parameter, shown in a particular way.
+/// Shows a row for a parameter as `view` describes.
 pub fn parameter_with(
     ui: &mut Ui,
     initial: &Scene,
@@ -168,7 +167,7 @@ pub fn parameter_with(
     }
 }
 
-/// A row about a value of the scene.
+/// A row that edits a value of the scene.
 struct Edited<'a> {
     ui: &'a mut Ui,
     initial: &'a Scene,
@@ -178,7 +177,9 @@ struct Edited<'a> {
 }
 
 impl Edited<'_> {
-    /// Shows the row. `control` gets the value and the one that resetting returns to: the default for a light that has been added.
+    /// Shows the row.
+    ///
+    /// `control` gets the value and the one that resetting restores, which is the default for an added light.
     fn edit<T: Clone + PartialEq>(
         &mut self,
         at: &Access<T>,
@@ -196,7 +197,7 @@ impl Edited<'_> {
     }
 }
 
-/// Width that the control of a parameter needs, points.
+/// Returns the width that a parameter's control needs, in points.
 fn room(ui: &Ui, scene: &Scene, parameter: &Parameter, index: usize) -> f32 {
     match parameter.kind {
         Kind::Colour(..) => SWATCHED,
@@ -213,7 +214,7 @@ fn is_grey(value: Rgb) -> bool {
     value == Rgb::splat(value.x)
 }
 
-/// The slider of a parameter, with the limits and the unit of its field.
+/// Returns the slider of a parameter, with the limits and the unit of its field.
 fn range(scene: &Scene, parameter: &Parameter, view: &View) -> SliderRange {
     let slider = view.slider.or(parameter.slider()).unwrap_or(Slider::UNIT);
     let Limits { least, greatest } = parameter.limits(scene).unwrap_or(Limits::FINITE);
@@ -231,7 +232,7 @@ fn range(scene: &Scene, parameter: &Parameter, view: &View) -> SliderRange {
     }
 }
 
-/// The help with letter, unit and range.
+/// Returns the help text with letter, unit and range.
 fn tip(parameter: &Parameter, scene: &Scene) -> String {
     let letter = if parameter.letter.is_empty() {
         String::new()
@@ -251,7 +252,7 @@ fn tip(parameter: &Parameter, scene: &Scene) -> String {
     format!("{letter}{}{about}", parameter.help())
 }
 
-/// The colour of the term or the vector that a parameter belongs to.
+/// Returns the colour of the term or the vector that a parameter belongs to.
 fn tint(ui: &Ui, scene: &Scene, parameter: &Parameter) -> Option<Color32> {
     let (visuals, model) = (ui.visuals(), scene.reflection.model);
     match parameter.symbol? {

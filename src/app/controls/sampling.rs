@@ -9,12 +9,12 @@ use crate::jobs::{Background, Request, Work};
 use eframe::egui::Context;
 use serde::{Deserialize, Serialize};
 
-/// What is known of an area light's error.
+/// State of the error of an area light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Finding {
-    /// It is being computed, or waits until the scene rests.
+    /// The error is being computed, or waits until the scene stops changing.
     Waiting,
-    /// The light does not shine, or the object is not seen.
+    /// The light does not shine, or the object is not visible.
     Nothing,
     Error(SamplingError),
 }
@@ -39,22 +39,23 @@ impl Work for Request<AreaLight> {
     }
 }
 
-/// Computes one error at a time.
+/// Background computation of one error at a time.
 #[derive(Debug, Default)]
 pub struct Sampling {
-    /// What was asked for in the last frame: what rests is the same again.
+    /// Request of the last frame. Its repetition means that the scene has stopped changing.
     last: Option<Request<AreaLight>>,
     found: Background<Request<AreaLight>>,
 }
 
 impl Sampling {
-    /// The error of the area light of index `light`. Where it is not known, it is computed as soon as the scene has been the
-    /// same for two frames and no pointer is held.
+    /// Returns the error of the area light with index `light`.
+    ///
+    /// An unknown error is computed as soon as the scene has been the same for two frames and no pointer button is held.
     pub fn ask(&mut self, ctx: &Context, document: &Document, light: usize) -> Finding {
         self.found.take();
         let Document { scene, model, .. } = document;
         let light = AreaLight(light);
-        // The error does not depend on the display and on names.
+        // The error does not depend on the display or on names.
         let same = |asked: &Request<AreaLight>| {
             let mut differences = asked.scene.differences(scene);
             asked.question == light

@@ -1,4 +1,4 @@
-//! The gallery of built-in scenes: a small picture of each, drawn in the background while the gallery is open.
+//! The gallery of built-in scenes, with a thumbnail of each, drawn in the background while the gallery is open.
 
 use crate::analysis::Watch;
 use crate::analysis::codec::Codec;
@@ -20,12 +20,12 @@ use eframe::egui::{
 };
 use serde::{Deserialize, Serialize};
 
-/// Size of a thumbnail, points.
+/// Size of a thumbnail, in points.
 const PICTURE: Vec2 = Vec2::new(148.0, 111.0);
-/// With its title.
+/// Size of a thumbnail with its title, in points.
 const CARD: Vec2 = Vec2::new(156.0, 156.0);
 
-/// What the gallery remembers.
+/// State of the gallery.
 #[derive(Default)]
 pub struct Gallery {
     sought: String,
@@ -33,13 +33,13 @@ pub struct Gallery {
 }
 
 impl Gallery {
-    /// Forgets what is still being drawn.
+    /// Forgets the thumbnails that are still being drawn.
     pub fn leave(&mut self) {
         self.pictures.leave();
     }
 }
 
-/// The scenes in pictures of this size, in pixels.
+/// A request for the thumbnails of all scenes, with their size in pixels.
 #[derive(Clone, PartialEq, Serialize, Deserialize)]
 pub struct Thumbnails([u32; 2]);
 
@@ -68,14 +68,14 @@ impl Work for Thumbnails {
     }
 }
 
-/// Whether a scene is one that is looked for.
+/// Returns whether a scene matches the search text.
 fn is_sought(preset: &Preset, sought: &str) -> bool {
     let found = |text: &str| text.to_lowercase().contains(sought);
     let words = [preset.title(), preset.sentence(), preset.topic_title()];
     found(preset.name) || words.into_iter().any(found)
 }
 
-/// Every scene by chapter; a click opens it.
+/// Shows every scene by chapter. A click opens it.
 pub fn scenes_ui(ui: &mut Ui, window: &mut WindowState, requests: &mut Requests) -> Choice {
     let mut gallery: Gallery = window.own.take();
     let size = (PICTURE * ui.ctx().pixels_per_point()).round();
@@ -117,7 +117,7 @@ pub fn scenes_ui(ui: &mut Ui, window: &mut WindowState, requests: &mut Requests)
                 ui.label(RichText::new(presets::topic_title(topic)).strong());
                 ui.horizontal_wrapped(|ui| {
                     ui.spacing_mut().item_spacing = vec2(8.0, 8.0);
-                    // Two stand side by side in a narrow window.
+                    // Two fit side by side in a narrow window.
                     let width = (0.5 * (ui.available_width() - 8.0)).clamp(100.0, CARD.x);
                     for (index, preset) in scenes {
                         if card_ui(ui, width, preset, gallery.pictures.textures.get(index)) {
@@ -136,7 +136,7 @@ pub fn scenes_ui(ui: &mut Ui, window: &mut WindowState, requests: &mut Requests)
     choice
 }
 
-/// A scene's picture over its title; whether it was clicked.
+/// Shows a scene's thumbnail over its title, and returns whether it was clicked.
 fn card_ui(ui: &mut Ui, width: f32, preset: &Preset, texture: Option<&TextureHandle>) -> bool {
     let (rect, response) = ui.allocate_exact_size(vec2(width, CARD.y), Sense::click());
     let response = named(response, Role::Button, preset.title());
@@ -175,7 +175,7 @@ fn card_ui(ui: &mut Ui, width: f32, preset: &Preset, texture: Option<&TextureHan
     response.on_hover_text(preset.sentence()).clicked()
 }
 
-/// Returns the built-in scene so many places after the one in view, round all of them.
+/// Returns the name of the built-in scene `step` places after the open one, wrapping around.
 pub fn scene_after(origin: &Origin, step: isize) -> &'static str {
     let Origin::BuiltIn(name) = origin else {
         return presets::DEFAULT;

@@ -1,16 +1,18 @@
-//! The vertices of a scene's own polygons, moved by hand and by numbers.
+//! The vertices of a scene's own polygons, moved by dragging or by numbers.
 
 use crate::app::session::place::tidy;
 use crate::scene::{GREATEST_LENGTH, Object};
 use glam::DVec3;
 
-/// More vertices than this have no handles: they would hide the picture.
+/// Maximum number of vertices that have handles. More handles would hide the picture.
 pub const MOST_HANDLES: usize = 64;
 
-/// How often the way to a place that cannot be reached is halved.
+/// Number of halvings on the way to a position that cannot be reached.
 const HALVINGS: u32 = 12;
 
-/// Moves a vertex to `to`, or as far that way as its polygons let it; places are kept to the digits of `unit`.
+/// Moves a vertex to `to`, or as far towards it as its polygons allow.
+///
+/// Positions on the way are kept to the digits of `unit`.
 pub fn move_vertex(object: &mut Object, v: u32, to: DVec3, unit: f64) {
     let polygons = object.polygons();
     let Some(from) = polygons.vertices.get(v as usize).copied() else {
@@ -62,7 +64,7 @@ mod tests {
         let mut object = square();
         move_vertex(&mut object, 0, DVec3::new(0.3, 0.2, 0.0), 1e-3);
         assert_eq!(object.vertices[0], DVec3::new(0.3, 0.2, 0.0));
-        // Beyond the opposite corner the edges would cross: it stops before the diagonal is full.
+        // Beyond the opposite corner the edges would cross: the vertex stops before the end of the diagonal.
         move_vertex(&mut object, 0, DVec3::new(0.3, 1.7, 0.0), 1e-3);
         let stopped = object.vertices[0];
         assert!(
@@ -74,7 +76,7 @@ mod tests {
         move_vertex(&mut object, 0, DVec3::splat(1e300), 1e-3);
         move_vertex(&mut object, 7, DVec3::ZERO, 1e-3);
         assert!(object.vertices.iter().all(|vertex| vertex.length() < 1e30));
-        // A place beyond an obstacle that is itself free is reached.
+        // A free position beyond an obstacle is reached.
         move_vertex(&mut object, 0, DVec3::new(-1.0, -1.0, 0.5), 1e-3);
         assert_eq!(object.vertices[0], DVec3::new(-1.0, -1.0, 0.5));
     }

@@ -1,4 +1,4 @@
-//! The tab of comparisons: how panes are shown, what each has of its own, and how far they are from each other.
+//! The view of comparisons: the arrangement of the panes, the settings of each, and their differences.
 
 use super::report::{ReportView, export_ui};
 use crate::analysis::comparison::Comparison;
@@ -18,7 +18,7 @@ use crate::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Align, Button, Key, Layout, RichText, Ui};
 
-/// The views with the keys of their names and of what they show.
+/// The arrangements of panes, with the keys of their names and descriptions.
 pub const VIEWS: [(CompareView, &str, &str); 4] = [
     (
         CompareView::Single,
@@ -42,18 +42,18 @@ pub const VIEWS: [(CompareView, &str, &str); 4] = [
     ),
 ];
 
-/// From this width on the panes stand beside their figures, points.
+/// Width from which the panes are beside their figures, in points.
 const WIDE: f32 = 640.0;
 
-/// What is typed in the tab.
+/// Input typed in the view.
 #[derive(Debug, Default)]
 pub struct Typed {
     setting: String,
-    /// What is wrong with it.
+    /// Reason why the setting is refused.
     problem: Option<String>,
 }
 
-/// The comparison's tab.
+/// Shows the view of comparisons.
 pub fn compare_ui(
     ui: &mut Ui,
     typed: &mut Typed,
@@ -74,7 +74,7 @@ pub fn compare_ui(
     });
 }
 
-/// How panes are shown, and which there are.
+/// Shows the arrangements of panes to choose from, and the list of panes.
 fn views_ui(
     ui: &mut Ui,
     typed: &mut Typed,
@@ -136,7 +136,7 @@ fn views_ui(
     }
 }
 
-/// A pane: whether it is the reference, its name, which makes it active, and what it has of its own.
+/// Shows a pane: whether it is the reference, its name, which makes it active, and its own settings.
 fn pane_ui(
     ui: &mut Ui,
     session: &mut Session,
@@ -206,7 +206,7 @@ fn pane_ui(
     }
 }
 
-/// What a new pane may be, by one click, and any key by typing.
+/// Shows settings that a new pane can have by one click, and a field for any key.
 fn add_ui(ui: &mut Ui, typed: &mut Typed, session: &mut Session) {
     ui.set_min_width(250.0);
     let scene = &session.shown.scene;
@@ -255,7 +255,7 @@ fn add_ui(ui: &mut Ui, typed: &mut Typed, session: &mut Session) {
     }
     if let Some(set) = chosen {
         *typed = Typed::default();
-        // The last pane may be the reference because it is the last.
+        // The last pane may be the reference only because it is the last.
         session.edit(|scene, _| {
             let (alone, reference) = (scene.compare.panes.is_empty(), scene.reference_pane());
             scene.compare.panes.push(Pane {
@@ -273,7 +273,7 @@ fn add_ui(ui: &mut Ui, typed: &mut Typed, session: &mut Session) {
     }
 }
 
-/// The same object of more polygons, where that is possible.
+/// Returns settings for the same object with more polygons, if they are valid.
 fn finer(scene: &Scene) -> Option<Vec<String>> {
     let Object {
         segments, rings, ..
@@ -285,7 +285,7 @@ fn finer(scene: &Scene) -> Option<Vec<String>> {
     scene.with_overrides(&settings).is_ok().then_some(settings)
 }
 
-/// How far each pane is from the reference.
+/// Shows how far each pane is from the reference.
 fn figures_ui(
     ui: &mut Ui,
     session: &mut Session,
@@ -330,7 +330,7 @@ fn figures_ui(
     });
 }
 
-/// What can be done with a pane.
+/// Shows the actions for a pane.
 pub fn menu_ui(ui: &mut Ui, session: &Session, requests: &mut Requests, pane: usize) {
     let scene = &session.document().scene;
     let (last, reference) = (scene.pane_count() - 1, scene.reference_pane());

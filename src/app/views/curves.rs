@@ -1,7 +1,7 @@
-//! The curves where the probe stands, drawn with the window's own painter, with their values under the pointer.
+//! The curves at the probe, drawn with the window's own painter, with their values under the pointer.
 //!
-//! The plots are sampled when the scene, the probe or the chosen light has changed, and laid out when the panel's width or
-//! the theme has; a frame in which nothing has changed only paints them.
+//! The plots are sampled when the scene, the probe or the chosen light changes, and laid out when the panel's width or the theme
+//! does. A frame in which nothing has changed only paints them.
 
 use super::report::{ReportView, export_ui};
 use crate::analysis::curves::Curves;
@@ -14,7 +14,7 @@ use crate::figure::PlotKind;
 use crate::text::text;
 use eframe::egui::Ui;
 
-/// The plots as last sampled, and what for.
+/// The plots as last sampled, and the state that they were sampled for.
 #[derive(Debug, Default)]
 pub struct CurvesView {
     sampled: Option<(u64, usize)>,
@@ -22,7 +22,7 @@ pub struct CurvesView {
     view: ReportView,
 }
 
-/// The plots for the probe, one below the other.
+/// Shows the plots for the probe, one below the other.
 pub fn curves_ui(
     ui: &mut Ui,
     own: &mut CurvesView,
@@ -50,7 +50,7 @@ pub fn curves_ui(
     });
 }
 
-/// Why there is no lobe.
+/// Explains why there is no lobe.
 fn missing_ui(ui: &mut Ui, engine: &Engine, light: usize) {
     let Some(probe) = engine.probed() else { return };
     let why = match &probe.hit {

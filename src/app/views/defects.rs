@@ -1,5 +1,5 @@
-//! The tab of the five defects of interpolated shading: what each is, how large it is in this scene, and a scene to try it in;
-//! and where they are in the picture.
+//! The view of the five defects of interpolated shading: their definitions, their size in this scene, a scene to try each in, and
+//! their places in the picture.
 
 use super::report::{Pending, export_ui};
 use crate::analysis::conditions::{CONDITIONS, ConditionsQuestion};
@@ -29,18 +29,18 @@ use eframe::egui::{
 };
 use glam::DVec3;
 
-/// A card of the tab is about as wide, points.
+/// Approximate width of a card of the view, in points.
 const CARD: f32 = 380.0;
 
-/// What the tab has measured, and what of it is shown in the picture.
+/// State of the view: its measurements, and the part of them that is shown in the picture.
 #[derive(Default)]
 pub struct DefectsView {
     measured: Pending<DefectsQuestion>,
     normal: Pending<NormalsQuestion>,
     conditions: Pending<ConditionsQuestion>,
-    /// The defect that is marked, chosen while this scene was open.
+    /// Defect that is marked, chosen while this scene was open.
     marked: Option<(Origin, &'static str)>,
-    /// What the buttons of the conditions have changed, to go back to.
+    /// State that the buttons of the conditions have changed, to go back to.
     before: Before,
 }
 
@@ -51,7 +51,7 @@ struct Before {
     object: Option<Object>,
 }
 
-/// The tab.
+/// Shows the view of defects.
 pub fn defects_ui(
     ui: &mut Ui,
     view: &mut DefectsView,
@@ -83,7 +83,7 @@ pub fn defects_ui(
         view.measured.latest()
     });
     ui.add_space(4.0);
-    // What the scene is about comes first.
+    // The defect that the scene is about comes first.
     let mut order: Vec<(usize, &Defect)> = DEFECTS.iter().enumerate().collect();
     order.sort_by_key(|(_, defect)| !is_open(session, defect));
     let columns = ((ui.available_width() / CARD) as usize).clamp(1, 3);
@@ -107,7 +107,7 @@ pub fn defects_ui(
     });
 }
 
-/// A defect: what it is, how large, and where to see it.
+/// Shows a card about a defect: what it is, how large, and where to see it.
 fn card_ui(
     ui: &mut Ui,
     view: &mut DefectsView,
@@ -117,7 +117,7 @@ fn card_ui(
     defect: &'static Defect,
 ) {
     ui.separator();
-    // As one, so that what follows stays the same widgets when the answer comes.
+    // Grouped, so that the widgets below keep their identity when the answer arrives.
     ui.vertical(|ui| {
         if view.measured.view.is_empty() {
             ui.label(RichText::new(defect.title()).strong());
@@ -149,10 +149,10 @@ fn card_ui(
     ui.add_space(6.0);
 }
 
-/// Defects that have a place in the picture, by their scenes.
+/// Scenes of the defects that have a place in the picture.
 const MARKED: [&str; 3] = ["silhouette", "orientation", "shared-vertices"];
 
-/// Whether a defect is marked in the picture: the one that was chosen, or else the one that the scene is about.
+/// Returns whether a defect is marked in the picture: the chosen one, or else the one that the scene is about.
 fn is_marked(view: Option<&DefectsView>, session: &Session, defect: &Defect) -> bool {
     let chosen = view.and_then(|view| view.marked.as_ref());
     match chosen.filter(|(origin, _)| *origin == session.document().origin) {
@@ -161,7 +161,7 @@ fn is_marked(view: Option<&DefectsView>, session: &Session, defect: &Defect) -> 
     }
 }
 
-/// Whether the ring by which the picture is turned is shown.
+/// Returns whether the ring that turns the picture is shown.
 pub fn shows_ring(session: &Session, window: &WindowState) -> bool {
     let orientation = DEFECTS
         .iter()
@@ -170,7 +170,7 @@ pub fn shows_ring(session: &Session, window: &WindowState) -> bool {
         && orientation.is_some_and(|defect| is_marked(window.own.get(), session, defect))
 }
 
-/// The three conditions under which flat shading is exact, each with its figures and a button that meets or breaks it.
+/// Shows the three conditions under which flat shading is exact, each with its figures and a button that meets or breaks it.
 fn conditions_ui(
     ui: &mut Ui,
     view: &mut DefectsView,
@@ -210,7 +210,7 @@ fn conditions_ui(
                 "picture-condition-polygons.break",
             ],
         };
-        // The button stays the same one when what stands above it comes and goes, so that no click is lost.
+        // The button keeps its identity when content above it comes and goes, so that no click is lost.
         let own = UiBuilder::new().scope_id(Id::unique(("condition", index)));
         let button = ui.scope_builder(own, |ui| ui.button(text!(if holds { spoil } else { meet })));
         if button.inner.clicked() {
@@ -231,7 +231,7 @@ fn conditions_ui(
         &found.further_words(),
     );
     ui.add_space(6.0);
-    // The section of the pictures, after those of what is said above.
+    // The section of the pictures comes after those with the text above.
     conditions.view.section_ui(ui, CONDITIONS.len() + 1);
     export_ui(ui, session, window, requests, "conditions", || {
         conditions.latest()
@@ -239,7 +239,7 @@ fn conditions_ui(
     ui.add_space(6.0);
 }
 
-/// A condition: whether it holds, and what was found.
+/// Shows a condition: whether it holds, and what was found.
 fn condition_ui(ui: &mut Ui, holds: bool, title: &str, found: &str) {
     ui.horizontal(|ui| {
         verdict_ui(ui, holds);
@@ -248,7 +248,7 @@ fn condition_ui(ui: &mut Ui, holds: bool, title: &str, found: &str) {
     ui.label(found);
 }
 
-/// A tick or a cross.
+/// Shows a tick or a cross.
 fn verdict_ui(ui: &mut Ui, holds: bool) {
     let (rect, response) = ui.allocate_exact_size(vec2(16.0, 16.0), Sense::hover());
     let (words, colour, lines) = if holds {
@@ -283,7 +283,7 @@ impl Before {
                 .filter(|light| light.kind.has_position())
             {
                 light.kind = LightKind::Directional;
-                // Shapes stand about the origin.
+                // Shapes are centred on the origin.
                 if light.position != DVec3::ZERO {
                     light.direction = -light.position;
                 }
@@ -297,8 +297,9 @@ impl Before {
         }
     }
 
-    /// Draws a cube, whose polygons are its surface, or the object that was there; of an object that is only polygons the
-    /// normals change.
+    /// Replaces the object by a cube, whose polygons are its surface, or restores it.
+    ///
+    /// An object that is only polygons gets other normals instead.
     fn turn_object(&mut self, scene: &mut Scene, flat: bool) {
         let object = &mut scene.object;
         let surface = object.kind.has_surface();
@@ -324,7 +325,7 @@ impl Before {
 fn turn_viewer(scene: &mut Scene, far: bool) {
     let camera = &mut scene.camera;
     camera.viewer = if far {
-        // V is constant in parallel projection anyway.
+        // In parallel projection V is constant anyway.
         camera.projection = Projection::Perspective;
         Viewer::Local
     } else {
@@ -332,7 +333,7 @@ fn turn_viewer(scene: &mut Scene, far: bool) {
     };
 }
 
-/// The normal of the vertex that is lit up, or of the one next to the probe, with its faces and their weights.
+/// Shows the normal of the highlighted vertex, or of the one next to the probe, with its faces and their weights.
 fn normal_ui(
     ui: &mut Ui,
     normal: &mut Pending<NormalsQuestion>,
@@ -354,12 +355,12 @@ fn normal_ui(
     export_ui(ui, session, window, requests, "normals", || normal.latest());
 }
 
-/// Whether the built-in scene about a defect is open.
+/// Returns whether the built-in scene about a defect is open.
 fn is_open(session: &Session, defect: &Defect) -> bool {
     matches!(&session.document().origin, Origin::BuiltIn(name) if name == defect.scene)
 }
 
-/// Marks what was last measured in the active picture.
+/// Draws the marks of the last measurement in the active picture.
 pub fn paint(
     painter: &Painter,
     session: &Session,

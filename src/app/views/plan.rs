@@ -1,5 +1,5 @@
-//! The view of the plan: every stage and term of the frame, how often it is evaluated, what the last change ran, and what is
-//! left out and why.
+//! The view of the plan: every stage and term of the frame, how often it is evaluated, what the last change ran, and what is left
+//! out and why.
 
 use super::report::{Offer, Pending, ReportView, export_ui};
 use super::study::duration;
@@ -14,11 +14,11 @@ use crate::app::session::window::WindowState;
 use crate::text::text;
 use eframe::egui::{RichText, Ui};
 
-/// Frames for each time that is measured, and about how often they are: of everything, and of each change.
+/// Frames drawn for each measured time, and the approximate number of these times: one for everything, and one for each change.
 const FRAMES: u32 = 30;
 const ROUNDS: f64 = 5.0;
 
-/// The report as last made, and of which picture.
+/// The report as last made, and the picture that it is about.
 #[derive(Default)]
 pub struct PlanView {
     view: ReportView,
@@ -26,7 +26,7 @@ pub struct PlanView {
     times: Pending<BenchQuestion>,
 }
 
-/// The view.
+/// Shows the view of the plan.
 pub fn plan_ui(
     ui: &mut Ui,
     own: &mut PlanView,
@@ -80,7 +80,7 @@ pub fn plan_ui(
     times_ui(ui, &mut own.times, session, window, requests, engine);
 }
 
-/// The times of a frame and of its stages, measured when asked for.
+/// Shows the times of a frame and of its stages, measured on request.
 fn times_ui(
     ui: &mut Ui,
     times: &mut Pending<BenchQuestion>,
@@ -118,7 +118,7 @@ fn times_ui(
     }
 }
 
-/// How much does not run: terms of the plan, and what of the window is not shown.
+/// Returns the number of parts that do not run: terms of the plan, and parts of the window that are not shown.
 pub fn left_out(engine: &Engine, appearance: &Appearance) -> usize {
     engine
         .terms()
@@ -128,8 +128,9 @@ pub fn left_out(engine: &Engine, appearance: &Appearance) -> usize {
         + not_shown(appearance).len()
 }
 
-/// Panels that are closed and layers over the picture that are off: none of them is computed. The keys of their names and
-/// of the reasons.
+/// Lists closed panels and layers over the picture that are off, by the keys of their names and of the reasons.
+///
+/// None of them is computed.
 fn not_shown(appearance: &Appearance) -> Vec<(&'static str, &'static str)> {
     let over = &appearance.overlay;
     let (closed, off) = ("engine-closed", "engine-off");

@@ -1,4 +1,4 @@
-//! What the probe sees: the pixel, the equation filled in, the vectors and how R and H come from them, and the curves.
+//! The view of the probed point: the pixel, the equation filled in, the vectors, the construction of R and H, and the curves.
 
 mod filled;
 
@@ -27,20 +27,20 @@ use eframe::egui::{
     WidgetText, vec2,
 };
 
-/// Height of a table's rows, points.
+/// Height of a table's rows, in points.
 const ROW: f32 = 21.0;
-/// From this width on the vectors stand beside the equation, points.
+/// Width from which the vectors are beside the equation, in points.
 const WIDE: f32 = 720.0;
-/// The widest drawing of the vectors, points.
+/// Maximum width of the drawing of the vectors, in points.
 const DRAWING: f32 = 480.0;
-/// Width of the vectors' table where there is room, its columns' gap, points, and the part that names have of it.
+/// Width of the vectors' table where available, and the gap between its columns, in points; and the names' share of the width.
 const TABLE: f32 = 300.0;
 const GAP: f32 = 4.0;
 const NAME: f32 = 0.22;
-/// Sizes of numbers in the steps: as they are, and as small as they may become in a narrow panel, points.
+/// Font sizes of numbers in the steps, in points: the usual one, and the minimum in a narrow panel.
 const NUMBERS: [f32; 2] = [14.0, 12.0];
 
-/// What the drawing of the vectors shows, as last laid out.
+/// The drawing of the vectors as last laid out.
 #[derive(Debug, Default)]
 struct VectorsView {
     shown: VectorsShown,
@@ -50,7 +50,7 @@ struct VectorsView {
 /// The probe, the light, what is shown, the width, the style and the language.
 type LaidOutFor = (u64, usize, VectorsShown, f32, PlotStyle, Language);
 
-/// Everything about the probed point.
+/// Shows everything about the probed point.
 pub fn point_ui(
     ui: &mut Ui,
     session: &mut Session,
@@ -111,7 +111,7 @@ fn hit_ui(
     });
 }
 
-/// The pixel and the equation.
+/// Shows the pixel and the equation.
 fn sum_ui(
     ui: &mut Ui,
     session: &mut Session,
@@ -138,7 +138,7 @@ fn sum_ui(
     ui.add_space(4.0);
 }
 
-/// The pixel, its stored colour, and where its centre lies on the object.
+/// Shows the pixel, its stored colour, and the position of its centre on the object.
 fn pixel_ui(ui: &mut Ui, probe: &Probe, hit: &ProbeHit) {
     let [x, y] = probe.pixel;
     let [r, g, b] = hit.stored;
@@ -157,7 +157,7 @@ fn pixel_ui(ui: &mut Ui, probe: &Probe, hit: &ProbeHit) {
     });
 }
 
-/// The vectors and the angles between them for the chosen light, drawn, built and in numbers.
+/// Shows the vectors and the angles between them for the chosen light: drawn, constructed and in numbers.
 fn vectors_ui(
     ui: &mut Ui,
     session: &Session,
@@ -214,7 +214,7 @@ impl VectorsView {
         ui.vertical_centered(|ui| _ = drawing_ui(ui, drawing, Sense::hover(), words));
     }
 
-    /// One step back, one on, or all at once.
+    /// Shows the buttons for one step back, one step forward, and all steps at once.
     fn stepper_ui(&mut self, ui: &mut Ui, steps: &[WorkedStep]) {
         let stops: Vec<_> = [VectorsShown::Angles]
             .into_iter()
@@ -264,7 +264,7 @@ impl VectorsView {
     }
 }
 
-/// The steps shown, with their numbers.
+/// Shows the visible steps with their numbers.
 fn steps_ui(ui: &mut Ui, shown: VectorsShown, steps: &[WorkedStep], light: LightHere<'_>) {
     let values = light.values();
     for worked in steps {
@@ -291,7 +291,7 @@ fn steps_ui(ui: &mut Ui, shown: VectorsShown, steps: &[WorkedStep], light: Light
     }
 }
 
-/// A line of numbers, in two where the panel is too narrow for two vectors.
+/// Shows a line of numbers, split into two if the panel is too narrow for two vectors.
 fn line_ui(ui: &mut Ui, text: &str) {
     let colour = ui.visuals().text_color();
     let job = |text: &str, size| set(text, FontId::monospace(size), colour);
@@ -309,7 +309,7 @@ fn line_ui(ui: &mut Ui, text: &str) {
     }
 }
 
-/// A cell of a table: words at the left, numbers at the right of columns of one width.
+/// Shows a cell of a table. Text is aligned left; numbers are aligned right, in columns of equal width.
 fn cell(ui: &mut Ui, text: impl Into<WidgetText>, width: f32, align: Align) {
     ui.allocate_ui_with_layout(vec2(width, ROW), Layout::top_down(align), |ui| {
         ui.set_min_width(width);
@@ -317,10 +317,10 @@ fn cell(ui: &mut Ui, text: impl Into<WidgetText>, width: f32, align: Align) {
     });
 }
 
-/// The vectors' coordinates, and the angles between them, for one light.
+/// Shows the coordinates of the vectors, and the angles between them, for one light.
 fn numbers_ui(ui: &mut Ui, here: Here<'_>, light: usize) {
     let visuals = ui.visuals().clone();
-    // Three numbers beside a name fit a narrow panel.
+    // Three numbers beside a name fit into a narrow panel.
     let room = ui.available_width().min(TABLE);
     let name_width = NAME * room;
     let number_width = (room - name_width) / 3.0 - GAP;
@@ -350,7 +350,7 @@ fn numbers_ui(ui: &mut Ui, here: Here<'_>, light: usize) {
                     Align::Min,
                 );
                 for value in v.to_array() {
-                    // Rounded: what is left of a 0 has no digits.
+                    // Rounded, so that the residue of a 0 shows no digits.
                     let number = digits((value * 1e4).round() / 1e4);
                     cell(
                         ui,

@@ -1,5 +1,7 @@
-//! The profile along the line in the picture: what is compared, how it is looked at, and the plots. It stands in a side panel or,
-//! wide, under the picture, where each place of the plot lies right below its place in the picture.
+//! The profile along the line in the picture: the curves compared, the viewing conditions, and the plots.
+//!
+//! The view is in a side panel or, if it is wide, under the picture, where each point of the plot is right below its point in the
+//! picture.
 
 mod over;
 mod plots;
@@ -39,15 +41,15 @@ use glam::DVec2;
 use plots::{Plots, Room};
 use serde::{Deserialize, Serialize};
 
-/// From this width on the controls stand in a row above the plots, points.
+/// Width from which the controls are in a row above the plots, in points.
 const WIDE: f32 = 620.0;
-/// Length and height of the sample of a curve in its switch, and width of the controls in a pop-up; points.
+/// Length and height of the sample of a curve in its switch, and width of the controls in a pop-up, in points.
 const SAMPLE: [f32; 2] = [24.0, 10.0];
 const POPUP: f32 = 330.0;
-/// How much of a sample's colour is left while its curve is not shown.
+/// Opacity of a sample whose curve is not shown.
 const OFF: f32 = 0.45;
 
-/// The profile's view.
+/// Shows the view of the profile.
 pub fn profile_ui(
     ui: &mut Ui,
     profiles: &mut Profiles,
@@ -111,11 +113,11 @@ pub struct Profiles {
     seen: Background<Perceived>,
     /// The whole picture as it is perceived.
     pub perceived: Option<TextureHandle>,
-    /// Where the picture was last shown.
+    /// Place where the picture was last shown.
     picture: Option<Place>,
-    /// Whether the plots stand right under the line.
+    /// True if the plots are right under the line.
     aligned: bool,
-    /// Which share of the line the pointer is at: in a plot, and in the picture.
+    /// Fraction of the line that the pointer is at: in a plot, and in the picture.
     pointed: [Option<f64>; 2],
 }
 
@@ -152,7 +154,7 @@ impl Work for Perceived {
 }
 
 impl Profiles {
-    /// Takes the profile in the background; until it comes, the last one is shown.
+    /// Takes the profile in the background. Until it is ready, the last one is shown.
     fn ask(
         &mut self,
         ctx: &Context,
@@ -170,7 +172,7 @@ impl Profiles {
         }
     }
 
-    /// Computes the picture as it is perceived in the background; until then the last one is shown.
+    /// Computes the perceived picture in the background. Until it is ready, the last one is shown.
     fn ask_perceived(
         &mut self,
         ctx: &Context,
@@ -178,7 +180,7 @@ impl Profiles {
         size: [u32; 2],
         question: &ProfileQuestion,
     ) {
-        // The line does not matter to the whole picture.
+        // The whole picture does not depend on the line.
         let question = ProfileQuestion {
             from: DVec2::ZERO,
             to: DVec2::ZERO,
@@ -203,17 +205,17 @@ impl Profiles {
         }
     }
 
-    /// Whether the picture as it is perceived is being computed.
+    /// Returns whether the perceived picture is being computed.
     pub fn is_perceiving(&self) -> bool {
         self.seen.progress().is_some()
     }
 
-    /// The profile last taken.
+    /// Returns the profile last taken.
     pub fn profile(&self) -> Option<&Profile> {
         self.taken.answer().map(|taken| &taken.profile)
     }
 
-    /// The share of the line that the pointer is at, in a plot or in the picture.
+    /// Returns the fraction of the line that the pointer is at, in a plot or in the picture.
     pub fn pointed(&self) -> Option<f64> {
         self.pointed[0].or(self.pointed[1])
     }
@@ -271,7 +273,7 @@ impl Profiles {
     }
 }
 
-/// A switch for each curve and for the marks of edges. They are the plots' legend.
+/// Shows a switch for each curve and for the marks of edges. The switches are the plots' legend.
 fn switches_ui(ui: &mut Ui, session: &Session, window: &mut WindowState) {
     let own = session.shown.scene.shading.mode;
     let appearance = &mut window.appearance.profile;
@@ -318,14 +320,14 @@ fn switches_ui(ui: &mut Ui, session: &Session, window: &mut WindowState) {
     appearance.edges ^= switch_ui(ui, text!("line-edges-switch"), tip, appearance.edges, edges);
 }
 
-/// How a curve looks.
+/// Style of a curve's sample.
 struct Sample {
     ink: Ink,
     dash: Dash,
     width: f32,
 }
 
-/// A switch with the sample of a curve; returns whether it was clicked.
+/// Shows a switch with the sample of a curve, and returns whether it was clicked.
 fn switch_ui(ui: &mut Ui, name: &str, tip: &str, on: bool, sample: Sample) -> bool {
     let paper = plot_style(ui).paper;
     let strength = if on { 1.0 } else { OFF };
@@ -364,7 +366,7 @@ fn perceived_ui(ui: &mut Ui, appearance: &mut ProfileAppearance) {
         .on_hover_text(text!("line-picture-perceived.tip"));
 }
 
-/// A button that opens controls.
+/// Shows a button that opens controls.
 fn popup_ui(ui: &mut Ui, name: &str, controls: impl FnOnce(&mut Ui)) {
     let button = ui.button(format!("{name} ▾"));
     Popup::menu(&button)
@@ -375,7 +377,7 @@ fn popup_ui(ui: &mut Ui, name: &str, controls: impl FnOnce(&mut Ui)) {
         });
 }
 
-/// How far away the screen is, how fine it is, and the numbers of the eye.
+/// Shows the distance and resolution of the screen, and the parameters of the eye.
 fn eye_ui(ui: &mut Ui, window: &mut WindowState) {
     let profile = &mut window.appearance.profile;
     let (viewing, perception) = (&mut profile.viewing, &mut profile.perception);
@@ -450,7 +452,7 @@ fn row_ui(
     number(ui, &row, value);
 }
 
-/// Whether the picture is to be shown as it is perceived.
+/// Returns whether the picture is to be shown as it is perceived.
 pub fn shows_perceived(window: &WindowState) -> bool {
     window.shows(ViewName::Profile) && window.appearance.profile.perceived
 }

@@ -1,4 +1,4 @@
-//! An answer as the window shows it: its words, numbers, tables and plots, how far it is known, and the ways to save it.
+//! An answer as the window shows it: its text, numbers, tables and plots, the state of its computation, and the ways to save it.
 
 use crate::analysis::report::{Part, Section};
 use crate::analysis::{Analysis, Answer, Format, Question, Report, ReportContext};
@@ -27,28 +27,28 @@ use std::sync::Arc;
 
 pub use crate::app::widgets::table::table_ui;
 
-/// From this width on, points, a plot and its table stand side by side, and sections in columns.
+/// Width, in points, from which a plot and its table are side by side, and sections in columns.
 pub const WIDE: f32 = 780.0;
-/// The share of the width that plots take beside a table.
+/// Share of the width that plots take beside a table.
 const PLOTS: f32 = 0.52;
-/// Least width of a column of sections, points, and the most columns.
+/// Minimum width of a column of sections, in points, and the maximum number of columns.
 const COLUMN: f32 = 380.0;
 const MOST_COLUMNS: usize = 3;
 const GAP: f32 = 20.0;
 
-/// A report, its plots laid out once.
+/// A report whose plots are laid out once.
 #[derive(Debug, Default)]
 pub struct ReportView {
     report: Report,
     language: Language,
-    /// The plots as laid out, by section and part, for a style and a width.
+    /// Plots as laid out, by section and part, for a style and a width.
     drawings: BTreeMap<Place, (PlotStyle, f32, Drawing)>,
 }
 
-/// A part of a report: the numbers of its section and of itself.
+/// A part of a report: the indices of its section and of itself.
 type Place = (usize, usize);
 
-/// What is clicked of a report.
+/// A clicked item of a report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Picked {
     /// A row of the tables to choose from, counted through all of them.
@@ -63,7 +63,7 @@ impl ReportView {
         self.drawings.clear();
     }
 
-    /// Whether the report is in the language of the window; if not, it is to be made again.
+    /// Returns whether the report is in the language of the window. Otherwise it has to be made again.
     pub fn is_current(&self) -> bool {
         self.language == language()
     }
@@ -76,32 +76,34 @@ impl ReportView {
         self.report.sections.is_empty()
     }
 
-    /// The sections' numbers.
+    /// Returns the sections' indices.
     pub fn sections(&self) -> Range<usize> {
         0..self.report.sections.len()
     }
 
-    /// The rows to choose from in the sections before this one.
+    /// Returns the number of rows to choose from in the sections before this one.
     pub fn rows_before(&self, section: usize) -> usize {
         self.choices((section, 0))
     }
 
-    /// The whole report.
+    /// Shows the whole report.
     pub fn ui(&mut self, ui: &mut Ui) {
         self.picked_ui(ui, None);
     }
 
-    /// The whole report, whose row `chosen` is; returns what is clicked.
+    /// Shows the whole report with the row `chosen` highlighted, and returns the clicked item.
     pub fn picked_ui(&mut self, ui: &mut Ui, chosen: Option<usize>) -> Option<Picked> {
         self.sections_ui(ui, self.sections(), chosen)
     }
 
-    /// One of its sections.
+    /// Shows one section of the report.
     pub fn section_ui(&mut self, ui: &mut Ui, index: usize) {
         self.sections_ui(ui, index..index + 1, None);
     }
 
-    /// Some of its sections: below each other, or where there is room the plots beside the tables, or sections in columns.
+    /// Shows some sections of the report, and returns the clicked item.
+    ///
+    /// The parts are below each other or, if the width allows, plots beside tables or sections in columns.
     pub fn sections_ui(
         &mut self,
         ui: &mut Ui,
@@ -136,7 +138,7 @@ impl ReportView {
         self.report.sections.get(section)?.parts.get(part)
     }
 
-    /// The rows to choose from before a part.
+    /// Returns the number of rows to choose from before a part.
     fn choices(&self, until: Place) -> usize {
         let parts = self
             .report
@@ -157,7 +159,7 @@ impl ReportView {
             .sum()
     }
 
-    /// Plots at the left, all else at the right.
+    /// Shows plots at the left and everything else at the right.
     fn beside_ui(
         &mut self,
         ui: &mut Ui,
@@ -181,7 +183,7 @@ impl ReportView {
         .inner
     }
 
-    /// The parts of the sections in so many columns of about one height.
+    /// Divides the parts of the sections into `count` columns of about equal height.
     fn balanced(&self, sections: Range<usize>, count: usize) -> Vec<Vec<Place>> {
         let lines = |section: &Section| {
             let of = |part: &Part| match part {
@@ -198,7 +200,7 @@ impl ReportView {
         let whole: usize = heights.iter().sum();
         let (mut columns, mut above) = (vec![Vec::new(); count], 0);
         for (index, height) in sections.zip(heights) {
-            // The column in which the section's middle would be.
+            // The column that would hold the middle of the section.
             let column = ((above + height / 2) * count / whole.max(1)).min(count - 1);
             above += height;
             let parts = self.report.sections[index].parts.len().max(1);
@@ -226,7 +228,7 @@ impl ReportView {
         .inner
     }
 
-    /// Parts below each other, each section's title above its first.
+    /// Shows parts below each other, each section's title above its first part.
     fn parts_ui(&mut self, ui: &mut Ui, places: &[Place], chosen: Option<usize>) -> Option<Picked> {
         let (mut picked, mut last) = (None, None);
         for &place in places {
@@ -245,7 +247,7 @@ impl ReportView {
                 Some(Part::Table(table)) => {
                     let before = self.choices(place);
                     let chosen = chosen.and_then(|row| row.checked_sub(before));
-                    // Several reports may stand in one view.
+                    // One view may contain several reports.
                     let id = (self.report.title.as_str(), place);
                     let row = rows_ui(ui, id, table, (table.to_choose, chosen));
                     picked = row.map(|row| Picked::Row(before + row)).or(picked);
@@ -258,7 +260,7 @@ impl ReportView {
         picked
     }
 
-    /// A plot, laid out anew where the report, the theme or the width has changed.
+    /// Shows a plot, laid out again if the report, the theme or the width has changed.
     fn drawn_ui(&mut self, ui: &mut Ui, place: Place) -> Option<Picked> {
         let Self {
             report, drawings, ..
@@ -283,16 +285,16 @@ impl ReportView {
     }
 }
 
-/// What is said of an answer that is not there, and how it is asked for.
+/// Description of an answer that is not there, and of the way to request it.
 #[derive(Clone, Copy, Debug)]
 pub struct Offer<'a> {
-    /// What it would tell and how long that takes.
+    /// Content of the answer, and the time that it takes.
     pub about: &'a str,
-    /// What the button says that asks for it first.
+    /// Label of the button that first requests the answer.
     pub start: &'a str,
-    /// Why it cannot be asked for.
+    /// Reason why the answer cannot be requested.
     pub problem: Option<&'a str>,
-    /// Whether the answer that is there is about something else by now.
+    /// True if the present answer is about something else by now.
     pub stale: bool,
 }
 
@@ -312,7 +314,7 @@ impl<Q: Question> Default for Pending<Q> {
 }
 
 impl<Q: Question> Pending<Q> {
-    /// Asks it about the document in a picture of `size`; until the answer comes, the last one stays.
+    /// Asks the question about the document in a picture of `size`. Until the answer arrives, the last one stays.
     pub fn ask(&mut self, ctx: &Context, document: &Document, size: [u32; 2], question: &Q) {
         let Document { scene, model, .. } = document;
         let same = |asked: &Request<Q>| asked.is(question, scene, model.as_ref(), size);
@@ -326,7 +328,7 @@ impl<Q: Question> Pending<Q> {
         }
     }
 
-    /// Asks it once; [`Self::receive`] takes the answer.
+    /// Asks the question once; [`Self::receive`] takes the answer.
     pub fn start(&mut self, ctx: &Context, document: &Document, size: [u32; 2], question: Q) {
         self.work.start(
             Request::new(question, &document.scene, document.model.as_ref(), size),
@@ -334,7 +336,7 @@ impl<Q: Question> Pending<Q> {
         );
     }
 
-    /// Takes what a question that was asked once has found.
+    /// Takes the answer to a question asked once by [`Self::start`].
     pub fn receive(&mut self) {
         if (self.work.take() || !self.view.is_current())
             && let (Some(answer), Some(asked)) = (self.work.answer(), self.work.answered())
@@ -346,7 +348,7 @@ impl<Q: Question> Pending<Q> {
         }
     }
 
-    /// Whether the answer is about another model, or a scene that is not the `same` as the document's.
+    /// Returns whether the answer is about another model, or a scene that is not the `same` as the document's.
     pub fn is_stale(
         &self,
         Document { scene, model, .. }: &Document,
@@ -358,7 +360,7 @@ impl<Q: Question> Pending<Q> {
         })
     }
 
-    /// How far the answer is known, in a sentence with the next step; returns whether it is to be asked for.
+    /// Shows the state of the answer in a sentence with the next step, and returns whether to request the answer.
     pub fn state_ui(&self, ui: &mut Ui, offer: &Offer<'_>) -> bool {
         if progress_ui(ui, &self.work, text!("report-stop-tip")) {
             return false;
@@ -384,7 +386,7 @@ impl<Q: Question> Pending<Q> {
         .inner
     }
 
-    /// The latest answer with the scene that it is about.
+    /// Returns the latest answer with the scene that it is about.
     pub fn latest(&self) -> Option<(Box<dyn Answer>, Scene)> {
         Some((
             Box::new(self.work.answer()?.clone()),
@@ -393,7 +395,7 @@ impl<Q: Question> Pending<Q> {
     }
 }
 
-/// A part of a report that is neither a table nor a plot.
+/// Shows a part of a report that is neither a table nor a plot.
 pub fn words_ui(ui: &mut Ui, part: &Part) {
     match part {
         Part::Text(text) => _ = ui.label(text),
@@ -426,7 +428,9 @@ impl Export {
     }
 }
 
-/// Buttons that save the answer of `analysis` in every format that it has, and copy it; `answer` gives it with its scene.
+/// Shows buttons that save the answer of `analysis` in each of its formats, and copy it.
+///
+/// `answer` returns the answer with its scene.
 pub fn export_ui(
     ui: &mut Ui,
     session: &mut Session,
@@ -479,7 +483,7 @@ pub fn export_ui(
     }
 }
 
-/// Writes the answer that is about to be saved, as the path's ending says.
+/// Writes the answer that is about to be saved, in the format that the path's extension names.
 pub fn save(session: &mut Session, window: &WindowState, path: &Path) -> Result<(), String> {
     let export = window
         .own

@@ -1,4 +1,4 @@
-//! The scan line in slow motion: the polygon under the probe, enlarged, walked through by hand or playing.
+//! The scan line in slow motion: the polygon under the probe, enlarged, scanned step by step by hand or played.
 
 mod view;
 
@@ -33,28 +33,28 @@ use eframe::egui::{
 use glam::DVec2;
 use std::sync::Arc;
 
-/// Size of letters in the drawing, in that of the window's text: its smallest are as large as that.
+/// Font size in the drawing, relative to the window's: the drawing's smallest letters are as large as the window's text.
 const DRAWN_LETTERS: f64 = 1.05;
-/// The drawing takes at most this part of the panel's height: the formula below it is to be in sight.
+/// Maximum height of the drawing, as a share of the panel's height, which keeps the formula below it visible.
 const TALLEST: f32 = 0.46;
-/// Height of a button, width of an arrow's button, the space between parts, and that between two buttons; points.
+/// Height of a button, width of an arrow's button, space between parts, and space between two buttons, in points.
 const HEIGHT: f32 = 28.0;
 const ARROW: f32 = 28.0;
 const GROUPS: f32 = 8.0;
 const GAP: f32 = 3.0;
-/// Size of the formula's letters, and of those of its components. Points.
+/// Font sizes of the formula and of its components, in points.
 const FORMULA: f32 = 17.0;
 const COMPONENT: f32 = 14.0;
-/// From this width on the drawing stands beside the rest, which has this part of the width; its least height. Points.
+/// Width from which the drawing is beside the rest, in points; its share of the width there; its minimum height, in points.
 const WIDE: f32 = 620.0;
 const DRAWN: f32 = 0.42;
 const LEAST_DRAWING: f32 = 160.0;
-/// Greatest widths of the controls and of the tables, and least width of a formula. Points.
+/// Maximum widths of the controls and of the tables, and minimum width of a formula, in points.
 const TRANSPORT: f32 = 480.0;
 const TABLES: f32 = 340.0;
 const CARD: f32 = 270.0;
 
-/// The scan line's view.
+/// Shows the view of the scan line.
 pub fn scan_ui(
     ui: &mut Ui,
     view: &mut ScanView,
@@ -71,7 +71,7 @@ pub fn scan_ui(
             if ui.available_width() >= WIDE {
                 wide_ui(ui, view, requests, &scan);
             } else {
-                // In a window that is all but closed, nothing is in sight.
+                // In a window that is almost closed, nothing is visible.
                 let tallest = TALLEST * ui.clip_rect().height().max(0.0);
                 drawing_of(ui, view, &scan, tallest);
                 ui.add_space(4.0);
@@ -96,7 +96,7 @@ pub fn scan_ui(
     settings_ui(ui, view);
 }
 
-/// The drawing at the left; the controls, P, Q and the pixel side by side, and the tables at the right.
+/// Shows the drawing at the left; the controls, P, Q and the pixel side by side, and the tables at the right.
 fn wide_ui(ui: &mut Ui, view: &mut ScanView, requests: &mut Requests, scan: &Scan) {
     let width = ui.available_width();
     let tallest = (ui.clip_rect().height() - 2.0 * GROUPS).max(LEAST_DRAWING);
@@ -128,14 +128,14 @@ fn wide_ui(ui: &mut Ui, view: &mut ScanView, requests: &mut Requests, scan: &Sca
                     }
                 });
             }
-            // The last column of numbers takes what width there is.
+            // The last column of numbers takes the remaining width.
             ui.set_max_width(ui.available_width().min(TABLES));
             tables_ui(ui, scan, step);
         });
     });
 }
 
-/// The enlarged polygon in the width that there is.
+/// Shows the enlarged polygon in the available width.
 fn drawing_of(ui: &mut Ui, view: &mut ScanView, scan: &Scan, tallest: f32) {
     let style = PlotStyle {
         text: DRAWN_LETTERS * f64::from(TEXT),
@@ -202,7 +202,7 @@ fn settings_ui(ui: &mut Ui, scan: &mut ScanView) {
     );
 }
 
-/// The buttons under the picture: by pixel, edge and line, forwards and back; play; and a slider over all steps.
+/// Shows the buttons under the picture: by pixel, edge and line, forwards and back; play; and a slider over all steps.
 fn transport_ui(ui: &mut Ui, view: &mut ScanView, requests: &mut Requests, last: usize) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
@@ -317,7 +317,7 @@ fn walk_ui(
     }
 }
 
-/// What was found: its colour, its name and where it lies, what it is, then its formulas, filled in with its numbers.
+/// Shows a finding: its colour, name, position and meaning, then its formulas, filled in with its numbers.
 fn formula_ui(ui: &mut Ui, scan: &Scan, step: usize, mix: Option<&Mix<'_>>) {
     let line = scan.at(step).line;
     let Some(mix) = mix else {
@@ -360,7 +360,7 @@ fn formula_ui(ui: &mut Ui, scan: &Scan, step: usize, mix: Option<&Mix<'_>>) {
     ui.add_space(6.0);
 }
 
-/// `I` with P below the line `= (1−α)·I…`
+/// Returns the pieces of the formula of a mix, such as `I = (1−α)·I…` with P as the subscript of the first `I`.
 fn pieces(mix: &Mix<'_>, carried: Carried, visuals: &Visuals) -> Vec<Piece> {
     let plain = visuals.text_color();
     let (symbol, colour) = match carried {
@@ -369,7 +369,7 @@ fn pieces(mix: &Mix<'_>, carried: Carried, visuals: &Visuals) -> Vec<Piece> {
     };
     let yellow = readable(colour_of(ALPHA, 1.0), visuals.panel_fill);
     let alpha = || Piece::plain("α", yellow);
-    // Lowered digits as ordinary ones.
+    // Subscript digits become ordinary ones.
     let ordinary = |name: &str| {
         name.chars()
             .map(|letter| Set::of(letter).letter)
@@ -391,7 +391,7 @@ fn pieces(mix: &Mix<'_>, carried: Carried, visuals: &Visuals) -> Vec<Piece> {
     ]
 }
 
-/// A heading and what stands below it.
+/// Shows a heading and the text below it.
 fn lines_ui(ui: &mut Ui, heading: &str, below: &str) {
     let visuals = ui.visuals();
     let (strong, weak) = (visuals.strong_text_color(), visuals.weak_text_color());
@@ -403,7 +403,7 @@ fn lettered_ui(ui: &mut Ui, text: &str, colour: Color32) {
     ui.add(Label::new(lettered(text, colour)).wrap());
 }
 
-/// A component's letter and its line of numbers, which begin below each other.
+/// Shows a component's letter and its line of numbers. The numbers of all components are aligned below each other.
 fn component_ui(ui: &mut Ui, name: &str, numbers: &str) {
     let (plain, weak) = (ui.visuals().text_color(), ui.visuals().weak_text_color());
     let format = |font_id, color| TextFormat {
@@ -421,7 +421,7 @@ fn component_ui(ui: &mut Ui, name: &str, numbers: &str) {
     ui.add(Label::new(job).wrap());
 }
 
-/// The tables: P, Q and the pixel with their values, what barycentric interpolation gives, and the edge table.
+/// Shows the tables: P, Q and the pixel with their values, the result of barycentric interpolation, and the edge table.
 fn tables_ui(ui: &mut Ui, scan: &Scan, step: usize) {
     let point = scan.at(step);
     if point.p.is_some() {
@@ -435,8 +435,8 @@ fn tables_ui(ui: &mut Ui, scan: &Scan, step: usize) {
     table_ui(ui, "scan-edges", &scan.edge_table(step), false);
 }
 
-/// Outlines the polygon in the picture, with the part of it that the scan line has reached, white on dark, so that it shows on
-/// any picture.
+/// Outlines the polygon in the picture and marks the part that the scan line has reached, white on dark, so that both are visible
+/// on any picture.
 pub fn paint(painter: &Painter, window: &WindowState, place: Place) {
     let Some(view) = window
         .own

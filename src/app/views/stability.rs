@@ -1,5 +1,5 @@
-//! The view of stiff and extreme cases: what a naive renderer, the engine and a reference make of each, and by how much they
-//! differ.
+//! The view of stiff and extreme cases: the results of a naive renderer, of the engine and of a reference for each, and their
+//! differences.
 
 use super::report::{Offer, Pending, Picked, WIDE, export_ui, words_ui};
 use crate::analysis::report::Section;
@@ -20,15 +20,15 @@ use eframe::egui::{
 use std::fmt;
 use std::sync::Arc;
 
-/// The view's state.
+/// State of the view.
 #[derive(Default)]
 pub struct StabilityView {
     asking: Pending<StabilityQuestion>,
-    /// The case that is shown.
+    /// Index of the case that is shown.
     chosen: usize,
-    /// Whether it was chosen in the frame before, so that it is to be brought into sight.
+    /// True if the case was chosen in the previous frame, so that it has to be scrolled into view.
     new: bool,
-    /// The pictures of the case that is shown.
+    /// Pictures of the case that is shown.
     shown: Option<[TextureHandle; 3]>,
 }
 
@@ -60,14 +60,14 @@ impl StabilityView {
     }
 }
 
-/// Between the pictures.
+/// Space between the pictures, in points.
 const GAP: f32 = 6.0;
-/// The share of the width that the list has beside a case.
+/// Share of the width that the list has beside a case.
 const LIST: f32 = 0.46;
-/// Least height of the list beside a case, points.
+/// Minimum height of the list beside a case, in points.
 const LEAST_HEIGHT: f32 = 320.0;
 
-/// The view. The cases are drawn once, when it is first seen.
+/// Shows the view. The cases are drawn once, when it is first shown.
 pub fn stability_ui(
     ui: &mut Ui,
     view: &mut StabilityView,
@@ -108,13 +108,13 @@ pub fn stability_ui(
         below_ui(ui, view)
     };
     if let Some(mut scene) = opened {
-        // The window has its own size, and the picture is looked at in it.
+        // The window has its own size, in which the picture is shown.
         scene.image.size = session.document().scene.image.size;
         session.put_scene(scene);
     }
 }
 
-/// The list at the left, the case that is chosen at the right; returns the scene that is asked for.
+/// Shows the list at the left and the chosen case at the right, and returns the scene to open, if requested.
 fn beside_ui(ui: &mut Ui, view: &mut StabilityView) -> Option<Scene> {
     let height = (ui.clip_rect().bottom() - ui.cursor().top()).max(LEAST_HEIGHT);
     let whole = ui.available_width();
@@ -147,7 +147,7 @@ fn beside_ui(ui: &mut Ui, view: &mut StabilityView) -> Option<Scene> {
     .inner
 }
 
-/// The list, with the case that is chosen below its topic.
+/// Shows the list, with the chosen case below its topic, and returns the scene to open, if requested.
 fn below_ui(ui: &mut Ui, view: &mut StabilityView) -> Option<Scene> {
     ui.label(RichText::new(text!("engine-stability-title")).weak());
     let (mut opened, mut picked) = (None, None);
@@ -163,7 +163,7 @@ fn below_ui(ui: &mut Ui, view: &mut StabilityView) -> Option<Scene> {
     opened
 }
 
-/// The cases of a topic.
+/// Shows the cases of a topic, and returns the clicked one.
 fn section_ui(ui: &mut Ui, view: &mut StabilityView, section: usize) -> Option<Picked> {
     let chosen = Some(view.chosen);
     let picked = view
@@ -174,7 +174,7 @@ fn section_ui(ui: &mut Ui, view: &mut StabilityView, section: usize) -> Option<P
     picked
 }
 
-/// The case that is chosen, with its pictures; returns it as a scene where that is asked for.
+/// Shows the chosen case with its pictures, and returns it as a scene if that is requested.
 fn case_ui(ui: &mut Ui, view: &mut StabilityView) -> Option<Scene> {
     let result = view.result()?;
     let pictures = view
@@ -200,7 +200,7 @@ fn case_ui(ui: &mut Ui, view: &mut StabilityView) -> Option<Scene> {
     result.scene.clone().filter(|_| asked)
 }
 
-/// The three pictures, each with its name and its error below.
+/// Shows the three pictures, each with its name and its error below.
 fn pictures_ui(ui: &mut Ui, result: &CaseResult, pictures: &[TextureHandle; 3]) {
     let side = ((ui.available_width() - 2.0 * GAP) / 3.0).clamp(40.0, 258.0);
     let errors = [Some(result.naive_error), Some(result.robust_error), None];
@@ -226,7 +226,7 @@ fn pictures_ui(ui: &mut Ui, result: &CaseResult, pictures: &[TextureHandle; 3]) 
     ui.add_space(4.0);
 }
 
-/// A cell of a width of its own, whatever is in it.
+/// Shows a cell of fixed width, whatever its content.
 fn cell_ui(ui: &mut Ui, width: f32, content: impl FnOnce(&mut Ui)) {
     ui.allocate_ui_with_layout(vec2(width, 0.0), Layout::top_down(Align::Center), |ui| {
         ui.set_width(width);
@@ -234,7 +234,7 @@ fn cell_ui(ui: &mut Ui, width: f32, content: impl FnOnce(&mut Ui)) {
     });
 }
 
-/// An error in code values, in the colour of a warning where it is seen.
+/// Formats an error in code values, in the colour of a warning if it is visible.
 fn error_text(ui: &Ui, error: f64) -> RichText {
     let decimals = if error >= 10.0 { 0 } else { 2 };
     let error_in_digits = format!("{error:.decimals$}");

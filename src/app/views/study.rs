@@ -1,4 +1,4 @@
-//! The view of error against run time: what to measure, the plot while points come in, and the table.
+//! The view of error against run time: the choice of what to measure, the plot while points arrive, and the table.
 
 use super::report::{Offer, Pending, Picked, export_ui};
 use crate::analysis::study::{Method, Setting, Study, StudyQuestion, study_point};
@@ -13,14 +13,14 @@ use eframe::egui::{CollapsingHeader, Response, RichText, Ui};
 
 /// Tessellations to choose from, in segments.
 const SEGMENTS: [u32; 8] = [4, 8, 16, 32, 64, 128, 256, 512];
-/// Frames timed for each setting, to choose from.
+/// Numbers of timed frames for each setting, to choose from.
 const REPEATS: [u32; 3] = [3, 9, 27];
 
-/// The view's state.
+/// State of the view.
 #[derive(Default)]
 pub struct StudyView {
     choices: Choices,
-    /// What became of the point that was chosen last.
+    /// Message about the point that was chosen last.
     message: Option<String>,
     asking: Pending<StudyQuestion>,
 }
@@ -30,7 +30,7 @@ impl StudyView {
         self.asking.work.answer()
     }
 
-    /// The setting that is clicked, in the table or in the plot.
+    /// Returns the setting that was clicked, in the table or in the plot.
     fn setting(&self, picked: Picked) -> Option<Setting> {
         let rows = &self.study()?.rows;
         let row = match picked {
@@ -44,11 +44,11 @@ impl StudyView {
     }
 }
 
-/// What is chosen to be measured.
+/// Choice of what to measure.
 #[derive(Clone, Debug)]
 struct Choices {
     question: StudyQuestion,
-    /// Exponents between commas; the scene's own where there is nothing.
+    /// Exponents separated by commas; the scene's own if empty.
     n: String,
 }
 
@@ -68,7 +68,7 @@ impl Default for Choices {
 }
 
 impl Choices {
-    /// What is asked for, or what is wrong with it.
+    /// Returns the question to ask, or what is wrong with the choices.
     fn request(&self, scene: &Scene) -> Result<StudyQuestion, String> {
         let mut question = StudyQuestion {
             n: exponents(&self.n, scene)?,
@@ -85,7 +85,7 @@ impl Choices {
     }
 }
 
-/// A switch that puts `value` into a list and takes it out.
+/// Shows a switch that puts `value` into a list or takes it out.
 fn switch_ui<T: PartialEq>(
     chosen: &mut Vec<T>,
     value: T,
@@ -100,7 +100,7 @@ fn switch_ui<T: PartialEq>(
     }
 }
 
-/// The exponents that are typed.
+/// Parses the typed exponents.
 fn exponents(text: &str, scene: &Scene) -> Result<Vec<f64>, String> {
     let words = text.split([',', ';', ' ']).filter(|word| !word.is_empty());
     let number = |word: &str| {
@@ -117,7 +117,7 @@ fn exponents(text: &str, scene: &Scene) -> Result<Vec<f64>, String> {
     words.map(number).collect()
 }
 
-/// The view.
+/// Shows the view of error against run time.
 pub fn study_ui(
     ui: &mut Ui,
     view: &mut StudyView,
@@ -157,7 +157,7 @@ pub fn study_ui(
     }
 }
 
-/// Shows a setting in the picture, or says why it cannot.
+/// Shows a setting in the picture. Returns a sentence that says so, or why it cannot be shown.
 fn load(session: &mut Session, setting: &Setting) -> String {
     let words = setting.title();
     if setting.load(&mut session.shown.scene) {
@@ -211,7 +211,7 @@ fn choices_ui(ui: &mut Ui, Choices { question, n }: &mut Choices) {
     });
 }
 
-/// How far the study is, and its start.
+/// Shows the progress of the study, and the button that starts it.
 fn start_ui(ui: &mut Ui, view: &mut StudyView, session: &Session, engine: &Engine) {
     let request = view.choices.request(&session.shown.scene);
     let asked = view.asking.work.answered().map(|asked| &asked.question);
@@ -242,7 +242,7 @@ fn start_ui(ui: &mut Ui, view: &mut StudyView, session: &Session, engine: &Engin
     }
 }
 
-/// Frames that a study draws, about: the first of each setting is not timed.
+/// Returns about how many frames a study draws. The first of each setting is not timed.
 fn frames(question: &StudyQuestion) -> usize {
     let carried = |method: &Method| !matches!(method, Method::Flat | Method::FlatVertexMean);
     let drawn = |method: &Method| {
@@ -256,7 +256,7 @@ fn frames(question: &StudyQuestion) -> usize {
     settings * question.segments.len() * question.n.len().max(1) * (question.repeats as usize + 1)
 }
 
-/// A time in words, about.
+/// Formats an approximate time in words.
 pub fn duration(seconds: f64) -> String {
     if seconds < 1.5 {
         text!("engine-time-short").to_owned()

@@ -1,8 +1,8 @@
-//! What a field takes for a number: arithmetic such as `1/3`, `2*pi`, `1e-3`, `sqrt(2)` and `inf`.
+//! Arithmetic in number fields, such as `1/3`, `2*pi`, `1e-3`, `sqrt(2)` and `inf`.
 
 use crate::expression::arithmetic;
 
-/// The number that a text stands for; none where it is no arithmetic, or its value is not a number.
+/// Evaluates the arithmetic in `text`. Returns `None` if it is not arithmetic or its value is not a number.
 pub fn evaluate(text: &str) -> Option<f64> {
     let text = text.replace([' ', '\u{2009}', '\u{a0}', '°'], "");
     // The decimal comma of many languages.

@@ -9,43 +9,44 @@ use eframe::egui::{
     UiBuilder, Vec2, pos2, vec2,
 };
 
-/// Least and greatest width of the labels of a panel's rows, points, and the share of the row's width between.
+/// Minimum and maximum width of a panel's labels, in points, and their share of the row's width in between.
 const LABEL: [f32; 2] = [101.0, 152.0];
 const LABEL_SHARE: f32 = 0.36;
-/// How much smaller the type of a label may be where it does not fit.
+/// Minimum scale of a label's type where the label does not fit.
 const LEAST_LABEL: f32 = 0.85;
-/// Points between a label and the control.
+/// Space between a label and its control, in points.
 const GAP: f32 = 4.0;
-/// Width of the letter in front of a label, points.
+/// Width of the letter in front of a label, in points.
 const LETTER: f32 = 24.0;
-/// Width kept for the reset button, points.
+/// Width kept for the reset button, in points.
 const RESET: f32 = 20.0;
-/// Width of a number's field, points.
+/// Width of a number's field, in points.
 pub const FIELD: f32 = 66.0;
 
-/// What a row is about.
+/// Description of a row.
 #[derive(Clone, Debug, Default)]
 pub struct About<'a> {
-    /// The letter in front of the label, as in the equation.
+    /// Letter in front of the label, as in the equation.
     pub letter: &'a str,
-    /// The letter's colour; none is ordinary text.
+    /// Colour of the letter; `None` is ordinary text.
     pub tint: Option<Color32>,
-    /// The label in words.
+    /// Label in words.
     pub label: &'a str,
-    /// The accessible name; the label where empty.
+    /// Accessible name; the label if empty.
     pub name: &'a str,
-    /// What it means, with its unit.
+    /// Meaning of the value, with its unit.
     pub tip: &'a str,
-    /// The symbol of the equation that it controls.
+    /// Symbol of the equation that the row controls.
     pub symbol: Option<Symbol>,
-    /// Why the control has no effect at present.
+    /// Reason why the control has no effect at present.
     pub idle: Option<&'a str>,
-    /// Width that the control needs, points. In a row too narrow for it beside its label the control stands below.
+    /// Width that the control needs, in points. If the row is too narrow for it beside the label, the control goes below the
+    /// label.
     pub room: f32,
 }
 
 impl About<'_> {
-    /// The accessible name.
+    /// Returns the accessible name.
     pub fn name(&self) -> &str {
         if self.name.is_empty() {
             self.label
@@ -55,7 +56,7 @@ impl About<'_> {
     }
 }
 
-/// A row for a value, which `control` edits and resetting takes back to `default`.
+/// Shows a row for a value, which `control` edits and resetting sets to `default`.
 pub fn value_row<T: PartialEq>(
     ui: &mut Ui,
     about: &About<'_>,
@@ -68,13 +69,14 @@ pub fn value_row<T: PartialEq>(
     }
 }
 
-/// Lays out one row and fills it with `control`. Returns whether the row is to be reset; the button for that
-/// is shown where it has been `changed`.
+/// Lays out one row, fills it with `control`, and returns whether to reset it.
+///
+/// The reset button is shown while the row has been `changed`.
 pub fn row(ui: &mut Ui, about: &About<'_>, changed: bool, control: impl FnOnce(&mut Ui)) -> bool {
     let size = vec2(ui.available_width(), ui.spacing().interact_size.y);
     let [least, greatest] = LABEL;
     let label_width = (LABEL_SHARE * size.x).clamp(least, greatest);
-    // A control that needs a little more gets it from a label that is shorter.
+    // A control that needs a little more width takes it from a shorter label.
     let left = size.x - RESET - about.room;
     let stacked = left < label_width && left < least_width(ui, about);
     let (label_width, from, lines) = if stacked {
@@ -131,7 +133,7 @@ pub fn row(ui: &mut Ui, about: &About<'_>, changed: bool, control: impl FnOnce(&
     by_pointer || reset_here || by_key
 }
 
-/// A part of a row, laid out in `rect`, whose widgets keep their identity whatever rows come and go.
+/// Returns a child `Ui` for a part of a row in `rect`. Its widgets keep their identity when other rows come and go.
 fn part(
     ui: &mut Ui,
     salt: impl std::hash::Hash + std::fmt::Debug,
@@ -148,7 +150,7 @@ fn part(
     child
 }
 
-/// The label; a double click resets the row.
+/// Shows the label, and returns whether a double click on it resets the row.
 fn label(ui: &mut Ui, about: &About<'_>, changed: bool, rect: Rect) -> bool {
     let mut child = part(
         ui,
@@ -205,7 +207,7 @@ fn reset(ui: &mut Ui, about: &About<'_>, rect: Rect) -> bool {
         Layout::right_to_left(Align::Center),
     );
     let weak = child.visuals().weak_text_color();
-    // For the pointer and for screen readers: Tab would stop at it between two fields.
+    // For the pointer and for screen readers only: Tab would otherwise stop at it between two fields.
     let button = Button::new(RichText::new("↺").color(weak))
         .frame(false)
         .sense(Sense::CLICK);
@@ -214,14 +216,14 @@ fn reset(ui: &mut Ui, about: &About<'_>, rect: Rect) -> bool {
     named(response, Role::Button, &name).clicked()
 }
 
-/// Size of type with which `label` fits into the rest of the line: a long one is set a little smaller.
+/// Returns the font size at which `label` fits into the rest of the line. A long label is set a little smaller.
 fn fitting(ui: &Ui, label: &str) -> f32 {
     let size = TextStyle::Body.resolve(ui.style()).size;
     let width = width_of(ui, label);
     (size * (ui.available_width() - GAP) / width.max(1.0)).clamp(LEAST_LABEL * size, size)
 }
 
-/// Width of a line of text, points.
+/// Returns the width of a line of text, in points.
 pub fn width_of(ui: &Ui, text: &str) -> f32 {
     let font = TextStyle::Body.resolve(ui.style());
     let galley = ui
@@ -230,7 +232,7 @@ pub fn width_of(ui: &Ui, text: &str) -> f32 {
     galley.size().x
 }
 
-/// The least width that letter and label take, points.
+/// Returns the minimum width of letter and label, in points.
 fn least_width(ui: &Ui, about: &About<'_>) -> f32 {
     let letter = if about.letter.is_empty() { 0.0 } else { LETTER };
     letter + LEAST_LABEL * width_of(ui, about.label) + GAP

@@ -19,38 +19,38 @@ pub const CHANNELS: [&str; 3] = ["controls-red", "controls-green", "controls-blu
 pub const AXES: [&str; 3] = ["controls-x", "controls-y", "controls-z"];
 /// The keys of the names of two lengths.
 pub const SIDES: [&str; 2] = ["controls-width", "controls-height"];
-/// Least width of a slider, and of the field beside it, points.
+/// Minimum width of a slider, and of the field beside it, in points.
 const SLIDER: f32 = 40.0;
 const LEAST_FIELD: f32 = 52.0;
-/// Width that three fields need, points: where all are negative, a little less than they take.
+/// Width kept for three fields, in points. If all numbers are negative, they take slightly more.
 pub const FIELDS: f32 = 138.0;
-/// Width of the switch that makes a number infinite, points.
+/// Width of the switch that makes a number infinite, in points.
 const INFINITY_SWITCH: f32 = 26.0;
 
-/// The slider of a number and the limits of what may be typed.
+/// The slider of a number, and the limits of its field.
 #[derive(Clone, Debug)]
 pub struct SliderRange {
-    /// What the slider spans.
+    /// Range of the slider.
     pub span: RangeInclusive<f64>,
-    /// What the field takes.
+    /// Range of the field.
     pub limits: RangeInclusive<f64>,
-    /// Whether a number typed beyond the limits is left for the scene's own check to refuse, with its reason; otherwise
-    /// it becomes the nearest limit.
+    /// True if a number typed beyond the limits is left for the scene's validation to refuse, with its reason. Otherwise it
+    /// becomes the nearest limit.
     pub refuses: bool,
     pub logarithmic: bool,
-    /// Digits after the point at most.
+    /// Maximum number of digits after the decimal point.
     pub decimals: usize,
     pub suffix: &'static str,
 }
 
 impl SliderRange {
-    /// Of the narrow fields of colours.
+    /// Range of the narrow fields of colours.
     pub const SHORT: Self = Self {
         decimals: 2,
         ..Self::linear(0.0..=1.0)
     };
 
-    /// A linear slider over `span`, with three decimals and no limit but to be finite and not negative.
+    /// Returns a linear slider over `span` with three decimals. Its field takes any finite number that is not negative.
     pub const fn linear(span: RangeInclusive<f64>) -> Self {
         Self {
             span,
@@ -62,7 +62,7 @@ impl SliderRange {
         }
     }
 
-    /// The same, logarithmic.
+    /// Returns a logarithmic slider over `span`, otherwise like [`Self::linear`].
     pub fn logarithmic(span: RangeInclusive<f64>) -> Self {
         Self {
             logarithmic: true,
@@ -71,21 +71,21 @@ impl SliderRange {
     }
 }
 
-/// A row for one number; `default` is what resetting gives.
+/// Description of a row for one number. Resetting restores `default`.
 pub struct NumberRow<'a> {
     pub about: About<'a>,
     pub range: SliderRange,
     pub default: f64,
 }
 
-/// A row with a slider and a field.
+/// Shows a row with a slider and a field.
 pub fn number(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
     value_row(ui, &spec.about, spec.default, value, |ui, value| {
         slider_and_field(ui, spec, value);
     });
 }
 
-/// The same for a whole number.
+/// Shows a row with a slider and a field for a whole number.
 pub fn whole(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut u32) {
     value_row(ui, &spec.about, spec.default as u32, value, |ui, value| {
         whole_slider(ui, spec, value);
@@ -95,11 +95,11 @@ pub fn whole(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut u32) {
 pub fn whole_slider(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut u32) {
     let mut real = f64::from(*value);
     slider_and_field(ui, spec, &mut real);
-    // The limits keep it inside; the cast saturates.
+    // The limits keep it in range; the cast saturates.
     *value = real.round() as u32;
 }
 
-/// A slider for the largest channel of a coefficient, which keeps the ratio of the channels.
+/// Shows a slider for the largest channel of a coefficient, which keeps the ratio of the channels.
 pub fn coefficient_slider(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut Rgb) {
     let largest = value.max_element();
     let mut scalar = largest;
@@ -114,7 +114,7 @@ pub fn coefficient_slider(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut Rgb) {
     }
 }
 
-/// A field for each channel of a coefficient, below its slider.
+/// Shows a field for each channel of a coefficient, below its slider.
 pub fn channels_row(ui: &mut Ui, about: &About<'_>, value: &mut Rgb) {
     let name = text!("controls-per-channel", name = about.name());
     let channels = About {
@@ -135,7 +135,7 @@ pub fn channels_row(ui: &mut Ui, about: &About<'_>, value: &mut Rgb) {
     });
 }
 
-/// Numbers side by side; `parts` are the keys of their names.
+/// Shows numbers side by side; `parts` are the keys of their names.
 pub fn fields<const N: usize>(
     ui: &mut Ui,
     name: &str,
@@ -143,7 +143,7 @@ pub fn fields<const N: usize>(
     range: &SliderRange,
     values: &mut [f64; N],
 ) {
-    // Four digits have room beside each other, also in a narrow panel.
+    // Four digits fit side by side, even in a narrow panel.
     let spacing = ui.spacing_mut();
     spacing.item_spacing.x = 4.0;
     spacing.button_padding.x = 2.0;
@@ -155,7 +155,7 @@ pub fn fields<const N: usize>(
     }
 }
 
-/// A slider and a field; with a switch for infinity, where that is one of the values.
+/// Shows a slider and a field, and a switch for infinity if the limits include it.
 pub fn slider_and_field(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
     let space = ui.spacing().item_spacing.x;
     let reaches_infinity = *spec.range.limits.end() == f64::INFINITY;
@@ -215,8 +215,9 @@ pub fn slider_and_field(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
     }
 }
 
-/// A field for one number, or for arithmetic that gives one. A text that is no number leaves the value as it was, and the
-/// field says so until it is edited again.
+/// Shows a field for one number, or for arithmetic that gives one.
+///
+/// Text that is not a number leaves the value unchanged, and the field says so until it is edited again.
 pub fn field(
     ui: &mut Ui,
     name: &str,
@@ -242,7 +243,7 @@ pub fn field(
         if dropped {
             return None;
         }
-        // Left as it was shown, a value keeps the digits that are not shown.
+        // A value left as displayed keeps the digits that are not shown.
         if text.trim() == display(before, decimals) {
             return Some(before);
         }
@@ -261,7 +262,7 @@ pub fn field(
         .custom_formatter(move |value, _| display(value, decimals))
         .custom_parser(parse);
     let response = ui.add_sized(size, widget);
-    // A screen reader's number comes past the widget's own allowed, and may be none.
+    // A number from a screen reader bypasses the widget's own filter and may be NaN.
     if value.is_nan() {
         *value = before;
     }
@@ -278,7 +279,7 @@ pub fn field(
     response
 }
 
-/// Shows a field whose text was `refused` in a red frame with the reason, until it is `edited` or something else is clicked.
+/// Marks a field whose text was `refused` with a red frame and the reason, until it is `edited` or something else is clicked.
 fn wrong(response: &Response, refused: Option<String>, edited: bool) {
     let id = response.id.with("refused");
     let ctx = &response.ctx;
@@ -308,7 +309,7 @@ fn wrong(response: &Response, refused: Option<String>, edited: bool) {
     });
 }
 
-/// No more of a text than fits beside a reason.
+/// Shortens a text so that it fits beside a reason.
 fn shortened(text: &str) -> String {
     const MOST: usize = 24;
     if text.chars().count() <= MOST {
@@ -317,7 +318,7 @@ fn shortened(text: &str) -> String {
     text.chars().take(MOST).chain(['…']).collect()
 }
 
-/// A number as fields show it: no more digits than mean something.
+/// Formats a number for a field, with significant digits only.
 pub fn display(value: f64, decimals: usize) -> String {
     if value == f64::INFINITY {
         return "∞".to_owned();

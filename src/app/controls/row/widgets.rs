@@ -1,4 +1,4 @@
-//! Controls of rows for colours, points, choices, switches and words.
+//! Row controls for colours, points, choices, switches and text.
 
 use super::layout::About;
 use super::number::{AXES, CHANNELS, SliderRange, fields};
@@ -13,7 +13,7 @@ use eframe::egui::{
 };
 use glam::DVec3;
 
-/// Colours worth a click, by the keys of their names.
+/// Preset colours, with the keys of their names.
 const CHIPS: [(&str, Rgb); 10] = [
     ("controls-chip-white", Rgb::new(1.0, 1.0, 1.0)),
     ("controls-chip-grey", Rgb::new(0.5, 0.5, 0.5)),
@@ -27,7 +27,7 @@ const CHIPS: [(&str, Rgb); 10] = [
     ("controls-chip-violet", Rgb::new(0.65, 0.35, 0.8)),
 ];
 
-/// A linear colour as the textbooks' display shows it.
+/// Returns a linear colour as the textbooks' display shows it.
 pub fn swatch(colour: Rgb) -> Color32 {
     let [r, g, b] = colour
         .to_array()
@@ -35,9 +35,9 @@ pub fn swatch(colour: Rgb) -> Color32 {
     Color32::from_rgb(r, g, b)
 }
 
-/// A swatch that opens sliders.
+/// Shows a swatch that opens sliders.
 pub fn swatch_button(ui: &mut Ui, name: &str, value: &mut Rgb) {
-    // As high as its row, for fingers; what is seen of it is lower.
+    // As high as its row, for fingers; the visible part is lower.
     let size = vec2(26.0, ui.spacing().interact_size.y);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     let rect = Rect::from_center_size(rect.center(), vec2(26.0, 20.0));
@@ -107,7 +107,7 @@ fn picker(ui: &mut Ui, name: &str, value: &mut Rgb) {
     });
 }
 
-/// A field for each axis of a point or a direction.
+/// Shows a field for each axis of a point or a direction.
 pub fn axes(ui: &mut Ui, name: &str, value: &mut DVec3) {
     let range = SliderRange {
         limits: -1e15..=1e15,
@@ -117,7 +117,7 @@ pub fn axes(ui: &mut Ui, name: &str, value: &mut DVec3) {
     fields(ui, name, AXES, &range, value.as_mut());
 }
 
-/// One of several options, each with its place, from a list that opens.
+/// Shows a drop-down list of several options, each given with its index.
 pub fn choice(
     ui: &mut Ui,
     about: &About<'_>,
@@ -147,13 +147,13 @@ pub fn choice(
     response.response.on_hover_text(about.tip);
 }
 
-/// On or off.
+/// Shows a switch between on and off.
 pub fn toggle(ui: &mut Ui, name: &str, value: &mut bool) {
     let [on, off] = [text!("controls-on"), text!("controls-off")];
     for (state, label) in [(true, on), (false, off)] {
         let chosen = *value == state;
         let button = ui.add(Button::selectable(chosen, label).min_size(vec2(44.0, 0.0)));
-        // The other way is one stop: the one that is not chosen yet.
+        // Tab stops only at the option that is not chosen.
         if chosen {
             aside(&button);
         }
@@ -163,7 +163,7 @@ pub fn toggle(ui: &mut Ui, name: &str, value: &mut bool) {
     }
 }
 
-/// A line of text of at most `longest` characters, which may be empty.
+/// Shows a text field of at most `longest` characters, which may be empty.
 pub fn text(ui: &mut Ui, about: &About<'_>, longest: usize, value: &mut String) {
     let field = text_field(value)
         .char_limit(longest)

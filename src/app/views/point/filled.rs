@@ -1,4 +1,4 @@
-//! The equation, filled in: what the analysis says of the pixel, as lines that add up, some of which unfold.
+//! The equation filled in for the probed pixel, as lines that add up, some of which unfold.
 
 use crate::analysis::probe::{
     FilledLine, FilledPart, Here, LineValue, Product, Share, channels, digits, digits_below,
@@ -19,36 +19,36 @@ use eframe::egui::{
 };
 use std::sync::Arc;
 
-/// Height of a line, and of the bar, points.
+/// Height of a line, and of the bar, in points.
 const LINE: f32 = 24.0;
 const BAR: f32 = 22.0;
-/// Size of names and numbers, of letters that stand for a name, and of formulas, points.
+/// Font sizes of names and numbers, of letters that stand for a name, and of formulas, in points.
 const TEXT: f32 = 14.0;
 const LETTERS: f32 = 16.0;
 const FORMULA: f32 = 15.0;
-/// Width of a channel's column, and of the space before it, points.
+/// Width of a channel's column, and of the space before it, in points.
 const COLUMN: f32 = 51.0;
 const SPACE: f32 = 7.0;
-/// Where names begin: behind the sign and the triangle, and behind the sign alone, points.
+/// Indent of names behind the sign and the triangle, and behind the sign alone, in points.
 const INDENT: f32 = 34.0;
 const FLAT_INDENT: f32 = 14.0;
-/// Space between two parts of the bar, points: terms of one kind have one colour.
+/// Space between two parts of the bar, in points. It separates terms of one kind, which have the same colour.
 const GAP: f32 = 1.5;
-/// Formulas shrink no further than this to fit a narrow panel.
+/// Minimum scale of formulas in a narrow panel.
 const LEAST_SCALE: f32 = 0.7;
 
-/// Height of a line of numbers, and of the letters above them, points.
+/// Height of a line of numbers, and of the letters above them, in points.
 const ROW: f32 = 20.0;
 const HEAD: f32 = LETTERS * 1.6;
-/// Width of the channel's letter in front of a line, points.
+/// Width of the channel's letter in front of a line, in points.
 const MARK: f32 = 16.0;
-/// Space between two columns for the sign there, points: as much as there is, between these.
+/// Minimum and maximum space between two columns, which holds a sign, in points.
 const COLUMN_GAPS: [f32; 2] = [9.0, 16.0];
 
-/// What letters are at the pixel, by their names.
+/// Values of letters at the pixel, by the letters' names.
 pub type Values = [(&'static str, String)];
 
-/// The whole formula at the probe.
+/// Shows the whole formula at the probe.
 pub fn filled_ui(ui: &mut Ui, session: &mut Session, here: Here<'_>) {
     let chosen = newly_chosen(ui, session.light);
     ui.scope(|ui| {
@@ -66,7 +66,7 @@ pub fn filled_ui(ui: &mut Ui, session: &mut Session, here: Here<'_>) {
     });
 }
 
-/// Whether another light is chosen than in the frame before. Its terms unfold then, and the others fold.
+/// Returns whether another light is chosen than in the previous frame. Its terms then unfold, and the others fold.
 fn newly_chosen(ui: &Ui, light: usize) -> bool {
     let id = ui.scope_id().with("chosen-light");
     ui.data_mut(|data| {
@@ -131,7 +131,7 @@ fn part_ui(ui: &mut Ui, part: &FilledPart, values: &Values, id: Id) {
     }
 }
 
-/// What a letter is at the pixel, in a line of its own; nothing where it is not known.
+/// Returns a line with the value of a letter at the pixel, or an empty string if the value is not known.
 fn here_words(values: &Values, letter: &str) -> String {
     let value = values.iter().find(|(name, _)| *name == letter);
     value.map_or_else(String::new, |(_, value)| {
@@ -139,7 +139,7 @@ fn here_words(values: &Values, letter: &str) -> String {
     })
 }
 
-/// A typeset formula that shrinks to fit the panel.
+/// Shows a typeset formula that shrinks to fit the panel.
 pub fn formula_ui(ui: &mut Ui, text: &str, values: &Values, id: Id) {
     let visuals = ui.visuals();
     let pieces = formula(visuals, text, visuals.text_color(), |letter| {
@@ -162,7 +162,7 @@ pub fn formula_ui(ui: &mut Ui, text: &str, values: &Values, id: Id) {
     });
 }
 
-/// The names of the channels over their columns.
+/// Shows the names of the channels over their columns.
 fn channels_ui(ui: &mut Ui) {
     let weak = ui.visuals().weak_text_color();
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), LINE - 4.0), Sense::hover());
@@ -174,7 +174,7 @@ fn channels_ui(ui: &mut Ui) {
     }
 }
 
-/// A line that does not unfold; letters in place of its name light up their control.
+/// Shows a line that does not unfold. Letters in place of its name highlight their control.
 fn flat_ui(ui: &mut Ui, line: &FilledLine) {
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), LINE), Sense::hover());
     response.widget_info(|| {
@@ -199,8 +199,9 @@ fn flat_ui(ui: &mut Ui, line: &FilledLine) {
     }
 }
 
-/// A line that unfolds to its parts, by a click, Enter or the space bar. That of a light unfolds, too, when its light has
-/// been `chosen`, and the others fold.
+/// Shows a line that unfolds to its parts by a click, Enter or the space bar.
+///
+/// The line of a light also unfolds when that light has been `chosen`, and those of other lights fold.
 fn fold_ui(ui: &mut Ui, session: &mut Session, here: Here<'_>, line: &FilledLine, chosen: bool) {
     let id = ui.make_persistent_id(
         line.light
@@ -255,12 +256,12 @@ fn fold_ui(ui: &mut Ui, session: &mut Session, here: Here<'_>, line: &FilledLine
         ui.add_space(6.0);
     });
     if let Some(index) = line.light.filter(|_| symbol::sought(ui.ctx()) != sought) {
-        // A symbol of this light was clicked: its controls are this light's.
+        // A symbol of this light was clicked: the controls become those of this light.
         session.light = index;
     }
 }
 
-/// The sign, the name and the value of a line.
+/// Paints the sign, the name and the value of a line.
 fn paint(ui: &Ui, line: &FilledLine, rect: Rect) {
     let (weak, colour) = (
         ui.visuals().weak_text_color(),
@@ -297,12 +298,12 @@ fn paint(ui: &Ui, line: &FilledLine, rect: Rect) {
     }
 }
 
-/// The right edge of a channel's column.
+/// Returns the right edge of a channel's column.
 fn channel_edge(rect: Rect, index: usize) -> f32 {
     rect.max.x - (COLUMN + SPACE) * (2 - index) as f32
 }
 
-/// Paints words, cut short where they have no room.
+/// Paints text, truncated to the width `room`.
 fn paint_text(ui: &Ui, words: &str, x: f32, rect: Rect, colour: Color32, room: f32) {
     let format = TextFormat {
         font_id: FontId::proportional(TEXT),
@@ -325,7 +326,7 @@ fn place_at(ui: &Ui, galley: Arc<Galley>, x: f32, y: f32, colour: Color32) {
     ui.painter().galley(pos2(x, top), galley, colour);
 }
 
-/// What each term has in the pixel's brightness, as one bar. Each part is as long as its term is bright.
+/// Shows the share of each term in the pixel's brightness as one bar. Each part is as long as its term is bright.
 fn bar_ui(ui: &mut Ui, shares: &[Share]) {
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), BAR), Sense::hover());
     let whole: f64 = shares.iter().map(|share| share.weight).sum();
@@ -393,15 +394,15 @@ fn share_ui(ui: &Ui, share: &Share, place: Rect, whole: f64) {
 
 /// A term with the letters of its columns.
 struct Table<'a> {
-    /// What the term is called, for a screen reader.
+    /// Name of the term, for screen readers.
     name: &'a str,
     product: &'a Product,
     heads: Vec<Vec<Piece>>,
-    /// The colour of its value.
+    /// Colour of the term's value.
     colour: Color32,
 }
 
-/// A column laid out.
+/// A column as laid out.
 struct Laid<'a> {
     head: Run<'a>,
     numbers: [Arc<Galley>; 3],
@@ -429,7 +430,7 @@ impl Table<'_> {
         self.describe(ui, rect, place);
     }
 
-    /// What stands between a column and the one before it.
+    /// Returns the sign between a column and the one before it.
     fn sign(&self, index: usize) -> &'static str {
         match self.product.columns.get(index) {
             Some(_) if index == 0 => "",
@@ -492,7 +493,7 @@ impl Table<'_> {
             |ui: &Ui, text: &str, font| ui.painter().layout_no_wrap(text.to_owned(), font, weak);
         for (channel, name) in channels().into_iter().enumerate() {
             let first = name.chars().next().map_or_else(String::new, String::from);
-            // A Chinese character is as wide as the room for it.
+            // A Chinese character fills the available width.
             let size = if first.is_ascii() { TEXT } else { MARK - 4.0 };
             let first = text(ui, &first, FontId::proportional(size));
             place_at(ui, first, rect.min.x, line(channel), weak);
@@ -500,7 +501,7 @@ impl Table<'_> {
         let mut x = rect.min.x + MARK;
         for (index, column) in laid.iter().enumerate() {
             if index + 1 == laid.len() {
-                // Values stand below each other, whatever number of factors they have.
+                // Values are aligned below each other, whatever their number of factors.
                 x = x.max(rect.max.x - column.width - gap);
             }
             if index > 0 {
@@ -522,7 +523,7 @@ impl Table<'_> {
                 },
             );
             if column.mean {
-                // The line that the textbooks draw over a mean.
+                // The bar that the textbooks draw over a mean.
                 let top = middle - LETTERS * 0.66;
                 ui.painter()
                     .hline(left..=left + column.head.width(), top, (1.0, plain));
@@ -541,7 +542,7 @@ impl Table<'_> {
         }
     }
 
-    /// The lines of numbers as sentences.
+    /// Describes the lines of numbers as sentences for screen readers.
     fn describe(&self, ui: &Ui, rect: Rect, place: Place<'_>) {
         let columns: Vec<_> = self
             .product

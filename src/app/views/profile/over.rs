@@ -1,4 +1,4 @@
-//! The profile over the picture: the line with its ends, the curve above it, and the place that the pointer is at.
+//! The profile over the picture: the line with its ends, the curve above it, and the point at the pointer.
 
 use super::Profiles;
 use crate::analysis::profile::lay_out_profile;
@@ -12,17 +12,19 @@ use crate::figure::palette::{readable, shading};
 use eframe::egui::{Color32, Context, Painter, Pos2, Stroke, vec2};
 use glam::DVec2;
 
-/// Radius of an end of the line, points.
+/// Radius of an end of the line, in points.
 const END: f32 = 6.0;
-/// The pointer is on the line within this distance, points.
+/// Distance within which the pointer is on the line, in points.
 const NEAR: f32 = 40.0;
-/// Radius of the dot at the pointed place, and half the length of the mark across the line; points.
+/// Radius of the dot at the pointed position, and half the length of the mark across the line, in points.
 const DOT: f32 = 4.0;
 const ACROSS: f32 = 26.0;
-/// Below the curve, so that its colour shows on any picture.
+/// Colour below the curve, which makes the curve's own colour visible on any picture.
 const CASING: [u8; 3] = [0x14, 0x16, 0x1a];
 
-/// Takes where the picture is and where the pointer is on it: the plots lie under the one and mark the other.
+/// Records the picture's place and the pointer's position along the line.
+///
+/// The plots align themselves with the picture and mark the position.
 pub fn watch(ctx: &Context, window: &mut WindowState, place: Place, pointer: Option<Pos2>) {
     if !window.shows(ViewName::Profile) {
         return;
@@ -48,8 +50,9 @@ pub fn watch(ctx: &Context, window: &mut WindowState, place: Place, pointer: Opt
     window.own.put(profiles);
 }
 
-/// Draws the line white on dark, so that it shows on any picture; in the active pane also the profile above it and the
-/// pointed place.
+/// Draws the line white on dark, so that it is visible on any picture.
+///
+/// In the active pane it also draws the profile above the line and the pointed position.
 pub fn paint(
     painter: &Painter,
     session: &Session,
@@ -78,7 +81,7 @@ pub fn paint(
         let at = from + (to - from) * share as f32;
         let across = (to - from).rot90().normalized() * ACROSS;
         let mark = if profiles.aligned {
-            // It goes on in the plot.
+            // The mark continues in the plot.
             let bottom = Pos2::new(at.x, place.rect.bottom());
             [at - vec2(0.0, ACROSS), bottom]
         } else {
@@ -90,7 +93,7 @@ pub fn paint(
     }
 }
 
-/// The curves above the line: the intensity solid in the colour of the scene's own shading mode, the perceived brightness
+/// Draws the curves above the line: the intensity solid in the colour of the scene's own shading mode, the perceived brightness
 /// dashed.
 fn curves(painter: &Painter, session: &Session, window: &WindowState, place: Place) {
     let Some(taken) = window.own.get().and_then(Profiles::profile) else {

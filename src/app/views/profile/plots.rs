@@ -1,5 +1,7 @@
-//! The plots of a profile in the window: below one another in a narrow panel; in a wide one as many as its height holds, over an
-//! axis that lies right under the picture where the line is level.
+//! The plots of a profile in the window.
+//!
+//! A narrow panel shows them below one another. A wide one shows as many as its height holds, over an axis right under the
+//! picture if the line is level.
 
 use crate::analysis::profile::{Abscissa, Compared, Profile, TakenProfile, compared_plots};
 use crate::app::session::place::Place;
@@ -10,41 +12,41 @@ use crate::text::{Language, language, text};
 use eframe::egui::{Label, Pos2, Rect, RichText, Sense, Stroke, TextStyle, Ui, pos2, vec2};
 use glam::DVec2;
 
-/// A line that rises no more than this share of its run is level.
+/// Maximum ratio of rise to run of a level line.
 const LEVEL: f64 = 0.05;
-/// Least part of a picture that a plot is aligned with, pixels.
+/// Minimum width of the part of a picture that a plot is aligned with, in pixels.
 const LEAST_PIXELS: f64 = 16.0;
-/// Height of a plot in a narrow panel: a part of its width, and letters.
+/// Height of a plot in a narrow panel: a fraction of its width, and a number of letters' heights.
 const ASPECT: [f64; 2] = [0.5, 5.5];
-/// Least height of a plot, points.
+/// Minimum height of a plot, in points.
 const LEAST: f32 = 96.0;
-/// With at least so much height a plot in a wide pane has its heading, points.
+/// Minimum height of a wide pane whose plots have headings, in points.
 const HEADED: f32 = 190.0;
-/// Wide panes at least this high hold all plots, points.
+/// Minimum height of a wide pane that holds all plots, in points.
 const ALL: f32 = 480.0;
-/// Space between two plots, points.
+/// Space between two plots, in points.
 const GAP: f32 = 8.0;
 
-/// Where the plots stand.
+/// Placement of the plots in the window.
 #[derive(Clone, Copy)]
 pub struct Room {
-    /// Where the picture was last shown.
+    /// Place where the picture was last shown.
     pub picture: Option<Place>,
     pub wide: bool,
 }
 
-/// The plots as laid out last.
+/// The plots as last laid out.
 #[derive(Default)]
 pub struct Plots {
     plots: Vec<Plot>,
     drawings: Vec<Drawing>,
     laid_out: Option<Key>,
-    /// Whether there is room for one plot alone, and which that is.
+    /// True if only one plot fits, the `chosen` one.
     single: bool,
     chosen: usize,
 }
 
-/// What a layout depends on, besides the profile.
+/// Everything that a layout depends on besides the profile.
 #[derive(Clone, Copy, PartialEq)]
 struct Key {
     view: Compared,
@@ -55,13 +57,14 @@ struct Key {
 }
 
 impl Plots {
-    /// Lays out anew: the profile is another.
+    /// Discards the layout, because the profile has changed.
     pub fn forget(&mut self) {
         self.laid_out = None;
     }
 
-    /// Shows the plots, with a line across them at `pointed`, a share of the line. Returns the one that the
-    /// pointer is at, and whether the plots stand right under the line.
+    /// Shows the plots, with a line across them at `pointed`, a fraction of the profile's line.
+    ///
+    /// Returns the fraction that the pointer is at, and whether the plots are right under the line.
     pub fn ui(
         &mut self,
         ui: &mut Ui,
@@ -124,7 +127,7 @@ impl Plots {
         (hovered, aligned.is_some())
     }
 
-    /// Which plot is shown, where there is room for one.
+    /// Shows the choice of the plot if only one fits.
     pub fn choice_ui(&mut self, ui: &mut Ui) {
         if !self.single {
             return;
@@ -154,7 +157,7 @@ impl Plots {
         self.plots = compared_plots(profile, question, key.view).into();
         let size = DVec2::from_array(key.size.map(f64::from));
         let bare = |plot: &Plot| {
-            // Its note stands beside the title.
+            // The note is beside the title.
             let plot = Plot {
                 note: String::new(),
                 ..plot.clone()
@@ -164,7 +167,9 @@ impl Plots {
         self.drawings = self.plots.iter().map(bare).collect();
     }
 
-    /// One plot; with the pointer on it, or on the line in the picture, the values of all curves there.
+    /// Shows one plot, and the values of all curves at the pointer, on the plot or on the line in the picture.
+    ///
+    /// Returns the fraction of the line that the pointer is at on the plot.
     fn plot_ui(
         &self,
         ui: &mut Ui,
@@ -211,7 +216,7 @@ impl Plots {
         let beside: Option<Pos2> = if hovered.is_some() {
             pointer
         } else {
-            // The values at a place of the picture are said once.
+            // The values at a position in the picture are shown once.
             first.then(|| {
                 let [foot, top] = ends.map(on_screen);
                 pos2(foot.x, 0.5 * (foot.y + top.y))
@@ -224,7 +229,7 @@ impl Plots {
     }
 }
 
-/// A plot's title and note: side by side where that is wide.
+/// Shows a plot's title and note, side by side if `wide`.
 fn heading_ui(ui: &mut Ui, plot: &Plot, wide: bool) {
     let title = RichText::new(&plot.title).strong();
     let note = RichText::new(&plot.note).weak();
@@ -241,13 +246,13 @@ fn heading_ui(ui: &mut Ui, plot: &Plot, wide: bool) {
     }
 }
 
-/// Whether a pane lies below the picture.
+/// Returns whether a pane lies below the picture.
 fn is_under(pane: Rect, picture: &Place) -> bool {
     let Place { rect, .. } = picture;
     pane.top() >= rect.bottom() - 1.0 && pane.x_range().intersects(rect.x_range())
 }
 
-/// Which pixels of the picture lie right above a pane, and where above it, for a level line.
+/// Returns the range of pixels right above a pane, and their positions in the pane, for a level line.
 fn aligned(picture: &Place, pane: Rect, profile: &Profile) -> Option<([f64; 2], [f64; 2])> {
     let (from, to) = (profile.samples.first()?, profile.samples.last()?);
     let (run, rise) = ((to.x - from.x).abs(), (to.y - from.y).abs());

@@ -1,4 +1,4 @@
-//! What the tab remembers: the scan of the polygon under the probe, the step it stands at, and whether it plays.
+//! The state of the view: the scan of the polygon under the probe, the present step, and whether it plays.
 
 use crate::analysis::scan::{Scan, lay_out_scan, scan_room};
 use crate::app::engine::Engine;
@@ -12,37 +12,37 @@ use glam::DVec2;
 use std::ops::RangeInclusive;
 use std::sync::Arc;
 
-/// After a pause longer than this, seconds, playing goes on from where it was instead of catching up.
+/// Longest pause after which playing catches up, in seconds. After a longer one it goes on from where it was.
 const PAUSED: f64 = 0.5;
 
 /// The scan as the window shows it.
 #[derive(Debug)]
 pub struct ScanView {
-    /// Rows of enlarged pixels.
+    /// Number of rows of enlarged pixels.
     pub rows: u32,
-    /// Steps a second.
+    /// Steps per second.
     pub speed: f64,
     step: usize,
     playing: Playing,
-    /// The revision of the engine that was last looked at, and the rows.
+    /// Revision of the engine when it was last read, and the number of rows then.
     seen: Option<(u64, u32)>,
     taken: Option<Taken>,
-    /// The step, the style, the width and the greatest height that the drawing was laid out for.
+    /// Step, style, width and maximum height that the drawing was laid out for.
     laid_out: Option<(usize, PlotStyle, [f32; 2])>,
-    /// The drawing of the step, once it is laid out.
+    /// Drawing of the step, once it is laid out.
     pub drawing: Option<Drawing>,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Playing {
     No,
-    /// From the next frame on.
+    /// Playing starts with the next frame.
     Begins,
-    /// When the next step is due, seconds.
+    /// Time at which the next step is due, in seconds.
     Until(f64),
 }
 
-/// A scan, and what of.
+/// A scan, with the input that it was made from.
 #[derive(Debug)]
 struct Taken {
     scene: Scene,
@@ -69,14 +69,15 @@ impl Default for ScanView {
 }
 
 impl ScanView {
-    /// Steps a second.
+    /// Range of the speed, in steps per second.
     pub const SPEEDS: RangeInclusive<f64> = 0.5..=60.0;
 
-    /// Scans the polygon under the probe if it, or the scene, is another than before. Another polygon begins at the pixel
-    /// under the probe; the same one in another view stays at a step like the one before.
+    /// Scans the polygon under the probe if the polygon or the scene has changed.
+    ///
+    /// Another polygon begins at the pixel under the probe. The same polygon in another view stays at a step like the one before.
     pub fn update(&mut self, engine: &Engine, model: Option<&Arc<Mesh>>) {
         let now = Some((engine.revision, self.rows));
-        // A picture that is drawn coarser while something is dragged has other places.
+        // Positions differ in a picture that is drawn coarser while something is dragged.
         if self.seen == now || engine.coarser() > 1 {
             return;
         }
@@ -122,17 +123,17 @@ impl ScanView {
         });
     }
 
-    /// The scan, or why there is none; nothing where there is no polygon.
+    /// Returns the scan, or the reason why there is none; `None` if there is no polygon.
     pub fn scan(&self) -> Option<&Result<Arc<Scan>, String>> {
         self.taken.as_ref().map(|taken| &taken.answer)
     }
 
-    /// The scan, where there is one.
+    /// Returns the scan, if there is one.
     pub fn ready(&self) -> Option<&Scan> {
         self.scan()?.as_deref().ok()
     }
 
-    /// The step it stands at.
+    /// Returns the present step.
     pub fn step(&self) -> usize {
         self.ready().map_or(0, |scan| self.step.min(scan.last()))
     }
@@ -143,12 +144,12 @@ impl ScanView {
         self.playing = Playing::No;
     }
 
-    /// Whether the steps go on by themselves.
+    /// Returns whether the steps advance by themselves.
     pub fn is_playing(&self) -> bool {
         self.playing != Playing::No
     }
 
-    /// Goes by a way.
+    /// Goes to the step that `walk` leads to, or starts or stops playing.
     pub fn walk(&mut self, walk: Walk) {
         let Some(scan) = self.ready() else { return };
         let (step, last, plays) = (
@@ -168,7 +169,7 @@ impl ScanView {
         self.playing = if plays { Playing::Begins } else { Playing::No };
     }
 
-    /// Takes the steps that are due, and asks for a frame when the next one is; for none where nothing plays.
+    /// Takes the steps that are due, and requests a repaint for the time of the next one. Requests none if nothing plays.
     pub fn play(&mut self, ctx: &Context) {
         let Some(last) = self.ready().map(Scan::last) else {
             return;
@@ -192,7 +193,7 @@ impl ScanView {
         ctx.request_repaint_after_secs((due - now).max(0.0) as f32);
     }
 
-    /// Draws what stands at the step, if it is another than before.
+    /// Lays out the drawing of the present step, unless step, size and style are unchanged.
     pub fn lay_out(&mut self, room: [f32; 2], style: PlotStyle) {
         let key = Some((self.step(), style, room));
         if self.laid_out == key {
