@@ -37,7 +37,7 @@ const FINGER: f32 = 24.0;
 /// The maximum distance from the pointer to a vertex whose faces are highlighted, in points.
 const NEAR_VERTEX: f32 = 12.0;
 
-/// The sizes available to the picture and to one of its panes, in pixels.
+/// The size available to the picture, and to one of its panes, in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Room {
     pub whole: [u32; 2],

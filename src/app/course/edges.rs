@@ -10,7 +10,7 @@ use crate::scene::View;
 use eframe::egui::{Color32, Painter, Stroke};
 use glam::DVec2;
 
-/// The maximum number of polygons drawn; more would hide the picture.
+/// The number of polygons above which no edges are drawn, since they would hide the picture.
 const MOST: usize = 6000;
 
 /// The last drawn polygons.

@@ -10,7 +10,7 @@ use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Label, Rect, RichText, Ui, vec2};
 
-/// Height below the feedback that is kept in view, in points: the frame of the question.
+/// The height below the feedback that is kept in view too, in points: the frame of the question.
 const BELOW: f32 = 12.0;
 
 /// Shows whether the answer is right, and, once they may be seen, the right answer and its explanation. New

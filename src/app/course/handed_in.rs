@@ -21,7 +21,8 @@ use std::sync::Arc;
 const SIGN: f32 = 16.0;
 /// The width of the label in front of an answer, in points.
 const LABEL: f32 = 84.0;
-/// The maximum time shown, in seconds: a day. A longer one says nothing about how long somebody has thought.
+/// The time from which on it is not shown, in seconds: after a day it says nothing about how long the student
+/// has thought.
 const DAY: f64 = 86_400.0;
 
 /// Shows the answers, with the marks that are known.
@@ -35,7 +36,7 @@ pub fn handed_in_ui(ui: &mut Ui, course: &mut Course, session: &Session) {
         .id_salt("handed-in")
         .auto_shrink(false)
         .show(ui, |ui| {
-            // Not under the scroll bar.
+            // Keeps clear of the scroll bar.
             ui.set_max_width(ui.available_width() - 4.0);
             match &*answers {
                 Err(why) => {

@@ -161,8 +161,8 @@ fn ways_ui(ui: &mut Ui, course: &mut Course, requests: &mut Requests) {
     ui.add_space(2.0);
 }
 
-/// Shows a dot for each step, filled if its question is answered rightly; in a narrow panel, the step's
-/// number instead.
+/// Shows a dot for each step, filled for the current step and for those answered rightly; in a narrow panel,
+/// the step's number instead.
 fn dots_ui(ui: &mut Ui, course: &Course, requests: &mut Requests, step: usize, count: usize) {
     let room = ui.available_width();
     let each = (room / count as f32).min(16.0);

@@ -302,7 +302,7 @@ pub fn stages_ui(
             let text = text!("coarser", share = engine.coarser());
             ui.label(text).on_hover_text(text!("coarser-tip"));
         }
-        // A notice leaves no room for the counts; nor does a narrow window.
+        // A notice leaves no space for the counts; nor does a narrow window.
         let room = if session.said().is_none() {
             ui.available_width()
         } else {

@@ -51,7 +51,7 @@ pub struct Files {
     filming: Option<Job<Filmed>>,
     /// The title of the work under way.
     title: String,
-    /// The title of its error message.
+    /// The title of the message if the work fails.
     failure: &'static str,
 }
 
@@ -151,7 +151,7 @@ impl Work for Exported {
 /// An animation to be exported.
 #[derive(Serialize, Deserialize)]
 pub struct Filmed {
-    /// The first frame, with its scene, samples and path.
+    /// The first frame's settings: its scene, its samples, its path and so on.
     first: Exported,
     form: FilmForm,
 }

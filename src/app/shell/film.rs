@@ -23,7 +23,7 @@ const LONGEST: f64 = 600.0;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FilmForm {
     pub key: String,
-    /// The initial value, as in scene files.
+    /// The initial value, written as in scene files, like the final one in [`Self::to`].
     pub from: String,
     pub to: String,
     pub frames: u32,

@@ -245,7 +245,7 @@ impl AppState {
     /// Translates the lesson into the current language.
     pub fn translate_lesson(&mut self) {
         if let Some(handed_in) = &mut self.course.handed_in {
-            // Its texts are in the previous language.
+            // The graded texts are in the previous language.
             handed_in.work = Background::default();
         }
         let Some(open) = &mut self.course.open else {

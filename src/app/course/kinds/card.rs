@@ -23,7 +23,7 @@ pub struct Card<'a> {
     pub id: Id,
     /// The text.
     pub words: &'a str,
-    /// The role of the mark in front: how options are chosen, or items ordered.
+    /// The accessibility role, which also decides the padding.
     pub role: Role,
     /// True if the card is chosen.
     pub on: bool,

@@ -269,7 +269,7 @@ fn height(curve: &[Option<f64>], at: usize, [low, high]: [f64; 2]) -> f64 {
 }
 
 /// Moves one point to `value`. The points up to the next stride on either side follow along a straight line;
-/// those not drawn yet are made level.
+/// beyond, points not drawn yet take the value at its end.
 fn lift(curve: &mut [Option<f64>], at: usize, value: f64) {
     for way in [-1isize, 1] {
         let end = at

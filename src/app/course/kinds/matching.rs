@@ -132,7 +132,7 @@ impl Matching {
     }
 }
 
-/// The target beside the student's own picture. Its state is kept longer than the step's.
+/// The target beside the student's own picture. Its state outlives the step.
 pub struct MatchWidget;
 
 impl Widget for MatchWidget {

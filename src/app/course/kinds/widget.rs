@@ -64,7 +64,7 @@ pub struct Asked<'a> {
     pub markdown: &'a mut CommonMarkCache,
     /// The scene of the window.
     pub scene: &'a Scene,
-    /// The state that is kept longer than the step's.
+    /// The state that outlives the step.
     pub window: &'a mut WindowState,
     /// True if the answer has changed.
     pub changed: bool,
