@@ -1,7 +1,8 @@
-//! The window: controls in the order of the equation, the picture, and its meaning in numbers.
+//! The window: controls in the order of the equation, the picture, and views that show its values as numbers.
 //!
-//! [`AppState`] is all that the window remembers: a session, how it is looked at, and the course. Each panel is a function of the parts
-//! that it needs. Menus, keys and buttons ask for actions, which are done in one place at the end of the frame. Nothing is drawn again unless something has changed.
+//! [`AppState`] holds everything that the window remembers: a session, its appearance, and the course. Each
+//! panel is a function of the parts that it needs. Menus, keys and buttons request actions, which run in one
+//! place at the end of the frame. The window redraws only what has changed.
 
 mod controls;
 mod course;
@@ -52,10 +53,10 @@ use std::sync::Arc;
 use widgets::theme::ThemeChoice;
 use widgets::{focus, symbol, theme};
 
-/// Where the window's look is kept between two sessions.
+/// The storage key of the window's appearance and of the course's progress.
 const STORAGE_KEY: &str = "look";
 
-/// What is kept there.
+/// The settings and progress stored between two runs.
 #[derive(Default, Serialize, Deserialize)]
 #[serde(default)]
 struct Stored {
@@ -64,7 +65,7 @@ struct Stored {
     course: SavedProgress,
 }
 
-/// The window.
+/// The application window.
 pub struct App {
     state: AppState,
     engine: Engine,
@@ -72,28 +73,31 @@ pub struct App {
     layout: Layout,
     room: Room,
     title: String,
-    /// Pixels to a point of the letters in memory.
+    /// The pixels per point of the cached glyphs.
     letters: Option<f32>,
-    /// Whether a dialog, or the progress of work on a file, stands in front of everything else: the keys are for that.
+    /// True if a dialog, or the progress of work on a file, is in front of everything else and receives the
+    /// keys.
     in_front: bool,
     recovery: Option<Recovery>,
-    /// The language that this run was started in, and the choice in the menu that it goes before; another choice ends it.
+    /// The language given at startup, and the menu's choice that it overrides. A different choice in the menu
+    /// ends the override.
     started_in: Option<(Language, Option<Language>)>,
 }
 
 impl App {
-    /// A window that shows `loaded`, looking as it did last time.
+    /// Creates a window that shows `loaded`, with the appearance of the last run.
     pub fn new(cc: &eframe::CreationContext<'_>, loaded: Loaded) -> Self {
         theme::install(&cc.egui_ctx);
         let stored: Option<Stored> = cc
             .storage
             .and_then(|storage| eframe::get_value(storage, STORAGE_KEY));
-        // Anybody may have written what was stored.
+        // The stored text may have been written by anybody.
         let Stored { appearance, course } = stored.unwrap_or_default();
         let mut state = AppState::default();
         state.window.appearance = appearance.sound();
         state.course = Course::with(course);
-        // The toolkit stores a scale of its own, which nobody has checked. Set in this way it holds from the first frame on.
+        // egui stores an unchecked scale of its own. Set through the options, this one holds from the first
+        // frame on.
         cc.egui_ctx
             .options_mut(|options| options.zoom_factor = state.window.appearance.scale);
         let shown = loaded.shown.clone();
@@ -117,7 +121,8 @@ impl App {
         }
     }
 
-    /// The same window, which keeps its unsaved work in a file in `folder` and offers what another left there.
+    /// Saves unsaved work to a file in `folder` from now on, and offers to restore the work that another run
+    /// left there.
     #[must_use]
     pub fn with_recovery(mut self, folder: &Path) -> Self {
         self.recovery = Recovery::new(folder);
@@ -127,39 +132,39 @@ impl App {
         self
     }
 
-    /// The picture as last drawn.
+    /// Returns the last drawn picture.
     pub fn frame(&self) -> &Frame {
         self.engine.frame()
     }
 
-    /// Samples a pixel of the picture in sight; [`Self::frame`] has one.
+    /// Returns the samples per pixel of the displayed picture; [`Self::frame`] has one.
     pub fn samples(&self) -> u32 {
         self.engine.samples()
     }
 
-    /// What drawing it did.
+    /// Returns the report of the last drawn picture.
     pub fn report(&self) -> &FrameReport {
         self.engine.report()
     }
 
-    /// What the window remembers.
+    /// Returns the state of the window.
     pub fn state(&self) -> &AppState {
         &self.state
     }
 
-    /// The same window, which welcomes whoever has not been here before.
+    /// Welcomes first-time users, if the default scene is open.
     #[must_use]
     pub fn with_welcome(mut self) -> Self {
         let default = Origin::BuiltIn(presets::DEFAULT.to_owned());
         self.state.window.welcome = !self.state.window.appearance.welcomed
             && self.state.session.document().origin == default;
-        // A link may have said where.
+        // A link may have placed the probe.
         self.state.window.seek_highlight =
             self.state.window.welcome && self.state.window.probe == ProbePoint::default();
         self
     }
 
-    /// The same window in a lesson, where there is one; `seed` decides what is drawn at random in it.
+    /// Opens `lesson`, if there is one; `seed` decides what is drawn at random in it.
     #[must_use]
     pub fn with_lesson(mut self, lesson: Option<Lesson>, seed: Option<u64>) -> Self {
         self.state.course.seed = seed.unwrap_or(self.state.course.seed);
@@ -170,14 +175,14 @@ impl App {
         self
     }
 
-    /// The same window, whose links begin with `page` from now on, where one is named.
+    /// Makes links begin with `page` from now on, if it is given.
     #[must_use]
     pub fn with_page(mut self, page: Option<String>) -> Self {
         self.state.window.appearance.page = page.unwrap_or(self.state.window.appearance.page);
         self
     }
 
-    /// The same window in `language`, where there is one, until another is chosen in its menu; it is not remembered.
+    /// Sets the language, if it is given, until another is chosen in the menu. The language is not stored.
     #[must_use]
     pub fn in_language(mut self, language: Option<Language>) -> Self {
         self.started_in =
@@ -185,7 +190,8 @@ impl App {
         self
     }
 
-    /// The same window as a figure in another page: with the look of a new one, which is not remembered.
+    /// Makes the window a figure embedded in another page, with the given controls. Except for theme and
+    /// language its appearance is the default, and it is not stored.
     #[must_use]
     pub fn embedded(mut self, controls: &[String]) -> Self {
         let Appearance {
@@ -225,8 +231,8 @@ impl App {
         if let Some(room) = layout.ui(ui, state, engine) {
             (self.room, state.window.room) = (room, room.whole);
             if !known {
-                // How high the strips above the picture are is known only now. To lay out again at once is faster than a
-                // frame that jumps.
+                // The height of the bars above the picture is known only now. Repeating the layout at once is
+                // faster than a frame that jumps.
                 ui.ctx().request_discard("layout");
             }
             if let Some(picture) = layout.picture.filter(|_| state.dialog.is_none()) {
@@ -265,7 +271,7 @@ impl App {
         }
     }
 
-    /// Whether the window may close now; asks otherwise.
+    /// Returns whether the window may close now; if not, asks about the unsaved work.
     fn may_close(&mut self) -> bool {
         let may = self.state.leaving == Leaving::Now || !self.state.session.modified();
         if !may {
@@ -276,7 +282,7 @@ impl App {
         may
     }
 
-    /// Closes the window, whatever is unsaved.
+    /// Closes the window and discards unsaved work.
     fn close(&mut self, ctx: &Context) {
         self.state.leaving = Leaving::Now;
         ctx.send_viewport_cmd(ViewportCommand::Close);
@@ -288,7 +294,7 @@ impl App {
             ThemeChoice::Dark => ThemePreference::Dark,
             ThemeChoice::Light => ThemePreference::Light,
         });
-        // In points of the screen, rounded: what is shown must not depend on the last digit.
+        // In points of the screen, rounded, so that the layout does not depend on the last digit.
         let size = (ctx.content_rect().size() * ctx.zoom_factor()).round();
         ctx.set_zoom_factor(self.state.window.appearance.zoom(size.y));
         theme::forget_letters(ctx, &mut self.letters);
@@ -303,7 +309,7 @@ impl App {
             .unwrap_or_else(Language::of_system);
         if wanted != language() {
             set_language(wanted);
-            // What views have worked out holds text.
+            // The cached results of the views contain text.
             self.state.window.own = ViewStates::default();
             self.state.translate_lesson();
             ctx.request_repaint();
@@ -323,7 +329,7 @@ impl App {
         }
     }
 
-    /// Does what needs the window, files or the clipboard.
+    /// Performs an action that needs the window, files or the clipboard.
     fn perform(&mut self, ctx: &Context, action: Action) {
         match action {
             Action::Open => self.ask_file(ctx, FileTask::Open, String::new()),
@@ -352,7 +358,7 @@ impl App {
             }
             Action::SaveTo(path) => self.save(ctx, path),
             Action::Export => {
-                // The one thread of a page on a phone takes long for more.
+                // More would take long on the single thread of a page on a phone.
                 let phone = system::PAGE && system::fingers(ctx);
                 let form = ExportForm {
                     size: [1920, 1080],
@@ -408,12 +414,12 @@ impl App {
             }
             Action::AdoptRestored => self.recovery.iter_mut().for_each(Recovery::adopt),
             Action::DeleteLeft => self.recovery.iter_mut().for_each(Recovery::delete),
-            // What is left concerns the state alone and has been done.
+            // The other actions concern the state alone and are already done.
             _ => {}
         }
     }
 
-    /// Asks for a file; a page asks only how a picture is to be exported, since it downloads what it writes.
+    /// Asks for a file; a web page asks only how to export a picture, since it downloads what it writes.
     fn ask_file(&mut self, ctx: &Context, task: FileTask, path: String) {
         let asks = !system::PAGE || matches!(task, FileTask::Export(_) | FileTask::HandIn(_));
         let dialog = Dialog::File { task, path };
@@ -466,7 +472,7 @@ impl App {
 impl eframe::App for App {
     fn logic(&mut self, ctx: &Context, _: &mut eframe::Frame) {
         if ctx.input(|input| input.viewport().close_requested()) && !self.may_close() {
-            // A window that is hidden has to come up to ask.
+            // A hidden window has to be shown to ask.
             for command in [
                 ViewportCommand::CancelClose,
                 ViewportCommand::Minimized(false),
@@ -505,7 +511,7 @@ impl eframe::App for App {
         toast::toast_ui(&ctx, session, window, dialog.is_some());
         dialogs::dialog_ui(&ctx, &mut self.state, &mut self.files);
         self.settle(&ctx);
-        // What has come to stand in front takes the focus from what is behind it.
+        // A dialog or progress that has come to the front takes the focus from what is behind it.
         let in_front = self.state.dialog.is_some() || self.files.progress().is_some();
         if in_front && !self.in_front {
             ctx.memory_mut(|memory| memory.stop_text_input());

@@ -38,7 +38,7 @@ use crate::app::session::window::WindowState;
 use crate::text::text;
 use eframe::egui::{Ui, vec2};
 
-/// The list of lessons, or the step of the one that is open.
+/// Shows the list of lessons, or the current step of the open lesson.
 pub fn course_ui(
     ui: &mut Ui,
     session: &mut Session,
@@ -56,7 +56,7 @@ pub fn course_ui(
     }
 }
 
-/// Says that numbers are hidden, in place of a view.
+/// Says, in place of a view, that numbers are hidden.
 pub fn hidden_ui(ui: &mut Ui, window: &mut WindowState) {
     ui.add_space(12.0);
     ui.label(text!("course-hidden"));

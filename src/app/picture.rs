@@ -1,4 +1,4 @@
-//! The picture in the middle: drawn pixel for pixel, turned, zoomed and probed by hand.
+//! The central picture: drawn pixel for pixel; turned, zoomed and probed by hand.
 
 pub mod handles;
 pub mod orbit;
@@ -28,23 +28,23 @@ use eframe::egui::{
 use glam::DVec2;
 use panes::PanePlace;
 
-/// Degrees that the camera turns when the pointer travels the side of the picture that the camera spans.
+/// The degrees that the camera turns when the pointer crosses the side of the picture that the camera spans.
 const DEGREES_PER_HEIGHT: f64 = 180.0;
-/// How fast the wheel zooms: the logarithm of the factor a point of scrolling makes.
+/// The zoom speed of the wheel: the logarithm of the factor per point of scrolling.
 const ZOOM_PER_POINT: f64 = 0.0025;
-/// How near a finger must be to take hold of something, points.
+/// The maximum distance at which a finger grabs a handle, in points.
 const FINGER: f32 = 24.0;
-/// How near it must be to a vertex to light up its faces, points.
+/// The maximum distance from the pointer to a vertex whose faces are highlighted, in points.
 const NEAR_VERTEX: f32 = 12.0;
 
-/// The room of the picture and of one of its panes, in pixels.
+/// The size available to the picture, and to one of its panes, in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Room {
     pub whole: [u32; 2],
     pub pane: [u32; 2],
 }
 
-/// Shows the picture, or the panes of a comparison, and does what the pointer asks for.
+/// Shows the picture, or the panes of a comparison, and handles the pointer's input.
 pub fn picture_ui(
     ui: &Ui,
     session: &mut Session,
@@ -81,7 +81,7 @@ pub fn picture_ui(
     window.covered = handles::covered(session, window, &view, place);
     let smooth = window.appearance.smooth_edges && !profile::shows_perceived(window);
     engine.update(ui.ctx(), session, window, place.size, smooth);
-    // Lights up the faces of the vertex that the pointer is on, where normals are shown.
+    // Highlights the faces of the vertex under the pointer, if normals are shown.
     let pointer = response
         .hover_pos()
         .filter(|_| window.drag.is_none())
@@ -124,7 +124,8 @@ pub fn picture_ui(
     }
 }
 
-/// Where the pane is that the pointer is about: under it, or the active one while it drags. A press makes a pane active.
+/// Returns the place of the pane under the pointer, or of the active pane during a drag. A press activates a
+/// pane.
 fn pointed(
     ui: &Ui,
     session: &mut Session,
@@ -155,7 +156,7 @@ fn pointed(
     hovered.or_else(active).map(|pane| pane.place)
 }
 
-/// With the focus on the picture the arrow keys are the probe's.
+/// Reserves the arrow keys for the probe while the picture has the focus.
 fn keep_arrows(ui: &Ui, response: &Response) {
     if response.clicked() || response.drag_started() {
         response.request_focus();
@@ -170,18 +171,18 @@ fn keep_arrows(ui: &Ui, response: &Response) {
     }
 }
 
-/// The pane that the pointer is about, and what it can take hold of there.
+/// The pane that the pointer refers to, with its handles.
 struct Pointed {
-    /// The place of all panes.
+    /// The place of all panes together.
     whole: Place,
     place: Place,
     view: View,
     grips: Vec<(Grip, Pos2)>,
-    /// How near it must be to something for that, points.
+    /// The maximum distance at which the pointer grabs a handle, in points.
     reach: f32,
 }
 
-/// A finger covers more than a pointer.
+/// Returns the maximum grabbing distance in points: a finger covers more than a pointer.
 fn reach(ui: &Ui) -> f32 {
     if ui.input(InputState::any_touches) {
         FINGER
@@ -191,8 +192,8 @@ fn reach(ui: &Ui) -> f32 {
 }
 
 impl Pointed {
-    /// What a drag that begins at `at` would move, and how far the middle of that is from `at`, pixels. What tabs put into the
-    /// picture lies over lights and vertices, these over the probe.
+    /// Returns the handle that a drag from `at` would move, and the offset from `at` to its centre, in
+    /// pixels. Handles that belong to tabs take precedence over lights and vertices, these over the probe.
     fn under(&self, session: &Session, course: &Course, at: Pos2) -> (Grip, DVec2) {
         let rank = |grip: &Grip| match grip {
             Grip::Mark => -1,
@@ -238,7 +239,7 @@ fn gesture(
 ) {
     let (whole, place) = (pointed.whole, pointed.place);
     if let Some(fingers) = ui.input(InputState::multi_touch) {
-        // Two fingers move the camera, whatever the first of them had taken hold of.
+        // Two fingers move the camera, whatever the first of them had grabbed.
         window.drag = None;
         if whole.rect.contains(fingers.start_pos) {
             if course.asks_point() {
@@ -366,7 +367,7 @@ fn drag(
     match grip {
         Grip::Camera if deep => orbit::pan(&mut scene.camera, -dx, dy),
         Grip::Camera => {
-            // What is under the pointer follows it, whichever way the picture is turned.
+            // The point under the pointer follows it, however the picture is turned.
             let way =
                 View::without_roll(DVec2::new(-dx, dy) * DEGREES_PER_HEIGHT, scene.camera.roll);
             orbit::orbit(&mut scene.camera, way.x, way.y);
@@ -405,7 +406,7 @@ fn cursor(grip: Grip, shift: bool) -> CursorIcon {
     }
 }
 
-/// The whole of a texture.
+/// The texture coordinates of a whole texture.
 const WHOLE: Rect = Rect {
     min: Pos2::ZERO,
     max: pos2(1.0, 1.0),
@@ -430,7 +431,7 @@ fn paint_picture(
         return;
     };
     if let Some(texture) = &profiles.perceived {
-        // One of another size is kept in its own shape until the next is there.
+        // A picture of another size keeps its own shape until the next one is ready.
         let [width, height] = texture.size();
         let size = vec2(width as f32, height as f32);
         let scale = (place.rect.size() / size).min_elem();
@@ -452,7 +453,7 @@ fn paint_picture(
     }
 }
 
-/// What lies over a pane's picture.
+/// Draws the overlays of a pane's picture.
 fn paint_over(
     ui: &Ui,
     session: &Session,
@@ -469,7 +470,7 @@ fn paint_over(
     }
     let view = View::new(&session.shown.scene.camera, place.size);
     if window.appearance.overlay.vectors || course.shows_probe() {
-        // A ring round the probed pixel, light on dark, so that it shows on any picture.
+        // A ring round the probed pixel, light on dark, so that it is visible on any picture.
         let at = place.point(window.probe.centre(place.size));
         let held = window.drag.is_some_and(|drag| drag.grip == Grip::Probe);
         let radius = if held { 8.0 } else { 6.0 };

@@ -1,4 +1,5 @@
-//! What stands around the picture: bars, menus, dialogs, messages; and the commands that they and the keys share.
+//! The shell around the picture: bars, menus, dialogs and messages, and the commands that they share with the
+//! keys.
 
 pub mod bars;
 pub mod code;

@@ -1,8 +1,9 @@
-//! Answers handed in: one picture with the scene, the lesson and every answer inside.
+//! Answers handed in: one picture that contains the scene, the lesson and every answer.
 //!
-//! The answers are a text chunk of the PNG: JSON that begins with a digest of all that follows and of the scene's text. So a
-//! change by hand or by another program is noticed. It is no signature: whoever has the source of this program can write any
-//! answers with the digest that belongs to them. Grades are not inside; whoever collects the answers computes them.
+//! The answers are a text chunk of the PNG: JSON that begins with a digest of the rest and of the scene's
+//! text, so that changes by hand or by another program are detected. The digest is no signature: anybody with
+//! the source of this program can write any answers with a matching digest. Grades are not included; the
+//! collector of the answers computes them.
 
 use super::{Answer, Answered, Grade, Lesson, Record, find};
 use crate::document::{SaveError, save_picture_with};
@@ -15,41 +16,42 @@ use serde_json::{Value, json};
 use std::io::{BufRead, Seek};
 use std::path::Path;
 
-/// The keyword of the text chunk that holds the answers.
+/// The keyword of the text chunk with the answers.
 pub const ANSWERS_KEYWORD: &str = "shading-lab:answers";
 
-/// The version of the text.
+/// The version of the chunk's format.
 const VERSION: u64 = 1;
-/// Longest text, in bytes: a lesson of [`Lesson::MAX_TEXT`] with every line's end escaped, and its answers.
+/// The maximum length of the text, in bytes: a lesson of [`Lesson::MAX_TEXT`] with every line's end escaped,
+/// and its answers.
 const MAX_TEXT: usize = 4 << 20;
-/// Longest name of a student that is kept, in characters.
+/// The maximum length of a student's stored name, in characters.
 pub const MAX_NAME: usize = 100;
 
-/// The answers that a student handed in. They are as they were given, and may fit no question.
+/// The answers that a student handed in. They are unchecked, and may fit no question.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct HandIn {
-    /// Without control characters; empty where none was given.
+    /// The student's name without control characters; empty if none was given.
     pub name: String,
-    /// The lesson's title when it was worked through.
+    /// The title of the lesson as the student saw it.
     pub title: String,
-    /// The language that the lesson was worked through in.
+    /// The language in which the student saw the lesson.
     pub language: Language,
-    /// Of the lesson's text.
+    /// The digest of the lesson's text.
     pub digest: String,
-    /// The lesson's text, unless the lesson comes with the program.
+    /// The lesson's text; `None` for a lesson that comes with the program.
     pub source: Option<String>,
     /// The answers.
     pub record: Record,
 }
 
 impl HandIn {
-    /// Returns whether a lesson is the one that was answered, word for word.
+    /// Returns whether `lesson` has exactly the text that was answered.
     pub fn is_of(&self, lesson: &Lesson) -> bool {
         digest([&lesson.source]) == self.digest
     }
 }
 
-/// Why a picture does not count as answers handed in.
+/// The reason why a picture does not count as answers handed in.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum HandInError {
@@ -59,13 +61,13 @@ pub enum HandInError {
     /// A picture without answers.
     #[error("{}", text!("class-no-answers"))]
     NoAnswers,
-    /// Answers of another version of the form.
+    /// Answers in another version of the format.
     #[error("{}", text!("class-version", version = VERSION))]
     Version,
     /// The answers or the scene were changed after they were handed in.
     #[error("{}", text!("class-changed"))]
     Changed,
-    /// The text is no form of answers.
+    /// A text that does not have the form of answers.
     #[error("{}", text!("class-not-answers", error = .0.to_string()))]
     Form(serde_json::Error),
 }
@@ -93,7 +95,7 @@ struct Entry {
     seconds: f64,
 }
 
-/// Writes the answers to a lesson into a PNG of the last picture. Opening it restores the scene.
+/// Writes a PNG of the last picture with the answers to a lesson. Opening the PNG restores the scene.
 ///
 /// # Errors
 /// See [`SaveError`].
@@ -109,10 +111,10 @@ pub fn hand_in(
     save_picture_with(path, frame, scene, &[(ANSWERS_KEYWORD, &answers)])
 }
 
-/// Returns the bytes of that PNG.
+/// Returns the bytes of a PNG with the answers to a lesson.
 ///
 /// # Errors
-/// A frame that has no pixels.
+/// Returns an error if the frame has no pixels.
 pub fn hand_in_bytes(
     frame: &Frame,
     scene: &Scene,
@@ -145,12 +147,12 @@ fn answers_text(lesson: &Lesson, record: &Record, name: &str, scene: &str) -> St
         source: (!comes_along).then(|| lesson.source.clone()),
     };
     let content = json!(content).to_string();
-    // The brace is that of the whole object.
+    // The opening brace belongs to the whole object.
     let rest = format!(",{}", content.get(1..).unwrap_or_default());
     head(&digest([&rest, scene])) + &rest
 }
 
-/// Returns the text before all that the digest is of.
+/// Returns the text in front of the part that the digest covers.
 fn head(digest: &str) -> String {
     format!(r#"{{"version":{VERSION},"digest":"{digest}""#)
 }
@@ -158,7 +160,7 @@ fn head(digest: &str) -> String {
 /// Reads the answers in a PNG.
 ///
 /// # Errors
-/// What is wrong with it.
+/// Returns the reason why the PNG does not count as answers.
 pub fn read_hand_in(png: impl BufRead + Seek) -> Result<HandIn, HandInError> {
     let wanted = [
         (ANSWERS_KEYWORD, MAX_TEXT),
@@ -232,7 +234,7 @@ fn answered(entry: Entry) -> Result<Answered, serde_json::Error> {
     })
 }
 
-/// Returns an answer's kind, as a lesson has it, and its value, as JSON has it.
+/// Returns the kind of an answer as in lessons, and its value as in JSON.
 pub fn answer_parts(answer: &Answer) -> (String, Value) {
     let one = match json!(answer) {
         Value::Object(one) => one.into_iter().next(),
@@ -241,19 +243,20 @@ pub fn answer_parts(answer: &Answer) -> (String, Value) {
     one.unwrap_or_default()
 }
 
-/// Returns a name as it is kept: nothing in it that writes over other text.
+/// Returns a name without anything that would overwrite other text.
 fn clean_name(name: &str) -> String {
     clean(name, MAX_NAME)
 }
 
-/// Returns text from anybody as one short line, without control characters and marks that turn the direction of writing.
+/// Returns untrusted text as one short line, without control characters and marks that change the writing
+/// direction.
 fn clean(text: &str, most: usize) -> String {
     let plain = text.chars().filter(|c| !turns(*c));
     let plain = plain.map(|c| if c.is_control() { ' ' } else { c });
     plain.take(most).collect::<String>().trim().to_owned()
 }
 
-/// Returns the FNV-1a hash (Fowler, Noll and Vo 1991) of texts, with their lengths between them.
+/// Returns the FNV-1a hash (Fowler, Noll and Vo 1991) of texts, each followed by its length.
 pub(super) fn digest<'t>(
     texts: impl IntoIterator<Item = &'t (impl AsRef<str> + ?Sized + 't)>,
 ) -> String {
@@ -277,7 +280,7 @@ mod tests {
 
     #[test]
     fn digests_are_those_of_fnv() {
-        // Of nothing with the length 0 behind it: FNV-1a of eight zero bytes.
+        // An empty text followed by its length 0: FNV-1a of eight zero bytes.
         assert_eq!(digest([""]), "a8c7f832281a39c5");
         assert_ne!(digest(["ab", "c"]), digest(["a", "bc"]));
     }

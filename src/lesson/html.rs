@@ -1,33 +1,33 @@
-//! HTML and SVG put together of elements. Text and the values of attributes are escaped wherever they are put in, so that nothing of a
-//! lesson or a hand-in becomes markup.
+//! HTML and SVG built from elements. Text and the values of attributes are escaped on insertion, so that
+//! nothing in a lesson or a hand-in becomes markup.
 
 use std::fmt::{self, Display, Formatter, Write as _};
 
-/// Elements that have no content.
+/// The elements without content.
 const VOID: [&str; 6] = ["img", "meta", "circle", "image", "path", "rect"];
 
-/// A piece of a page.
+/// A fragment of a page.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Html(String);
 
 impl Html {
-    /// An empty piece.
+    /// Creates an empty fragment.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// What is HTML or SVG already: that of the Markdown parser, of a drawing, of a style sheet.
+    /// Wraps existing HTML or SVG: output of the Markdown parser, a drawing, a style sheet.
     pub fn made(markup: String) -> Self {
         Self(markup)
     }
 
-    /// The piece with another one behind it.
+    /// Appends another fragment.
     pub fn with(mut self, piece: impl Into<Self>) -> Self {
         self.0.push_str(&piece.into().0);
         self
     }
 
-    /// The piece with another one behind it, which ends its line.
+    /// Appends another fragment and ends the line.
     pub fn line(mut self, piece: impl Into<Self>) -> Self {
         self = self.with(piece);
         self.0.push('\n');
@@ -60,7 +60,7 @@ impl<T: Into<Self>> FromIterator<T> for Html {
     }
 }
 
-/// An element with its attributes and what is inside.
+/// An element with its attributes and its content.
 #[derive(Clone, Debug)]
 pub struct Element {
     name: &'static str,
@@ -68,7 +68,7 @@ pub struct Element {
     inside: Html,
 }
 
-/// Returns an empty element.
+/// Creates an empty element.
 pub fn element(name: &'static str) -> Element {
     Element {
         name,
@@ -78,35 +78,35 @@ pub fn element(name: &'static str) -> Element {
 }
 
 impl Element {
-    /// The element with an attribute more.
+    /// Adds an attribute.
     pub fn attribute(mut self, name: &'static str, value: impl Display) -> Self {
         let value = escaped(&value.to_string());
         let _ = write!(self.attributes, " {name}=\"{value}\"");
         self
     }
 
-    /// The element in a class of the style sheet.
+    /// Sets the class of the style sheet.
     pub fn class(self, class: &str) -> Self {
         self.attribute("class", class)
     }
 
-    /// The element with a length more, to a tenth of a pixel.
+    /// Adds an attribute with a length, rounded to a tenth of a pixel.
     pub fn length(self, name: &'static str, value: f64) -> Self {
         self.attribute(name, format!("{value:.1}"))
     }
 
-    /// The element whose content begins in a line of its own.
+    /// Breaks the line before the content.
     pub fn broken(self) -> Self {
         self.with("\n")
     }
 
-    /// The element with a piece more inside.
+    /// Appends a fragment to the content.
     pub fn with(mut self, piece: impl Into<Html>) -> Self {
         self.inside = self.inside.with(piece);
         self
     }
 
-    /// The element with a piece more inside, which ends its line.
+    /// Appends a fragment to the content and ends the line.
     pub fn line(mut self, piece: impl Into<Html>) -> Self {
         self.inside = self.inside.line(piece);
         self
@@ -128,7 +128,7 @@ impl From<Element> for Html {
     }
 }
 
-/// Text as HTML has it, without the control characters that XML lacks.
+/// Escapes text for HTML, and removes the control characters that XML lacks.
 fn escaped(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {

@@ -1,5 +1,5 @@
-//! Parts of a page in HTML that stands alone: text, formulas and pictures. Nothing of a lesson or a hand-in gets into it
-//! unescaped, and the page loads nothing.
+//! Parts of a self-contained HTML page: text, formulas and pictures. Everything from a lesson or a hand-in is
+//! escaped, and the page loads nothing.
 
 use super::html::{Html, element};
 use super::links::may_open;
@@ -10,7 +10,7 @@ use crate::render::Frame;
 use crate::text::language;
 use pulldown_cmark::{CowStr, Event, Options, Parser, Tag, TagEnd, html};
 
-/// What a page may do: show its own styles and pictures, and nothing else.
+/// The page's security policy: it may use its own styles and pictures, and nothing else.
 const POLICY: &str = "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'\"/>";
 
 /// Returns a page; `style` is CSS.
@@ -59,7 +59,7 @@ svg text { font-family: inherit; fill: #1a1a1a; }
 @media print { body { max-width: none; padding: 0; } }
 ";
 
-/// CommonMark with formulas as HTML.
+/// Converts CommonMark with formulas to HTML.
 pub fn blocks(text: &str) -> Html {
     made_of(events(text))
 }
@@ -70,7 +70,8 @@ fn made_of(events: Vec<Event<'_>>) -> Html {
     Html::made(out)
 }
 
-/// CommonMark of one paragraph, without the paragraph; what is more than that is plain text.
+/// Converts CommonMark of one paragraph to HTML without the paragraph's tags; anything more is treated as
+/// plain text.
 pub fn inline(text: &str) -> Html {
     let mut events = events(text);
     let paragraph = |event: &Event<'_>| matches!(event, Event::Start(Tag::Paragraph));
@@ -127,7 +128,7 @@ fn events(text: &str) -> Vec<Event<'_>> {
         .collect()
 }
 
-/// Plain text in which only what stands between dollar signs is set.
+/// Converts plain text to HTML; only the text between dollar signs is set as formulas.
 fn with_formulas(text: &str) -> Html {
     let pieces = text.split('$').enumerate();
     let set = |(index, piece): (usize, &str)| match index % 2 {
@@ -137,7 +138,8 @@ fn with_formulas(text: &str) -> Html {
     pieces.map(set).collect()
 }
 
-/// Returns a formula as HTML: `K_d` with its letter below the line, `(R·V)^n` with its exponent above it; single letters lean.
+/// Converts a formula to HTML: `K_d` with a subscript, `(R·V)^n` with a superscript; single letters are
+/// italic.
 fn formula(text: &str) -> Html {
     let inside = set(&Formula::read_or_verbatim(text));
     element("span").class("formula").with(inside).into()
@@ -160,7 +162,7 @@ fn set(formula: &Formula) -> Html {
     items.map(set).collect()
 }
 
-/// A picture inside the page; `words` says what it shows.
+/// Returns a picture inside the page; `words` describes it.
 pub fn picture(frame: &Frame, words: &str) -> Html {
     element("img")
         .attribute("src", data(frame))
@@ -170,7 +172,7 @@ pub fn picture(frame: &Frame, words: &str) -> Html {
         .into()
 }
 
-/// Returns a white pixel, in place of a picture.
+/// Returns a white pixel as a placeholder for a picture.
 pub fn blank_picture() -> Frame {
     Frame {
         width: 1,
@@ -179,7 +181,7 @@ pub fn blank_picture() -> Frame {
     }
 }
 
-/// Returns the address of a picture that contains it.
+/// Returns a picture as a data URL.
 pub fn data(frame: &Frame) -> String {
     let bytes = picture_bytes(frame, None).unwrap_or_default();
     let mut text = base64(&bytes).replace('-', "+").replace('_', "/");

@@ -1,4 +1,4 @@
-//! A lesson in words, for a terminal.
+//! A lesson as plain text, for a terminal.
 
 use super::class::ClassQuestion;
 use super::links::without_closed_links;
@@ -6,10 +6,11 @@ use super::{Budget, Lab, Lesson, LessonError, Question, Staged, letter};
 use crate::text::text;
 use std::fmt::Write as _;
 
-/// Returns the lesson with its numbers, its questions and, with `answers`, what is right and why.
+/// Returns the lesson with its numbers, its questions and, with `answers`, the right answers and their
+/// explanations.
 ///
 /// # Errors
-/// What is wrong with the lesson, with its line.
+/// Returns the problem of the lesson, with its line.
 pub fn in_words(lesson: &Lesson, seed: u64, answers: bool) -> Result<String, LessonError> {
     let mut out = format!("{}\n", lesson.title);
     if !lesson.about.is_empty() {
@@ -70,7 +71,7 @@ fn arguments(staged: &Staged, name: &str) -> String {
     words
 }
 
-/// Returns a word as a shell reads it: in single quotation marks where it would be taken apart without.
+/// Quotes a word for a shell, if necessary, in single quotation marks.
 fn shell_word(word: &str) -> String {
     let plain = |c: char| c.is_ascii_alphanumeric() || "-_.,:/=+".contains(c);
     if !word.is_empty() && word.chars().all(plain) {
@@ -79,7 +80,7 @@ fn shell_word(word: &str) -> String {
     format!("'{}'", word.replace('\'', r"'\''"))
 }
 
-/// Returns the options, or a line that says what is expected.
+/// Returns the options, and a hint to the expected answer, if there is one.
 fn expected(asked: &ClassQuestion, question: &Question) -> String {
     let options = asked.options.iter().enumerate();
     let mut out: String = options
@@ -91,7 +92,7 @@ fn expected(asked: &ClassQuestion, question: &Question) -> String {
     out
 }
 
-/// Returns CommonMark without the marks of formulas, and without links that may not be opened.
+/// Removes the marks of formulas, and the links that may not be opened, from CommonMark.
 pub fn without_marks(text: &str) -> String {
     let text = without_closed_links(text);
     text.replace("`$", "").replace("$`", "").replace('$', "")

@@ -1,4 +1,5 @@
-//! A lesson on paper: its text and pictures, questions with room to write, and the answers on a page of their own.
+//! A lesson in print: its text and pictures, questions with space to write, and the answers on pages of their
+//! own.
 
 use super::builtin::topic_name;
 use super::class::ClassQuestion;
@@ -22,11 +23,11 @@ use tiny_skia::PixmapMut;
 /// The contents of a worksheet.
 #[derive(Clone, Copy, Debug)]
 pub struct Worksheet {
-    /// The answers are on the last pages.
+    /// True if the last pages have the answers.
     pub answers: bool,
-    /// Decides what is drawn at random.
+    /// The seed of what is drawn at random.
     pub seed: u64,
-    /// A pixel of its pictures; 0 leaves them blank.
+    /// The samples per pixel of the pictures; 0 leaves them blank.
     pub samples: u32,
 }
 
@@ -63,16 +64,16 @@ figure img { width: 100%; height: auto; display: block; }
 .answer svg { max-width: 120mm; }
 ";
 
-/// Returns lines to write on.
+/// Returns the lines to write on.
 fn rules() -> Element {
     let rule = || element("div").class("rule");
     element("div").class("rules").with(rule()).with(rule())
 }
 
-/// Returns the page as HTML; `progress` is told of each step that is done.
+/// Returns the page as HTML; `progress` is called after each step.
 ///
 /// # Errors
-/// What is wrong with the lesson, with its line.
+/// Returns the problem of the lesson, with its line.
 pub fn worksheet(
     lesson: &Lesson,
     sheet: Worksheet,
@@ -132,7 +133,7 @@ struct StepPart {
 }
 
 struct QuestionPart {
-    /// In CommonMark.
+    /// The question, in CommonMark.
     ask: String,
     blank: Html,
     answer: Html,
@@ -206,7 +207,7 @@ impl StepPart {
     }
 }
 
-/// Returns the right answer, and why, as HTML.
+/// Returns the right answer and its explanation as HTML.
 fn answer(asked: &ClassQuestion, question: &Question, picture: &Frame) -> Html {
     let Some(right) = &asked.solution else {
         return Html::new();
@@ -222,8 +223,8 @@ fn answer(asked: &ClassQuestion, question: &Question, picture: &Frame) -> Html {
     out.with(element("div").with(blocks(&asked.why)))
 }
 
-/// Draws the picture of a step as the window shows it: with its panes, or with what is drawn over it. The profile's curve is left out
-/// where it would be the answer.
+/// Draws the picture of a step as the window shows it: with its panes, or with its overlays. Leaves out the
+/// profile's curve if it would be the answer.
 fn stage_picture(lab: &Lab, step: &Step, staged: &Staged, samples: u32) -> Result<Frame, String> {
     if samples == 0 {
         return Ok(blank_picture());
@@ -243,7 +244,7 @@ fn stage_picture(lab: &Lab, step: &Step, staged: &Staged, samples: u32) -> Resul
         let which = panes_on_sheet(&scene);
         let over = |_: &mut Frame, _: &mut Renderer, _: &Scene| Ok::<(), Infallible>(());
         match draw_panes(renderer, &scene, &which, samples, &mut |_| true, over) {
-            // Captions have numbers in them.
+            // Captions contain numbers.
             Ok(panes) => comparison_sheet(&scene, &panes, !step.stage.hide),
         }
     })

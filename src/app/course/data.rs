@@ -1,4 +1,4 @@
-//! What the window remembers of the course: the lesson that is open, and what was answered.
+//! The course's state: the open lesson, and the answers given so far.
 
 use super::glide::Glide;
 use super::kinds::{Widget, widget_of};
@@ -19,26 +19,26 @@ use serde::{Deserialize, Serialize};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-/// Most lessons whose answers are kept.
+/// The maximum number of lessons whose answers are stored.
 const RECORDS: usize = 200;
 
-/// The course in the window.
+/// The state of the course in the window.
 pub struct Course {
-    /// The lesson that is open.
+    /// The open lesson.
     pub open: Option<Open>,
-    /// A lesson from a file, first in the list.
+    /// The lesson from a file, which is first in the list.
     pub own: Option<Arc<Lesson>>,
-    /// The answers that the document was handed in with.
+    /// The answers handed in with the document.
     pub handed_in: Option<HandedIn>,
-    /// What is kept between two sessions.
+    /// The progress stored between two runs.
     pub kept: SavedProgress,
-    /// Decides what is drawn at random.
+    /// The seed of what is drawn at random.
     pub seed: u64,
-    /// The lessons of the program as the list shows them.
+    /// The program's lessons as the list shows them, with the language of their texts.
     pub list: Option<(Language, Vec<Listed>)>,
-    /// How many lessons were opened so far.
+    /// The number of lessons opened so far.
     pub openings: u64,
-    /// The way to the scene of a step.
+    /// The animation towards a step's scene.
     pub gliding: Option<Glide>,
 }
 
@@ -57,17 +57,17 @@ impl Default for Course {
     }
 }
 
-/// What is kept between two sessions.
+/// The progress stored between two runs.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct SavedProgress {
-    /// The answers, a record a lesson, the latest last.
+    /// The answers, one record per lesson, the most recent last.
     pub records: Vec<Record>,
-    /// The lessons that were gone through to their ends.
+    /// The names of the completed lessons.
     pub done: BTreeSet<String>,
-    /// By whom answers were last handed in.
+    /// The name under which answers were last handed in.
     pub name: String,
-    /// The step that each was left at.
+    /// The step at which each lesson was left, by the lesson's name.
     pub left: BTreeMap<String, usize>,
 }
 
@@ -93,50 +93,51 @@ impl Listed {
     }
 }
 
-/// A lesson that is open.
+/// An open lesson.
 pub struct Open {
     pub lesson: Arc<Lesson>,
-    /// Whether it comes with the program.
+    /// True if the lesson comes with the program.
     pub built_in: bool,
     pub opening: u64,
     pub step: usize,
     pub staged: Option<Arc<Staged>>,
-    /// Why the step's scene could not be loaded.
+    /// The reason why the step's scene could not be loaded.
     pub failed: Option<String>,
     pub work: Background<Prepare>,
-    /// The steps that are prepared.
+    /// The results of preparing steps, by the step's index.
     pub prepared: BTreeMap<usize, Result<Prepared, String>>,
     pub draft: Draft,
     pub markdown: CommonMarkCache,
-    /// Whether what is shown is one of its scenes, and not another that was opened meanwhile.
+    /// True if one of the lesson's scenes is displayed, and not another one that was opened since.
     pub in_view: bool,
-    /// What was drawn over the picture before it came into view.
+    /// The overlays of the picture from before the lesson came into view.
     pub overlay: Overlays,
 }
 
-/// An answer that is being made.
+/// An answer in the making.
 #[derive(Default)]
 pub struct Draft {
-    /// The question's widget, with the answer; none where nothing is asked.
+    /// The question's widget, with the answer; `None` if the step has no question.
     pub widget: Option<Box<dyn Widget>>,
-    /// What the last check said; gone once the answer changes.
+    /// The grade of the last check; cleared when the answer changes.
     pub grade: Option<Grade>,
-    /// When the question was first seen, seconds.
+    /// The time when the question was first seen, in seconds.
     pub seen: Option<f64>,
-    /// Whether the step is to be scrolled to its begin.
+    /// True if the step is to be scrolled to its beginning.
     pub fresh: bool,
-    /// Where the question begins, points from the top of the window.
+    /// The top of the question, in points from the top of the window.
     pub top: Option<f32>,
-    /// Whether the question is to be scrolled into sight.
+    /// True if the question is to be scrolled into view.
     pub seek: bool,
-    /// Whether what is said of the answer is to be scrolled into sight.
+    /// True if the feedback is to be scrolled into view.
     pub told: bool,
-    /// Whether the way to the next step is to have the focus: what had it went away with the right answer.
+    /// True if the button of the next step is to take the focus, since the widget that had it disappeared
+    /// with the right answer.
     pub onward: bool,
 }
 
 impl Draft {
-    /// The draft for a question, from the answer that was given before.
+    /// Creates the draft for a question from the previous answer, if there is one.
     fn new(question: Option<&Question>, answered: Option<&Answered>, seed: u64) -> Self {
         let given = answered.map(|answered| &answered.answer);
         Self {
@@ -156,18 +157,18 @@ impl Open {
         self.current().question.as_ref()
     }
 
-    /// Returns whether the answer to its question is a place in the picture.
+    /// Returns whether the answer to the step's question is a point in the picture.
     fn asks_place(&self) -> bool {
         self.question()
             .is_some_and(|question| question.kind.asks().asks_place())
     }
 
-    /// Whether another scene was opened in place of the step's.
+    /// Returns whether another scene was opened in place of the step's.
     pub fn is_left(&self) -> bool {
         self.staged.is_some() && !self.in_view
     }
 
-    /// The step's texts, once they are known.
+    /// Returns the step's texts, once they are known.
     pub fn known(&self) -> Option<&Result<Prepared, String>> {
         self.prepared.get(&self.step)
     }
@@ -176,14 +177,14 @@ impl Open {
         self.known()?.as_ref().ok()?.right()
     }
 
-    /// Returns the answer, where there is a whole one; `scene` is that of the window.
+    /// Returns the answer if it is complete; `scene` is the scene of the window.
     pub fn answer(&self, scene: &Scene) -> Option<Answer> {
         let question = self.question()?;
         let answer = self.draft.widget.as_ref()?.answer(question, scene)?;
         answer.fits(&question.kind).then_some(answer)
     }
 
-    /// How right an answer is.
+    /// Grades an answer, once the scene and the solution are known.
     pub fn grade(&self, answer: &Answer) -> Option<Grade> {
         let staged = self.staged.as_ref()?;
         let lab = Lab::new(staged);
@@ -193,12 +194,12 @@ impl Open {
 }
 
 impl SavedProgress {
-    /// The answers to the lesson of that name.
+    /// Returns the record of the lesson with the given name.
     pub fn record(&self, lesson: &str) -> Option<&Record> {
         self.records.iter().find(|record| record.lesson == lesson)
     }
 
-    /// The record of a lesson, which becomes the latest.
+    /// Returns the record of a lesson and makes it the most recent one.
     fn record_mut(&mut self, lesson: &str, seed: u64) -> &mut Record {
         let place = self.records.iter().position(|one| one.lesson == lesson);
         let record = place.map(|place| self.records.remove(place));
@@ -213,7 +214,7 @@ impl SavedProgress {
 }
 
 impl Course {
-    /// With what was kept.
+    /// Creates a course with stored progress.
     pub fn with(kept: SavedProgress) -> Self {
         Self {
             kept,
@@ -221,7 +222,7 @@ impl Course {
         }
     }
 
-    /// Opens a lesson at the step that it was left at.
+    /// Opens a lesson at the step where it was left, and returns that step.
     pub fn begin(&mut self, lesson: Arc<Lesson>, built_in: bool) -> usize {
         if !built_in {
             self.own = Some(Arc::clone(&lesson));
@@ -254,7 +255,7 @@ impl Course {
         left
     }
 
-    /// Goes to a step: its answer so far is taken up again.
+    /// Goes to a step and restores its answer.
     pub fn go(&mut self, step: usize) {
         let Some(open) = &mut self.open else { return };
         open.step = step.min(open.lesson.steps.len() - 1);
@@ -265,19 +266,19 @@ impl Course {
         open.draft = Draft::new(open.question(), answered, self.seed);
     }
 
-    /// The answer that was given to the step's question.
+    /// Returns the answer given to the step's question.
     pub fn answered(&self) -> Option<&Answered> {
         let open = self.open.as_ref()?;
         self.kept.record(&open.lesson.name)?.answer(open.step)
     }
 
-    /// Whether the right answer is shown.
+    /// Returns whether the right answer is shown.
     pub fn revealed(&self) -> bool {
         self.answered()
             .is_some_and(|answered| answered.grade.right || answered.looked_up > 0)
     }
 
-    /// Puts an answer with its grade on record; `now` is in seconds.
+    /// Records an answer with its grade; `now` is in seconds.
     pub fn put(&mut self, answer: Answer, grade: Grade, now: f64) {
         let before = self.answered().cloned();
         let seed = self.seed;
@@ -306,7 +307,7 @@ impl Course {
         self.kept.record_mut(&name, seed).put(answered);
     }
 
-    /// Counts that the right answer was asked for, after one was given.
+    /// Counts a look at the right answer, if an answer has been given.
     pub fn look_up(&mut self) {
         let Some(mut answered) = self.answered().cloned() else {
             return;
@@ -320,60 +321,60 @@ impl Course {
         }
     }
 
-    /// Takes over the answers that another document was handed in with.
+    /// Takes over the answers handed in with another document.
     pub fn follow_hand_in(&mut self, part: &CoursePart) {
         let known = self.handed_in.take();
         let known = known.filter(|known| known.is_of(part));
         self.handed_in = known.or_else(|| HandedIn::of(part));
     }
 
-    /// The answers that are shown beside their picture.
+    /// Returns the answers handed in, if they are shown beside their picture.
     pub fn shown_hand_in(&self) -> Option<&HandedIn> {
         let shown = |handed_in: &&HandedIn| !handed_in.closed;
         self.handed_in.as_ref().filter(shown)
     }
 
-    /// What heads the panel of the course, where that is not the list of lessons.
+    /// Returns the heading of the course's panel; `None` for the list of lessons.
     pub fn heading(&self) -> Option<&str> {
         let lesson = || self.open.as_ref().map(|open| &*open.lesson.title);
         let handed_in = self.shown_hand_in().map(|_| text!("course-answers"));
         handed_in.or_else(lesson)
     }
 
-    /// The lesson that is open, if what is shown is one of its scenes.
+    /// Returns the open lesson, if one of its scenes is displayed.
     pub fn in_view(&self) -> Option<&Open> {
         self.open.as_ref().filter(|open| open.in_view)
     }
 
-    /// Whether the picture is that of a lesson's step.
+    /// Returns whether the picture shows a lesson's step.
     pub fn shows_step(&self) -> bool {
         self.in_view().is_some()
     }
 
-    /// Whether a lesson is open whose step is not what is shown.
+    /// Returns whether a lesson is open while another scene is displayed.
     pub fn has_left_lesson(&self) -> bool {
         self.open.as_ref().is_some_and(Open::is_left)
     }
 
-    /// Whether numbers are hidden until the question is answered.
+    /// Returns whether numbers are hidden until the question is answered.
     pub fn hides(&self) -> bool {
         let hides = |open: &Open| open.current().stage.hide && open.question().is_some();
         self.in_view().is_some_and(hides) && !self.revealed()
     }
 
-    /// Whether a click in the picture is the answer to a question.
+    /// Returns whether a click in the picture answers a question.
     pub fn asks_point(&self) -> bool {
         let asks = |open: &Open| open.staged.is_some() && open.asks_place();
         self.in_view().is_some_and(asks) && !self.revealed()
     }
 
-    /// The place that the student has marked in the picture.
+    /// Returns the point that the student has marked in the picture.
     pub fn mark(&self) -> Option<DVec2> {
         let open = self.in_view()?;
         open.draft.widget.as_ref()?.mark()
     }
 
-    /// Marks a place in the picture.
+    /// Marks a point in the picture.
     pub fn put_mark(&mut self, place: DVec2) {
         if let Some(open) = &mut self.open
             && let Some(widget) = &mut open.draft.widget
@@ -383,7 +384,7 @@ impl Course {
         }
     }
 
-    /// The right places, once they are shown.
+    /// Returns the right points, once they are shown.
     pub fn right_places(&self) -> &[DVec2] {
         let solution = self.in_view().and_then(Open::solution);
         match solution {
@@ -392,7 +393,7 @@ impl Course {
         }
     }
 
-    /// The step's line, where one is shown, and the place on it that is pointed at.
+    /// Returns the step's line, if it is shown, and the position on it under the pointer.
     pub fn line(&self) -> Option<([DVec2; 2], Option<f64>)> {
         let open = self.in_view()?;
         let line = open.staged.as_ref()?.shown.line?;
@@ -406,21 +407,21 @@ impl Course {
         ))
     }
 
-    /// Whether the edges of polygons are drawn over the picture.
+    /// Returns whether the picture shows the edges of polygons.
     pub fn shows_edges(&self) -> bool {
         let shows = |open: &Open| open.current().stage.overlays.contains(&"edges");
         self.in_view().is_some_and(shows)
     }
 
-    /// Returns whether the step's numbers or its answer are taken at the probe, so that its place is marked without vectors too. Where
-    /// a place is asked for, a mark would look like an answer.
+    /// Returns whether the probe is marked without vectors too, since the step's numbers or its answer are
+    /// taken there. If the question asks for a point, returns false: the mark would look like an answer.
     pub fn shows_probe(&self) -> bool {
         let at_probe = |open: &Open| matches!(open.known(), Some(Ok(known)) if known.at_probe);
         self.in_view()
             .is_some_and(|open| at_probe(open) && !open.asks_place())
     }
 
-    /// The lesson that is open, or that was answered last, with its answers, where there are any.
+    /// Returns the open lesson, or else the one answered last, with its answers, if there are any.
     pub fn to_hand_in(&self) -> Option<(Arc<Lesson>, Record)> {
         let open = self.open.as_ref().map(|open| Arc::clone(&open.lesson));
         let last = || {
@@ -433,7 +434,7 @@ impl Course {
         (!record.answers.is_empty()).then_some((lesson, record))
     }
 
-    /// The lessons of the program, in the present language.
+    /// Returns the program's lessons in the current language; none until they are loaded.
     pub fn listed(&mut self) -> &[Listed] {
         if !are_there() {
             return &[];

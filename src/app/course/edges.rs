@@ -1,4 +1,4 @@
-//! The edges of the polygons over the picture, where a step is about them.
+//! The edges of the polygons, drawn over the picture of steps about polygons.
 
 use crate::analysis::normals::NormalField;
 use crate::app::course::Course;
@@ -10,14 +10,14 @@ use crate::scene::View;
 use eframe::egui::{Color32, Painter, Stroke};
 use glam::DVec2;
 
-/// More polygons than this would hide the picture.
+/// The number of polygons above which no edges are drawn, since they would hide the picture.
 const MOST: usize = 6000;
 
-/// The polygons as last drawn.
+/// The last drawn polygons.
 #[derive(Default)]
 struct Edges(Option<NormalField>);
 
-/// Takes the polygons of the picture, where a step shows their edges.
+/// Updates the polygons of the picture, if the step shows their edges.
 pub fn watch(window: &mut WindowState, course: &Course, engine: &Engine) {
     if course.shows_edges() {
         let mut edges: Edges = window.own.take();
@@ -26,7 +26,8 @@ pub fn watch(window: &mut WindowState, course: &Course, engine: &Engine) {
     }
 }
 
-/// Draws the outlines of the polygons that face the eye, white on dark, so that they show on any picture.
+/// Draws the outlines of the polygons that face the eye, white on dark, so that they are visible on any
+/// picture.
 pub fn paint(painter: &Painter, window: &WindowState, course: &Course, view: &View, place: Place) {
     let known: Option<&Edges> = window.own.get();
     let Some(field) = known.and_then(|edges| edges.0.as_ref()) else {
@@ -45,7 +46,8 @@ pub fn paint(painter: &Painter, window: &WindowState, course: &Course, view: &Vi
         let Some(points) = projected.filter(|points| points.len() > 2 && faces_eye(points)) else {
             continue;
         };
-        // Edge by edge: where a polygon is seen almost edge-on, the mitres of a closed line would stand far out.
+        // Edge by edge: where a polygon is seen almost edge-on, the mitres of a closed line would reach far
+        // out.
         for stroke in [
             Stroke::new(2.0, Color32::from_black_alpha(70)),
             Stroke::new(0.8, Color32::from_white_alpha(130)),
@@ -58,7 +60,7 @@ pub fn paint(painter: &Painter, window: &WindowState, course: &Course, view: &Vi
     }
 }
 
-/// Returns whether corners go round counter-clockwise, as those of a polygon do that turns its front to the eye.
+/// Returns whether the points run counter-clockwise, as those of a polygon whose front faces the eye.
 fn faces_eye(points: &[DVec2]) -> bool {
     let next = points.iter().cycle().skip(1);
     let area: f64 = points.iter().zip(next).map(|(a, b)| a.perp_dot(*b)).sum();

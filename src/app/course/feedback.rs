@@ -1,4 +1,4 @@
-//! The feedback to an answer, and why the right one is right.
+//! The feedback to an answer, and the explanation of the right one.
 
 use super::data::{Course, Open};
 use super::parts::right_colour;
@@ -10,10 +10,11 @@ use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Label, Rect, RichText, Ui, vec2};
 
-/// Height below the feedback that is kept in sight, points: the frame of the question.
+/// The height below the feedback that is kept in view too, in points: the frame of the question.
 const BELOW: f32 = 12.0;
 
-/// Says whether the answer is right; the right one and why, once that may be seen. When it comes it is scrolled into sight.
+/// Shows whether the answer is right, and, once they may be seen, the right answer and its explanation. New
+/// feedback is scrolled into view.
 pub fn feedback_ui(ui: &mut Ui, course: &mut Course, session: &mut Session) {
     let top = ui.cursor().min;
     said_ui(ui, course, session);
@@ -61,7 +62,7 @@ fn wrong_ui(ui: &mut Ui, grade: Grade) {
     };
     let words = RichText::new(words).color(ui.visuals().warn_fg_color);
     let label = ui.add(Label::new(words).wrap());
-    // Screen readers say it when it comes.
+    // Screen readers announce it when it appears.
     _ = label;
     ui.add(Label::new(RichText::new(text!("course-try-again")).weak()).wrap());
 }

@@ -1,14 +1,15 @@
-//! Formulas in the text of lessons: `K_a·I_a`, `(R·V)^n`, `cos θ`. Letters that the window knows are those of the equation.
+//! Formulas in the text of lessons: `K_a·I_a`, `(R·V)^n`, `cos θ`. Letters that the window knows are set as
+//! in the equation.
 
 use crate::app::widgets::typeset::{Piece, letter};
 use crate::figure::{Base, Formula, Item};
 use eframe::egui::Visuals;
 
-/// Letters of the window's formulas that mean something else in those of textbooks.
+/// Letters whose meaning in the window's formulas differs from that in textbooks.
 const AMBIGUOUS: [&str; 2] = ["S", "T"];
-/// Signs before which a long formula may go on in the next line.
+/// Signs before which a long formula may break.
 const BREAKS: [&str; 7] = ["=", "+", "−", "≈", "<", ">", "/"];
-/// The pieces of a formula, in runs that stay on one line each.
+/// Splits a formula into pieces, in runs that each stay on one line.
 pub fn pieces(visuals: &Visuals, formula: &str) -> Vec<Vec<Piece>> {
     let mut runs: Vec<Vec<Piece>> = vec![Vec::new()];
     set(
@@ -45,7 +46,7 @@ fn set(visuals: &Visuals, runs: &mut Vec<Vec<Piece>>, formula: &Formula) {
     }
 }
 
-/// Adds signs; where a line may end before them they begin a run.
+/// Adds signs; each sign before which a line may break starts a new run.
 fn push_signs(visuals: &Visuals, runs: &mut Vec<Vec<Piece>>, signs: &str) {
     let first = signs.trim_start_matches([')', '|', ' ']).chars().next();
     let spaced = signs.contains(' ');
@@ -64,7 +65,7 @@ fn push_signs(visuals: &Visuals, runs: &mut Vec<Vec<Piece>>, signs: &str) {
     }
 }
 
-/// A letter or a word, with lowered ones behind it.
+/// Sets a letter or a word with its subscript.
 fn named(visuals: &Visuals, name: &str, low: String) -> Piece {
     let whole = format!("{name}{low}");
     let known = (!AMBIGUOUS.contains(&&*whole)).then(|| letter(visuals, &whole));
@@ -72,7 +73,7 @@ fn named(visuals: &Visuals, name: &str, low: String) -> Piece {
         return piece;
     }
     let mut piece = match letter(visuals, name) {
-        // As in N₁: one of several of the same kind.
+        // For example N₁: one of several of the same kind.
         Some(piece) if !AMBIGUOUS.contains(&name) && !low.is_empty() => Piece {
             tip: None,
             ..Piece::plain(piece.text, piece.colour)

@@ -1,22 +1,23 @@
-//! The way from one scene of a lesson to the next: camera, lights and n move there, so that the eye can follow.
+//! The transition from one scene of a lesson to the next: camera, lights and n change gradually, so that the
+//! eye can follow.
 
 use crate::scene::Scene;
 use eframe::egui::{Context, Event};
 use glam::{DVec3, FloatExt as _};
 
-/// The time that it takes, seconds.
+/// The duration of a transition, in seconds.
 const DURATION: f64 = 0.5;
 
-/// A change that is on its way.
+/// A transition in progress.
 pub struct Glide {
     from: Scene,
     to: Scene,
-    /// Seconds; none before its first frame.
+    /// The start time in seconds; `None` before the first frame.
     begun: Option<f64>,
 }
 
 impl Glide {
-    /// Finds the way between two scenes with the same object, where camera, lights or n differ.
+    /// Creates the transition between two scenes with the same object, if camera, lights or n differ.
     pub fn between(from: &Scene, to: &Scene) -> Option<Self> {
         let same = from.object == to.object
             && from.lights.len() == to.lights.len()
@@ -31,8 +32,8 @@ impl Glide {
         })
     }
 
-    /// Returns the scene that is shown now, and whether it is the last: at once where nothing is to move on its own or somebody does
-    /// something.
+    /// Returns the current scene, and whether it is the last one. If animations are off or the user does
+    /// something, the last scene comes at once.
     pub fn now(&mut self, ctx: &Context) -> (Scene, bool) {
         let now = ctx.input(|input| input.time);
         let share = (now - *self.begun.get_or_insert(now)) / DURATION;
@@ -45,7 +46,7 @@ impl Glide {
         }
     }
 
-    /// Returns the scene at a fraction of the way. All that does not move is as it is at the end.
+    /// Returns the scene at a fraction of the transition. Everything that does not move is as at the end.
     fn at(&self, share: f64) -> Scene {
         let mut scene = self.to.clone();
         if share >= 1.0 {
@@ -71,7 +72,7 @@ impl Glide {
     }
 }
 
-/// Turns a vector a fraction of the way to another.
+/// Turns a vector by a fraction of the way towards another.
 fn turned(from: DVec3, to: DVec3, share: f64) -> DVec3 {
     if from == DVec3::ZERO || to == DVec3::ZERO {
         return to;
@@ -79,7 +80,7 @@ fn turned(from: DVec3, to: DVec3, share: f64) -> DVec3 {
     from.slerp(to, share)
 }
 
-/// Returns whether there is more input than a pointer that moves or something that is let go.
+/// Returns whether there is any input besides pointer movement and releases.
 fn is_in_use(ctx: &Context) -> bool {
     let passes = |event: &Event| {
         matches!(

@@ -1,4 +1,4 @@
-//! Answers that were handed in, beside their picture: by whom, to which lesson, and each with its mark.
+//! Answers that were handed in, beside their picture, with their author, their lesson and a mark for each.
 
 use super::data::Course;
 use super::marking::{HandedIn, Marked, MarkedAnswer, MarkedQuestion, Marking};
@@ -17,14 +17,15 @@ use eframe::egui::{
 use egui_commonmark::CommonMarkCache;
 use std::sync::Arc;
 
-/// The side of the sign for right or wrong, points.
+/// The side of the sign for right or wrong, in points.
 const SIGN: f32 = 16.0;
-/// Width of what stands before an answer, points.
+/// The width of the label in front of an answer, in points.
 const LABEL: f32 = 84.0;
-/// Times beyond a day say nothing of how long somebody has thought.
+/// The time from which on it is not shown, in seconds: after a day it says nothing about how long the student
+/// has thought.
 const DAY: f64 = 86_400.0;
 
-/// The answers, with what is known of their marks.
+/// Shows the answers, with the marks that are known.
 pub fn handed_in_ui(ui: &mut Ui, course: &mut Course, session: &Session) {
     let own = course.own.clone();
     let Some(handed_in) = &mut course.handed_in else {
@@ -35,7 +36,7 @@ pub fn handed_in_ui(ui: &mut Ui, course: &mut Course, session: &Session) {
         .id_salt("handed-in")
         .auto_shrink(false)
         .show(ui, |ui| {
-            // Not under the scroll bar.
+            // Keeps clear of the scroll bar.
             ui.set_max_width(ui.available_width() - 4.0);
             match &*answers {
                 Err(why) => {
@@ -60,7 +61,7 @@ pub fn handed_in_ui(ui: &mut Ui, course: &mut Course, session: &Session) {
         });
 }
 
-/// By whom, to which lesson, and how many answers are right.
+/// Shows the author, the lesson, and the number of right answers.
 fn head_ui(ui: &mut Ui, session: &Session, answers: &HandIn, handed_in: &HandedIn) {
     let marked = handed_in.work.answer();
     let file = session.document().origin.name();
@@ -95,7 +96,7 @@ fn body_ui(ui: &mut Ui, handed_in: &mut HandedIn) {
     }
 }
 
-/// A card: what was asked, what was answered, whether that is right, and what is.
+/// Shows a card with the question, the answer, its mark, and the right answer.
 fn question_ui(
     ui: &mut Ui,
     markdown: &mut CommonMarkCache,
@@ -143,7 +144,7 @@ fn question_ui(
     });
 }
 
-/// The sign for right or wrong, with its word for who does not see it; nothing where there is no mark.
+/// Shows the sign for right or wrong, with its word for screen readers; nothing if there is no mark.
 fn verdict_ui(ui: &mut Ui, given: Option<&MarkedAnswer>) {
     let Some(grade) = given.and_then(|given| given.grade) else {
         return;
@@ -159,7 +160,7 @@ fn verdict_ui(ui: &mut Ui, given: Option<&MarkedAnswer>) {
     named(response, Role::Label, word).on_hover_text(word);
 }
 
-/// How near an answer is that is not right, after how many tries and how long.
+/// Describes how near a wrong answer is, and after how many tries and how long it was given.
 fn how_given(given: &MarkedAnswer) -> String {
     let mut parts = Vec::new();
     if let Some(grade) = given

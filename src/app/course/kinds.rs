@@ -1,4 +1,4 @@
-//! The widgets of questions, a file for each kind.
+//! The widgets of questions, one file per kind.
 
 mod card;
 mod choice;
@@ -16,7 +16,7 @@ pub use widget::{Asked, Widget};
 
 use crate::lesson::{Answer, Kind};
 
-/// Returns the widget of a question, with the answer that was given before; `seed` decides what is drawn at random.
+/// Creates the widget of a question, with the previous answer; `seed` decides what is drawn at random.
 pub fn widget_of(kind: &Kind, given: Option<&Answer>, seed: u64) -> Box<dyn Widget> {
     let mut widget: Box<dyn Widget> = match kind {
         Kind::Choice(_) => Box::new(choice::ChoiceWidget::default()),

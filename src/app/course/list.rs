@@ -1,4 +1,4 @@
-//! The lessons by topic.
+//! The list of lessons, by topic.
 
 use super::data::{Course, Listed};
 use crate::app::session::action::Requests;
@@ -14,10 +14,10 @@ use eframe::egui::{
 };
 use std::time::Duration;
 
-/// How often a web page looks whether its lessons are there.
+/// The interval at which a web page checks whether its lessons are loaded.
 const LOADING: Duration = Duration::from_millis(200);
 
-/// Every lesson; a click opens it.
+/// Shows every lesson; a click opens it.
 pub fn list_ui(ui: &mut Ui, course: &mut Course, requests: &mut Requests) {
     let own = course.own.as_deref().map(Listed::of);
     let lessons = course.listed().to_vec();
@@ -72,7 +72,8 @@ pub fn list_ui(ui: &mut Ui, course: &mut Course, requests: &mut Requests) {
         });
 }
 
-/// A lesson's title over a sentence about it, with its minutes and a tick when it is done; whether it was clicked.
+/// Shows a lesson's title above a sentence about it, with its minutes and, once it is done, a tick. Returns
+/// whether it was clicked.
 fn card_ui(ui: &mut Ui, lesson: &Listed, course: &Course) -> bool {
     let done = course.kept.done.contains(&lesson.name);
     let begun = course
@@ -90,7 +91,7 @@ fn card_ui(ui: &mut Ui, lesson: &Listed, course: &Course) -> bool {
             ))
             .layout(Layout::top_down(Align::Min)),
     );
-    // The ground is painted below the text once its size is known.
+    // The background is painted below the text once its size is known.
     let ground = ui.painter().add(eframe::egui::Shape::Noop);
     inside.spacing_mut().item_spacing.y = 2.0;
     inside.horizontal(|ui| {

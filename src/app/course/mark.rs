@@ -1,4 +1,4 @@
-//! The drawing of a step over the picture: its line, the place that the student has marked, and the right one.
+//! The marks of a step over the picture: its line, the point that the student has marked, and the right one.
 
 use crate::app::course::Course;
 use crate::app::session::place::{Place, ProfileLine};
@@ -9,10 +9,10 @@ use crate::text::text;
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Stroke, vec2};
 use glam::DVec2;
 
-/// Radius of a mark, points.
+/// The radius of a mark, in points.
 const MARK: f32 = 8.0;
 
-/// Paints it.
+/// Paints the line and the marked and right points of the step.
 pub fn paint(painter: &Painter, course: &Course, place: Place, font: &FontId) {
     let course = &course;
     let dark = |width| Stroke::new(width, Color32::from_black_alpha(170));
@@ -23,7 +23,7 @@ pub fn paint(painter: &Painter, course: &Course, place: Place, font: &FontId) {
             .map(|end| place.point(end));
         painter.line_segment(ends, dark(3.5));
         painter.line_segment(ends, white(1.5));
-        // Ends that are close together have their names at their sides.
+        // If the ends are close together, their names are beside them.
         let close = ends[0].distance(ends[1]) < 3.0 * MARK;
         let sides = if close {
             [Align2::RIGHT_BOTTOM, Align2::LEFT_BOTTOM]
@@ -86,13 +86,13 @@ fn ring(painter: &Painter, at: Pos2, radius: f32, colour: Color32) {
     painter.circle_stroke(at, radius, Stroke::new(3.0, colour));
 }
 
-/// Converts a place in units of the shorter side from the middle to pixels.
+/// Converts an offset from the centre, in units of the shorter side, to pixels.
 fn pixel(at: DVec2, size: [u32; 2]) -> DVec2 {
     let size = DVec2::from_array(size.map(f64::from));
     size / 2.0 + at * size.min_element()
 }
 
-/// Converts pixels to units of the shorter side from the middle.
+/// Converts pixels to an offset from the centre, in units of the shorter side.
 pub fn from_pixel(pixel: DVec2, size: [u32; 2]) -> DVec2 {
     let size = DVec2::from_array(size.map(|side| f64::from(side.max(1))));
     (pixel.clamp(DVec2::ZERO, size) - size / 2.0) / size.min_element()

@@ -14,12 +14,12 @@ use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// The answers beside the picture that they were handed in with.
+/// The answers handed in with the document, shown beside their picture.
 pub struct HandedIn {
     pub answers: Arc<Result<HandIn, HandInError>>,
     pub work: Background<Marking>,
     pub markdown: CommonMarkCache,
-    /// The list of lessons is shown in its place.
+    /// True if the list of lessons is shown instead.
     pub closed: bool,
 }
 
@@ -37,46 +37,46 @@ impl HandedIn {
         })
     }
 
-    /// Returns whether it is that of a document.
+    /// Returns whether the answers are those of a document.
     pub fn is_of(&self, part: &CoursePart) -> bool {
         matches!(part, CoursePart::HandIn(answers) if Arc::ptr_eq(answers, &self.answers))
     }
 }
 
-/// Answers to be graded.
+/// The task of grading answers.
 #[derive(Serialize, Deserialize)]
 pub struct Marking {
     answers: HandIn,
     lesson: Result<LessonText, String>,
 }
 
-/// A lesson as it travels.
+/// A lesson as it is sent to a worker.
 #[derive(Serialize, Deserialize)]
 struct LessonText {
     source: String,
     folder: Option<PathBuf>,
-    /// It came inside the hand-in: it may open no file then.
+    /// True if the lesson came with the hand-in; it then may not open any file.
     foreign: bool,
 }
 
 /// A hand-in with its grades.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Marked {
-    /// The lesson's.
+    /// The lesson's title.
     pub title: String,
     /// The number of right answers.
     pub right: usize,
     pub questions: Vec<MarkedQuestion>,
 }
 
-/// A question with what was answered.
+/// A question with the student's answer.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct MarkedQuestion {
     pub ask: String,
     pub given: Option<MarkedAnswer>,
-    /// The right answer; none where there is no single one, or [`Self::failure`].
+    /// The right answer; `None` if there is no single one, or if finding it failed.
     pub right: Option<String>,
-    /// Why there is no right answer.
+    /// The reason why there is no right answer.
     pub failure: Option<String>,
 }
 
@@ -84,7 +84,7 @@ pub struct MarkedQuestion {
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct MarkedAnswer {
     pub words: String,
-    /// The first answer, where it was another.
+    /// The first answer, if it differs.
     pub first: Option<String>,
     pub grade: Option<Grade>,
     pub tries: u32,
@@ -93,7 +93,8 @@ pub struct MarkedAnswer {
 }
 
 impl Marking {
-    /// Makes the work of grading `answers`, once the program's lessons are there; `own` is the lesson that was opened from a file.
+    /// Creates the task of grading `answers`, or `None` while the program's lessons are not loaded; `own` is
+    /// the lesson opened from a file.
     pub fn of(answers: &HandIn, own: Option<&Lesson>) -> Option<Self> {
         let own = own.filter(|own| answers.is_of(own));
         let found = match own {
@@ -125,7 +126,7 @@ impl Work for Marking {
         let mut done = 0.0;
         let mut progress = || {
             done += 1.0;
-            // Whoever waits no longer does not read the answer.
+            // After a cancellation nobody reads the answer.
             let _ = watch.progress(done / count);
         };
         let group = mark(self.answers.clone(), lesson, text.foreign, &mut progress)?;

@@ -1,4 +1,4 @@
-//! What the parts of a step share.
+//! Parts shared by the views of a step.
 
 use crate::app::widgets::palette::vector_text;
 use crate::figure::palette::Vector;
@@ -16,12 +16,12 @@ pub fn waiting_ui(ui: &mut Ui, words: &str) {
     });
 }
 
-/// What is right is drawn in this colour.
+/// Returns the colour of right answers.
 pub fn right_colour(ui: &Ui) -> Color32 {
     vector_text(ui.visuals(), Vector::V)
 }
 
-/// A cross within `room`.
+/// Draws a cross that fills `room`.
 pub fn cross(ui: &Ui, room: Rect, colour: Color32) {
     let stroke = Stroke::new(1.8, colour);
     ui.painter()

@@ -1,4 +1,4 @@
-//! The text of lessons: CommonMark, with formulas set as the equation is.
+//! The text of lessons: CommonMark, with formulas set as in the equation.
 
 use super::formula::pieces;
 use crate::app::widgets::focus::one_stop;
@@ -11,25 +11,25 @@ use eframe::egui::{Sense, TextStyle, Ui, WidgetInfo, vec2};
 use egui_commonmark::{CommonMarkCache, CommonMarkViewer};
 use std::cell::Cell;
 
-/// Size of formulas: a little larger than the text, as their small letters need it.
+/// The size of formulas: a little larger than the text, for the sake of their small letters.
 const FORMULA: f32 = TEXT + 1.0;
-/// Letters and signs of a formula that stays on one line.
+/// The maximum number of characters of a formula that stays on one line.
 const WHOLE: usize = 18;
-/// What brings its baseline to that of the text, points.
+/// The upward shift that brings a formula's baseline to that of the text, in points.
 const RAISED: f32 = 1.0;
 
-/// How far slanted letters at the end of a formula stand out to the right, points.
+/// The overhang of slanted letters at the end of a formula, in points.
 const SLANT: f32 = 1.5;
 
-/// Stands at the end of a formula that a space follows: spaces would end no formula.
+/// A mark at the end of a formula that a space follows; a space itself would not close a formula.
 const SPACED: char = '\u{200b}';
-/// What may not begin a line.
+/// Characters that may not begin a line.
 const CLOSING: &[char] = &[
     ',', '.', ';', ':', '!', '?', '，', '。', '；', '：', '！', '？', '、',
 ];
 const BRACKETS: &[char] = &[')', '）', '」'];
 
-/// Shows a text; the letters of its formulas light up what they stand for.
+/// Shows a text. Pointing at a letter of its formulas highlights the letter's meaning.
 pub fn prose_ui(ui: &mut Ui, cache: &mut CommonMarkCache, words: &str) {
     let top = ui.cursor().min;
     shown_ui(ui, cache, words, true);
@@ -37,7 +37,7 @@ pub fn prose_ui(ui: &mut Ui, cache: &mut CommonMarkCache, words: &str) {
     one_stop(ui, rect.with_min_y(top.y));
 }
 
-/// Shows a text on a button: its letters do nothing of themselves.
+/// Shows a text on a button; its letters do not react themselves.
 pub fn caption_ui(ui: &mut Ui, cache: &mut CommonMarkCache, words: &str) {
     shown_ui(ui, cache, words, false);
 }
@@ -45,7 +45,7 @@ pub fn caption_ui(ui: &mut Ui, cache: &mut CommonMarkCache, words: &str) {
 fn shown_ui(ui: &mut Ui, cache: &mut CommonMarkCache, words: &str, live: bool) {
     let count = Cell::new(0);
     let math = move |ui: &mut Ui, formula: &str, _: bool| formula_ui(ui, formula, &count, live);
-    // Lines of a list are as far apart as those of a paragraph, not as rows of controls.
+    // The lines of a list are spaced like those of a paragraph, not like rows of controls.
     let line = ui.text_style_height(&TextStyle::Body);
     let row = std::mem::replace(&mut ui.spacing_mut().interact_size.y, line);
     CommonMarkViewer::new().render_math_fn(Some(&math)).show(
@@ -56,12 +56,12 @@ fn shown_ui(ui: &mut Ui, cache: &mut CommonMarkCache, words: &str, live: bool) {
     ui.spacing_mut().interact_size.y = row;
 }
 
-/// The same text with what closes a sentence, and the space behind, inside the formula or the emphasis that it follows: each is
-/// laid out for itself, and the next line would begin with it.
+/// Moves closing punctuation, and the space after it, into the formula or the emphasis that it follows. Each
+/// of these is laid out separately, and the next line could otherwise begin with the punctuation.
 fn joined(words: &str) -> String {
     let mut all = String::with_capacity(words.len());
     let mut rest = words;
-    // Text between marks and what marks enclose take turns.
+    // Text outside marks and text between marks alternate.
     while let Some((mark, at)) = next_mark(rest) {
         let (before, inside) = rest.split_at(at);
         all.push_str(before);
@@ -72,7 +72,7 @@ fn joined(words: &str) -> String {
             continue;
         };
         let after = &inside[length + mark.len()..];
-        // A bracket stands as its other half does.
+        // A closing bracket stays on the same side of the mark as its opening one.
         let behind = match mark {
             "`" => after,
             "$" => after.trim_start_matches([CLOSING, BRACKETS].concat().as_slice()),
@@ -91,11 +91,11 @@ fn joined(words: &str) -> String {
     all
 }
 
-/// The next mark of a formula, of emphasis or of code, and where it is.
+/// Finds the next mark of a formula, of emphasis or of code, and its position.
 fn next_mark(words: &str) -> Option<(&'static str, usize)> {
     let marks = ["`", "$", "**", "*"].into_iter();
     let found = marks.filter_map(|mark| Some((mark, words.find(mark)?)));
-    // Of two at one place the longer one.
+    // Of two marks at one position, the longer one.
     found.min_by_key(|(mark, at)| (*at, usize::MAX - mark.len()))
 }
 
@@ -123,7 +123,7 @@ fn formula_ui(ui: &mut Ui, formula: &str, count: &Cell<usize>, live: bool) {
             name: text!("course-in-text"),
         };
         let laid = Run::new(ui, &run, FORMULA);
-        // As high as a line of text, so that lines stay evenly apart.
+        // As high as a line of text, so that lines stay evenly spaced.
         let slanted = run.last().is_some_and(|last| last.low.is_empty());
         let last = runs.peek().is_none();
         let beyond = if last && slanted { SLANT } else { 0.0 };

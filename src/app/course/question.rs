@@ -1,4 +1,4 @@
-//! A question: its answer is given before the right one can be seen.
+//! A question, which is answered before the right answer can be seen.
 
 use super::data::Course;
 use super::feedback::feedback_ui;
@@ -14,7 +14,7 @@ use crate::lesson::Term;
 use crate::text::text;
 use eframe::egui::{Align, Button, Frame, Margin, RichText, Stroke, Ui};
 
-/// Shows the question of the step with its answer so far, and the right one once that may be seen.
+/// Shows the step's question with its current answer, and the right one once it may be seen.
 pub fn question_ui(
     ui: &mut Ui,
     course: &mut Course,
@@ -46,7 +46,7 @@ pub fn question_ui(
     }
 }
 
-/// Returns the symbol of the equation that a term is lit up by.
+/// Returns the symbol of the equation whose pointing highlights a term.
 fn symbol_of(term: Term) -> Symbol {
     match term {
         Term::Ambient => Symbol::Ka,
@@ -58,7 +58,7 @@ fn symbol_of(term: Term) -> Symbol {
     }
 }
 
-/// Shows what is asked, the widget of the answer, and what is said of it.
+/// Shows the question, the widget of its answer, and the feedback.
 fn contents_ui(
     ui: &mut Ui,
     course: &mut Course,
@@ -124,7 +124,7 @@ fn check_ui(
     let answer = open.answer(&session.document().scene);
     let ready = answer.is_some() && open.solution().is_some() && open.staged.is_some();
     let given = course.answered();
-    // The last grade is that of another answer.
+    // The last grade belongs to another answer.
     let stale = answer.is_some() && given.map(|given| &given.answer) != answer.as_ref();
     let given = given.is_some();
     let mut check = false;

@@ -1,4 +1,4 @@
-//! A step: its text, its controls and its question, with the way back and on below.
+//! A step: its text, its controls and its question, with the buttons to the previous and next step below.
 
 use super::data::{Course, Open};
 use super::parts::{error_ui, waiting_ui};
@@ -19,12 +19,12 @@ use eframe::egui::{
     Align, Button, Frame, Label, Layout, Panel, Rect, RichText, ScrollArea, Sense, Ui, vec2,
 };
 
-/// Radius of the dots of the steps, points.
+/// The radius of the dots that represent the steps, in points.
 const DOT: f32 = 3.5;
-/// Width of the way down to the question, points.
+/// The width of the button that scrolls down to the question, in points.
 const DOWN: f32 = 108.0;
 
-/// The step that is open.
+/// Shows the current step.
 pub fn step_ui(
     ui: &mut Ui,
     course: &mut Course,
@@ -46,7 +46,7 @@ pub fn step_ui(
         area = area.vertical_scroll_offset(0.0);
     }
     let shown = area.show(ui, |ui| {
-        // Not under the scroll bar.
+        // Keeps clear of the scroll bar.
         ui.set_max_width(ui.available_width() - 4.0);
         body_ui(ui, course, session, window, requests);
         ui.add_space(8.0);
@@ -57,7 +57,8 @@ pub fn step_ui(
     }
 }
 
-/// The way down to a question that is out of sight below `seen`: without it nobody might look for one.
+/// Shows a button that scrolls to a question hidden below `seen`; without it the question might be
+/// overlooked.
 fn down_ui(ui: &mut Ui, open: &mut Open, seen: Rect) {
     let high = ui.spacing().interact_size.y;
     if open.draft.top.is_none_or(|top| top + high < seen.max.y) {
@@ -78,7 +79,7 @@ fn down_ui(ui: &mut Ui, open: &mut Open, seen: Rect) {
     }
 }
 
-/// Has the engine fill in the numbers and find the answer.
+/// Starts to fill in the numbers and to find the answer in the background, and takes the results.
 fn prepare(ui: &Ui, course: &mut Course) {
     let seed = course.seed;
     let Some(open) = &mut course.open else { return };
@@ -116,7 +117,7 @@ fn prepare(ui: &Ui, course: &mut Course) {
     }
 }
 
-/// The way to the list, and which lesson it is, or that these are answers.
+/// Shows the button back to the list, and the title of the lesson or of the answers handed in.
 pub fn head_ui(ui: &mut Ui, course: &Course, requests: &mut Requests) {
     let Some(heading) = course.heading() else {
         return;
@@ -129,7 +130,7 @@ pub fn head_ui(ui: &mut Ui, course: &Course, requests: &mut Requests) {
     }
 }
 
-/// Back, the steps as dots, next.
+/// Shows the button back, the steps as dots, and the button to the next step.
 fn ways_ui(ui: &mut Ui, course: &mut Course, requests: &mut Requests) {
     let Some(open) = &mut course.open else { return };
     let onward = std::mem::take(&mut open.draft.onward);
@@ -160,7 +161,8 @@ fn ways_ui(ui: &mut Ui, course: &mut Course, requests: &mut Requests) {
     ui.add_space(2.0);
 }
 
-/// A dot for each step, filled where its question is answered; where there is no room, in numbers.
+/// Shows a dot for each step, filled for the current step and for those answered rightly; in a narrow panel,
+/// the step's number instead.
 fn dots_ui(ui: &mut Ui, course: &Course, requests: &mut Requests, step: usize, count: usize) {
     let room = ui.available_width();
     let each = (room / count as f32).min(16.0);
@@ -171,7 +173,7 @@ fn dots_ui(ui: &mut Ui, course: &Course, requests: &mut Requests, step: usize, c
     }
     let (rect, response) =
         ui.allocate_exact_size(vec2(room, ui.spacing().interact_size.y), Sense::click());
-    // Pointers alone take this way: Page up and Page down go the same.
+    // For pointers only: Page up and Page down do the same.
     aside(&response);
     let response = switch_named(response, Role::Label, false, &words).on_hover_text(&words);
     let left = rect.center().x - 0.5 * each * count as f32;
@@ -230,7 +232,7 @@ fn body_ui(
     }
     ui.add_space(6.0);
     if open.is_left() {
-        // Its controls and its question are about another scene than what is shown.
+        // The controls and the question are about another scene than the one displayed.
         open.draft.top = None;
         ui.add(Label::new(RichText::new(text!("course-left")).weak()).wrap());
         back_ui(ui, requests);
@@ -240,7 +242,7 @@ fn body_ui(
     if let Some(view) = open.staged.as_ref().and_then(|staged| staged.shown.view)
         && let Some(key) = ViewName::named(view)
     {
-        // Its message is called as the view is.
+        // The message is named after the view.
         let title = text!(&format!("view-{view}"));
         if ui.link(text!("course-numbers", view = title)).clicked() {
             window.show_view(key);
@@ -261,7 +263,7 @@ fn body_ui(
     }
 }
 
-/// The controls that the step names, and those of its question.
+/// Shows the controls that the step names, and those of its question.
 fn controls_ui(ui: &mut Ui, open: &Open, session: &mut Session) {
     let mut words: Vec<&str> = open
         .current()
@@ -288,7 +290,7 @@ fn controls_ui(ui: &mut Ui, open: &Open, session: &mut Session) {
     ui.add_space(4.0);
 }
 
-/// The way back to the lesson, from another scene that was opened meanwhile.
+/// Shows the button back to the lesson from another scene that was opened since.
 pub fn back_ui(ui: &mut Ui, requests: &mut Requests) {
     let back = ui.button(format!("‹ {}", text!("course-return")));
     let back = named(back, Role::Button, text!("course-return"));
@@ -297,7 +299,7 @@ pub fn back_ui(ui: &mut Ui, requests: &mut Requests) {
     }
 }
 
-/// The way back to the step's scene, where it was changed.
+/// Shows the link that restores the step's scene, if it was changed.
 fn again_ui(ui: &mut Ui, course: &Course, session: &Session, requests: &mut Requests) {
     let Some(open) = &course.open else { return };
     let Some(staged) = &open.staged else { return };

@@ -1,4 +1,4 @@
-//! The scene in view as the target of a match: a lesson with a level for each coefficient that is to be found.
+//! The current scene as the target of a match: a lesson with a level for each coefficient to be found.
 
 use crate::app::session::Session;
 use crate::app::session::document::{Document, Origin};
@@ -8,10 +8,10 @@ use crate::scene::{Scene, presets};
 use crate::text::text;
 use std::path::Path;
 
-/// The lesson's text.
+/// The beginning of the lesson's text.
 const HEAD: &str = include_str!("target/head.md");
 const LEVEL: &str = include_str!("target/level.md");
-/// The values that are to be found, one more at each level, and what they are at first.
+/// The parameters to be found, one more at each level, and their initial values.
 const SOUGHT: [(&str, f64); 4] = [
     ("material.kd", 0.5),
     ("material.ks", 0.5),
@@ -19,7 +19,7 @@ const SOUGHT: [(&str, f64); 4] = [
     ("material.ka", 0.3),
 ];
 
-/// Returns a match whose target is the scene in view, if that can be named.
+/// Creates a lesson that matches the current scene, if the scene can be named.
 pub fn as_target(session: &Session) -> Option<Lesson> {
     let built_in = |name| Some((name, presets::find(name)?.scene()));
     let (name, base) = match &session.document().origin {
@@ -32,7 +32,7 @@ pub fn as_target(session: &Session) -> Option<Lesson> {
     lesson_for(session.document(), name, &base)
 }
 
-/// Makes the lesson for a scene that is named and was opened as `base`.
+/// Creates the lesson for a scene that has a name and was opened as `base`.
 fn lesson_for(document: &Document, name: &str, base: &Scene) -> Option<Lesson> {
     let scene = &document.scene;
     let settings: Vec<String> = base
@@ -51,7 +51,7 @@ fn lesson_for(document: &Document, name: &str, base: &Scene) -> Option<Lesson> {
         let mut set = settings.clone();
         for ((key, first), right) in SOUGHT.iter().zip(&right) {
             let free = sought.iter().any(|(sought, _)| sought == key);
-            // Far enough from the right value to be seen.
+            // Visibly different from the right value.
             let first = if (first - right).abs() > 0.2 * right.abs() {
                 *first
             } else {
@@ -67,7 +67,8 @@ fn lesson_for(document: &Document, name: &str, base: &Scene) -> Option<Lesson> {
             .collect();
         let title = text!("course-target-level", level = level);
         let ask = text!("course-target-ask", count = level);
-        // Strings of Rust are strings of TOML here: nothing in them needs an escape that only one of them has.
+        // The strings' Rust notation is valid TOML here: nothing in them needs an escape that only one
+        // language has.
         let quoted = |strings: &dyn std::fmt::Debug| format!("{strings:?}");
         let level = LEVEL
             .replace("TITLE", &title)
@@ -79,7 +80,7 @@ fn lesson_for(document: &Document, name: &str, base: &Scene) -> Option<Lesson> {
             .replace("RIGHT", &quoted(&target));
         source.push_str(&level);
     }
-    // The path of a file is whole.
+    // The path of a file is already complete.
     Lesson::read(&source, Some(Path::new(""))).ok()
 }
 

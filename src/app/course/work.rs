@@ -1,4 +1,5 @@
-//! What a step needs of the engine, found in the background: its numbers, and the answer of its question.
+//! The results that a step needs from the engine, found in the background: its numbers, and the answer to its
+//! question.
 
 use crate::analysis::Watch;
 use crate::analysis::codec::Codec;
@@ -8,28 +9,28 @@ use crate::text::text;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 
-/// A step of a lesson.
+/// The task of preparing a step of a lesson.
 #[derive(Serialize, Deserialize)]
 pub struct Prepare {
-    /// Which opening of a lesson it belongs to.
+    /// The number of the lesson's opening.
     pub opening: u64,
     pub step: usize,
     pub seed: u64,
-    /// The lesson's file: it is read again, since only text travels.
+    /// The text of the lesson's file, which the worker reads again, since only text is sent to it.
     pub source: String,
     pub folder: Option<PathBuf>,
 }
 
-/// The texts of a step with their numbers, and the answer once it is known.
+/// The texts of a step with their numbers filled in, and the answer once it is known.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Prepared {
     pub text: String,
     pub ask: String,
     pub why: String,
-    /// Of options and items, or of the axes of a curve.
+    /// The texts of options and items, or of the axes of a curve.
     pub names: Vec<String>,
     pub solution: Option<Result<Solution, String>>,
-    /// Whether its numbers or its answer are taken at the probe.
+    /// True if the step's numbers or its answer are taken at the probe.
     pub at_probe: bool,
 }
 
@@ -73,7 +74,7 @@ impl Work for Prepare {
         let names = question.names().into_iter();
         prepared.names = names.map(fill).collect::<Result<_, _>>()?;
         prepared.at_probe = lab.probe_measured();
-        // The text can be read while the answer is sought.
+        // The student can read the text while the answer is computed.
         watch.found(&prepared);
         prepared.solution = Some(question.solve(place, self.seed));
         prepared.at_probe = lab.probe_measured();

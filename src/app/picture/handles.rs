@@ -1,8 +1,8 @@
-//! What can be dragged in the picture: the lights' handles and, by the tab that is open, the profile's line by its two ends and a
-//! ring by which the picture is turned.
+//! The handles in the picture: those of the lights, and, depending on the open tab, the two ends of the
+//! profile's line and a ring that turns the picture.
 //!
-//! The handles are shown while the pointer is over the picture. The lights' are described in [`light`]; the chosen light shows where
-//! it shines as well (see [`beam`]).
+//! The handles are shown while the pointer is over the picture. [`light`] describes those of the lights; for
+//! the chosen light, [`beam`] shows the direction too.
 
 mod beam;
 mod light;
@@ -25,14 +25,14 @@ use crate::scene::View;
 use eframe::egui::{Color32, Context, Painter, Pos2, Rect, Stroke, Vec2, vec2};
 use glam::DVec2;
 
-/// What the ring round the probe covers, points.
+/// The size of the area that the ring round the probe covers, in points.
 const PROBE: f32 = 16.0;
-/// Radius of the ring, in the picture's shorter side.
+/// The radius of the ring, as a fraction of the picture's shorter side.
 const RING: f32 = 0.46;
-/// Radius of the ring's knob, points.
+/// The radius of the ring's knob, in points.
 const KNOB: f32 = 7.0;
 
-/// Everything in the picture that the pointer can take hold of at a point, and where that is.
+/// Returns everything in the picture that the pointer can grab, with its position on the screen.
 pub fn grips(
     session: &Session,
     window: &WindowState,
@@ -70,7 +70,8 @@ pub fn grips(
     grips
 }
 
-/// What the lights' handles with their numbers and the captions of panes cover, in the picture's pixels.
+/// Returns the areas covered by the lights' handles with their numbers, by the probe and by the captions of
+/// panes, in the picture's pixels.
 pub fn covered(session: &Session, window: &WindowState, view: &View, place: Place) -> Vec<Area> {
     let mut covered = light::captions(session, place);
     if window.appearance.overlay.handles {
@@ -90,8 +91,8 @@ pub fn covered(session: &Session, window: &WindowState, view: &View, place: Plac
     covered.into_iter().map(pixels).collect()
 }
 
-/// Whether the handles of lights are shown: while the pointer is over the picture or holds something, and always where a finger
-/// is the pointer.
+/// Returns whether the handles of lights are shown: while the pointer is over the picture or drags something,
+/// and always on a touch screen.
 pub fn visible(ctx: &Context, window: &WindowState, place: Place) -> bool {
     let near = || {
         ctx.input(|input| {
@@ -102,7 +103,7 @@ pub fn visible(ctx: &Context, window: &WindowState, place: Place) -> bool {
     window.appearance.overlay.handles && (window.drag.is_some() || near())
 }
 
-/// Draws what is below the lights' handles: beams, outlines and stems, the profile's line, the ring.
+/// Draws everything below the lights' handles: beams, outlines and stems, the profile's line, the ring.
 pub fn paint_below(
     painter: &Painter,
     session: &Session,
@@ -135,9 +136,9 @@ fn ring(place: Place) -> f32 {
     RING * place.rect.width().min(place.rect.height())
 }
 
-/// The ring's knob: at the right without roll, counter-clockwise with it.
+/// Returns the position of the ring's knob: at the right without roll, counter-clockwise from there with it.
 fn knob(session: &Session, place: Place) -> Pos2 {
-    // Any number of turns is one of 360 degrees; single precision would not know where it ends.
+    // Reduced to one turn, since single precision would lose the angle of many turns.
     let angle = session
         .shown
         .scene
@@ -148,7 +149,8 @@ fn knob(session: &Session, place: Place) -> Pos2 {
     place.rect.center() + ring(place) * vec2(angle.cos(), -angle.sin())
 }
 
-/// Turns the picture by whole degrees until the knob points at `at`; what the probe stands on is taken along.
+/// Turns the picture by whole degrees until the knob points at `at`. The probe stays on the same point of the
+/// scene.
 pub fn turn_to(session: &mut Session, window: &mut WindowState, place: Place, at: Pos2) {
     let way = at - place.rect.center();
     if way.length() < 1.0 {
@@ -160,11 +162,11 @@ pub fn turn_to(session: &mut Session, window: &mut WindowState, place: Place, at
         .round();
     let turned = roll - session.shown.scene.camera.roll;
     session.shown.scene.camera.roll = roll;
-    // Pixels count downwards, so that counter-clockwise is clockwise to them.
+    // Pixel rows count downwards, so that a counter-clockwise turn has a negative angle.
     window.probe = ProbePoint(DVec2::from_angle(-turned.to_radians()).rotate(window.probe.0));
 }
 
-/// Draws the profile's line; and the ring.
+/// Draws the profile's line and the ring.
 fn paint_tabs(
     painter: &Painter,
     session: &Session,

@@ -1,20 +1,21 @@
-//! The camera moved by hand: round its target, along the picture, nearer and farther.
+//! The camera moved by hand: round its target, parallel to the picture, nearer and farther.
 
 use crate::app::session::document::Document;
 use crate::geometry::tessellate;
 use crate::scene::{Camera, Object, ObjectKind, Projection, Scene, View};
 use glam::{DQuat, DVec3};
 
-/// The viewing direction keeps this far from `up`, degrees, so that the picture never turns over.
+/// The minimum angle between the viewing direction and `up`, in degrees, so that the picture never turns
+/// over.
 const POLE: f64 = 0.5;
-/// The eye keeps within these distances of its target, world units.
+/// The distances of the eye from its target, in world units.
 const DISTANCES: std::ops::RangeInclusive<f64> = 1e-3..=1e6;
 
-/// Turns the eye about the target: `right` and `up` are degrees that the eye travels to the right and upwards.
+/// Turns the eye about the target by `right` degrees to the right and `up` degrees upwards.
 pub fn orbit(camera: &mut Camera, right: f64, up: f64) {
     let offset = camera.eye - camera.target;
     let pole = camera.up.normalize_or(DVec3::Y);
-    // The picture may be turned about its middle; the eye still goes round the upright axis.
+    // The picture may be rolled about its centre; the eye still moves round the upright axis.
     let View {
         right: sideways, ..
     } = View::new(
@@ -34,7 +35,8 @@ pub fn orbit(camera: &mut Camera, right: f64, up: f64) {
     }
 }
 
-/// Moves eye and target together: `right` and `up` in what the picture spans at the target's distance.
+/// Moves eye and target together by `right` and `up`, as fractions of the picture's span at the target's
+/// distance.
 pub fn pan(camera: &mut Camera, right: f64, up: f64) {
     let view = View::new(camera, [1, 1]);
     let seen = view.world_per_pixel(camera.eye.distance(camera.target));
@@ -45,7 +47,7 @@ pub fn pan(camera: &mut Camera, right: f64, up: f64) {
     }
 }
 
-/// Multiplies the eye's distance from the target, or the height that an orthographic picture spans.
+/// Multiplies the eye's distance from the target, or the height spanned by an orthographic picture.
 pub fn zoom(camera: &mut Camera, factor: f64) {
     match camera.projection {
         Projection::Orthographic => camera.height = (camera.height * factor).clamp(1e-6, 1e6),
@@ -61,11 +63,12 @@ pub fn zoom(camera: &mut Camera, factor: f64) {
     }
 }
 
-/// The divisions of a shape whose extent is looked for.
+/// The maximum divisions of a shape when its extent is computed.
 const COARSE: u32 = 32;
 
-/// Puts the camera of `document` back to where the scene was opened, with the projection and the viewer that it has now. An
-/// object that has changed since then is shown whole in a picture of `size` pixels.
+/// Resets the camera of `document` to that of the opened scene, except for the current projection and viewer.
+/// If the object or the projection has changed since then, fits the whole object into a picture of `size`
+/// pixels.
 pub fn reset(document: &mut Document, opened: &Scene, size: [u32; 2]) {
     let Camera {
         projection, viewer, ..
@@ -86,7 +89,7 @@ pub fn reset(document: &mut Document, opened: &Scene, size: [u32; 2]) {
     };
 }
 
-/// The centre and the radius of a ball about the object.
+/// Returns the centre and the radius of a ball about the object.
 pub fn ball(document: &Document) -> (DVec3, f64) {
     let object = &document.scene.object;
     match &document.model {

@@ -1,4 +1,4 @@
-//! Panes in the window: where they are on the screen, and their captions, by which they are moved and chosen.
+//! Panes in the window: their positions on the screen, and their captions, which move and choose them.
 
 use super::handles;
 use crate::analysis::comparison::{PaneFigures, caption, error_line, pane_areas};
@@ -23,34 +23,36 @@ use eframe::egui::{
 use glam::DVec2;
 use std::sync::Arc;
 
-/// Points between a caption and the edge of its pane.
+/// The distance between a caption and the edge of its pane, in points.
 const MARGIN: f32 = 10.0;
-/// A pane less high than this has no room for figures over its picture, points.
+/// The minimum height of a pane with figures over its picture, in points.
 const LEAST_CAPTIONED: f32 = 150.0;
-/// Least width of a picture in which figures stand beside the scale of a difference, points.
+/// The minimum width of a picture in which figures are beside the scale of a difference, in points.
 const LEAST_BESIDE: f32 = 600.0;
-/// Radius of the wipe's handle, points.
+/// The radius of the wipe's handle, in points.
 const KNOB: f32 = 9.0;
-/// Points about a handle that captions leave free.
+/// The margin around a handle that captions leave free, in points.
 const CLEAR: f32 = 16.0;
-/// Points between a caption's letters and the edge of its ground, and how dark that is.
+/// The distance between a caption's text and the edge of its background, in points; [`GROUND`] is the
+/// background's opacity.
 const PADDING: Vec2 = vec2(6.0, 3.0);
 const GROUND: u8 = 170;
-/// How much smaller the type of a caption may be where its pane is narrow, and lines of a name.
+/// The minimum scale of a caption's type in a narrow pane; [`NAME_LINES`] is the maximum number of lines of a
+/// name.
 const LEAST_TYPE: f32 = 0.7;
 const NAME_LINES: usize = 3;
 
-/// A pane and where its picture is shown. In a wipe or a difference two panes share one place.
+/// A pane with the place of its picture. In a wipe or a difference, two panes share one place.
 #[derive(Clone, Copy, Debug)]
 pub struct PanePlace {
     /// The pane's number.
     pub pane: usize,
     pub place: Place,
-    /// What of it is seen.
+    /// The visible part of the pane.
     pub seen: Rect,
 }
 
-/// The panes that are shown in the room of `whole`.
+/// Returns the panes displayed within `whole`.
 pub fn places(session: &Session, whole: Place) -> Vec<PanePlace> {
     let scene = &session.document().scene;
     let shown = scene.shown_panes();
@@ -88,13 +90,13 @@ pub fn places(session: &Session, whole: Place) -> Vec<PanePlace> {
     panes
 }
 
-/// Where the line of a wipe is on the screen.
+/// Returns the horizontal position of a wipe's line on the screen.
 pub fn wipe_line(session: &Session, whole: Place) -> f32 {
     let column = (session.document().scene.compare.wipe * f64::from(whole.size[0])).round() as f32;
     whole.rect.min.x + column / whole.pixels_per_point
 }
 
-/// The pane at a point of the screen: the active one where several are, or where it is nearest.
+/// Returns the pane at a point of the screen; if several panes share it, the active one.
 pub fn pane_at(panes: &[PanePlace], active: usize, point: Pos2) -> Option<PanePlace> {
     let hit = |pane: &&PanePlace| pane.seen.contains(point);
     panes
@@ -105,18 +107,19 @@ pub fn pane_at(panes: &[PanePlace], active: usize, point: Pos2) -> Option<PanePl
         .copied()
 }
 
-/// Whether what lies over a pane's picture is drawn: that of one pane only where several share a place.
+/// Returns whether the overlays of a pane's picture are drawn: of panes that share a place, only those of the
+/// active one.
 pub fn is_overlaid(session: &Session, pane: usize) -> bool {
     session.document().scene.compare.view == CompareView::Panes || pane == session.panes.active
 }
 
-/// Whether a point is on the line of a wipe, within `reach`.
+/// Returns whether a point is on the line of a wipe, within `reach`.
 pub fn on_wipe(session: &Session, panes: &[PanePlace], point: Pos2, reach: f32) -> bool {
     let between = |pair: &[PanePlace]| (pair[0].seen.max.x - point.x).abs() <= reach;
     session.document().scene.compare.view == CompareView::Wipe && panes.windows(2).any(between)
 }
 
-/// The captions of panes that are compared, and what else stands over them.
+/// Shows the captions of compared panes, and the marks drawn with them.
 pub fn captions_ui(
     ui: &Ui,
     session: &Session,
@@ -161,7 +164,7 @@ pub fn captions_ui(
                     &one.name,
                     (room, Align2::LEFT_TOP),
                 );
-                // A small pane shows its picture; the figures stand in the view beside it.
+                // A small pane shows its picture; the figures are in the view beside it.
                 if room.height() < LEAST_CAPTIONED || hidden {
                     continue;
                 }
@@ -205,7 +208,7 @@ pub fn captions_ui(
             let line = error_line(&error);
             let parts: Vec<String> = line.split("   ").map(str::to_owned).collect();
             if rect.width() < LEAST_BESIDE {
-                // The scale takes the bottom.
+                // The scale occupies the bottom.
                 let galley = fitting(&painter, &parts, &font, width);
                 let at = name.left_bottom() + vec2(0.0, 4.0);
                 let below = Rect::from_min_size(at, galley.size() + 2.0 * PADDING);
@@ -222,7 +225,7 @@ pub fn captions_ui(
                 );
             }
             if let Some([x, y]) = error.at {
-                // A small square round the greatest difference.
+                // A small square round the maximum difference.
                 let centre = whole.point(DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5));
                 let square = Rect::from_center_size(centre, vec2(16.0, 16.0));
                 for stroke in [
@@ -250,7 +253,7 @@ fn halves(ui: &Ui, session: &Session, pane: &PanePlace, captioned: bool, font: &
     ] {
         let x = place.center().x + way * place.width();
         let at = pos2(x, place.min.y + MARGIN + top);
-        // Word below word where they are wider than their half.
+        // A text wider than its half has one word per line.
         let line = painter.layout_no_wrap(text.to_owned(), font.clone(), Color32::WHITE);
         let text = if line.size().x > 0.5 * place.width() - MARGIN {
             text.replace(' ', "\n")
@@ -275,8 +278,8 @@ fn halves(ui: &Ui, session: &Session, pane: &PanePlace, captioned: bool, font: &
     }
 }
 
-/// A name with the sign of a menu. Where it is too wide, the sign goes, the type gets smaller, and it takes another line, so
-/// that what tells the panes apart can be read.
+/// Lays out a name with the sign of a menu. A name too wide loses the sign, gets smaller type, and wraps, so
+/// that the part that distinguishes the panes can be read.
 fn name_galley(ui: &Ui, name: &str, room: f32) -> Arc<Galley> {
     let font = TextStyle::Body.resolve(ui.style());
     let lay = |text: String, font: FontId| ui.painter().layout_no_wrap(text, font, Color32::WHITE);
@@ -291,7 +294,7 @@ fn name_galley(ui: &Ui, name: &str, room: f32) -> Arc<Galley> {
     ui.painter().layout_job(job)
 }
 
-/// The same type in the share of its size that fits, within what can be read.
+/// Returns the font scaled by `share`, but not below the readable minimum.
 fn smaller(font: &FontId, share: f32) -> FontId {
     FontId {
         size: font.size * share.clamp(LEAST_TYPE, 1.0),
@@ -299,7 +302,8 @@ fn smaller(font: &FontId, share: f32) -> FontId {
     }
 }
 
-/// A pane's name, by which it is dragged to the place of another; a click opens its menu. Returns where it stands.
+/// Shows a pane's name; a drag moves the pane to the place of another, and a click opens its menu. Returns
+/// the name's rectangle.
 fn name_ui(
     ui: &Ui,
     session: &Session,
@@ -353,7 +357,8 @@ fn name_ui(
     rect
 }
 
-/// Parts of a caption in one line, or where the room is too narrow in a line each, and in smaller type if need be.
+/// Lays out the parts of a caption on one line, or, if that is too wide, on a line each, in smaller type if
+/// necessary.
 fn fitting(painter: &Painter, parts: &[String], font: &FontId, room: f32) -> Arc<Galley> {
     let lay = |text: String, font: FontId| painter.layout_no_wrap(text, font, Color32::WHITE);
     let line = lay(parts.join("   "), font.clone());
@@ -368,7 +373,8 @@ fn fitting(painter: &Painter, parts: &[String], font: &FontId, room: f32) -> Arc
     painter.layout(parts.join("\n"), font, Color32::WHITE, room.max(1.0))
 }
 
-/// The caption of a pane; where it is too wide even in small type, without the reference's value, which stands in its pane.
+/// Returns the caption of a pane. If it is too wide even in small type, leaves out the reference's value,
+/// which the reference's own pane shows.
 fn caption_in(
     painter: &Painter,
     one: &PaneFigures,
@@ -385,13 +391,13 @@ fn caption_in(
     whole
 }
 
-/// Letters on a dark ground, which keeps them readable on any picture.
+/// Draws text on a dark background, which keeps it readable on any picture.
 fn plate(painter: &Painter, galley: Arc<Galley>, rect: Rect) {
     painter.rect_filled(rect, 4.0, Color32::from_black_alpha(GROUND));
     painter.galley(rect.min + PADDING, galley, Color32::WHITE);
 }
 
-/// Writes what is measured of a pane into one of the corners or below its name, whichever no handle stands in.
+/// Writes a pane's measurements into a corner or below its name, wherever there is no handle.
 fn measured(
     painter: &Painter,
     grips: &[(Grip, Pos2)],
@@ -420,7 +426,7 @@ fn measured(
     plate(painter, galley, align.align_size_within_rect(size, room));
 }
 
-/// The line of a wipe with its handle.
+/// Draws the line of a wipe with its handle.
 fn wipe(painter: &Painter, x: f32, whole: Place, held: bool) {
     let ends = [pos2(x, whole.rect.min.y), pos2(x, whole.rect.max.y)];
     painter.line_segment(ends, Stroke::new(4.0, Color32::from_black_alpha(150)));

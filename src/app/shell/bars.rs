@@ -1,5 +1,5 @@
-//! The bars: on top menus and the shading modes side by side; at the bottom which stages the last change ran, what they cost, and
-//! what was left out.
+//! The bars. The top one has the menus and the shading modes side by side; the bottom one shows which stages
+//! the last change ran, their cost, and the number of steps skipped.
 
 use super::commands::{MENUS, SECTIONS};
 use super::equation;
@@ -27,10 +27,10 @@ use eframe::egui::{
     Align, Button, ComboBox, Label, Layout, MenuBar, RichText, Sense, TextWrapMode, Ui, vec2,
 };
 
-/// Below this width the menus fold into one, and the modes into a list.
+/// The window width below which the menus fold into one, and the modes into a list, in points.
 const NARROW: f32 = 860.0;
 
-/// Menus at the left, modes in the middle; the scene's title too where the window is `low`.
+/// Shows menus at the left, modes beside them, and in a `low` window the scene's title too.
 pub fn menus_ui(
     ui: &mut Ui,
     session: &Session,
@@ -83,7 +83,7 @@ fn each_menu_ui(ui: &mut Ui, session: &Session, window: &mut WindowState, reques
     }
 }
 
-/// The items of a menu.
+/// Shows the items of a menu.
 fn menu_ui(
     ui: &mut Ui,
     session: &Session,
@@ -137,7 +137,7 @@ fn menu_ui(
     });
 }
 
-/// The equation, and a switch for each of its terms.
+/// Shows the equation, and a switch for each of its terms.
 pub fn equation_ui(ui: &mut Ui, session: &mut Session, window: &mut WindowState) {
     ui.add_space(4.0);
     let wide = ui.available_width() > 640.0;
@@ -158,7 +158,8 @@ pub fn equation_ui(ui: &mut Ui, session: &mut Session, window: &mut WindowState)
     ui.add_space(3.0);
 }
 
-/// The scene's title and sentence; the scenes before and after it, and all of them.
+/// Shows the scene's title and sentence, with buttons for the previous scene, the next one, and the list of
+/// all.
 pub fn title_ui(
     ui: &mut Ui,
     session: &Session,
@@ -184,7 +185,7 @@ pub fn title_ui(
     ui.add_space(2.0);
 }
 
-/// From the right to the left: all scenes, the next one, the one before.
+/// Shows the buttons of the scenes, from right to left: all scenes, the next one, the previous one.
 fn scene_buttons_ui(ui: &mut Ui, window: &WindowState, course: &Course, requests: &mut Requests) {
     let all = if ui.available_width() < 480.0 {
         "▦".to_owned()
@@ -207,13 +208,13 @@ fn scene_buttons_ui(ui: &mut Ui, window: &WindowState, course: &Course, requests
             requests.ask(Action::NextScene(step));
         }
     }
-    // The course's own view has it too.
+    // The course's own view has this button too.
     if course.has_left_lesson() && !window.shows(ViewName::Course) {
         back_ui(ui, requests);
     }
 }
 
-/// The files opened or saved last.
+/// Shows the most recently opened or saved files.
 fn recent_ui(ui: &mut Ui, window: &mut WindowState, requests: &mut Requests) {
     for path in window.appearance.recent.clone() {
         let name = path.file_name().unwrap_or(path.as_os_str());
@@ -230,7 +231,7 @@ fn recent_ui(ui: &mut Ui, window: &mut WindowState, requests: &mut Requests) {
     }
 }
 
-/// The shading modes, a button each.
+/// Shows the shading modes, one button each.
 fn modes_ui(ui: &mut Ui, session: &Session, requests: &mut Requests) {
     let present = session.shown.scene.shading.mode;
     for (index, mode) in ShadingMode::VALUES.iter().enumerate() {
@@ -242,7 +243,7 @@ fn modes_ui(ui: &mut Ui, session: &Session, requests: &mut Requests) {
     }
 }
 
-/// The shading modes as a list, named as large as the room allows.
+/// Shows the shading modes as a list.
 fn mode_list_ui(ui: &mut Ui, session: &Session, requests: &mut Requests) {
     let present = session.shown.scene.shading.mode;
     let list = ComboBox::from_id_salt("modes")
@@ -265,7 +266,7 @@ fn shade(requests: &mut Requests, mode: ShadingMode) {
     });
 }
 
-/// The bar of stages.
+/// Shows the bar of stages.
 pub fn stages_ui(
     ui: &mut Ui,
     session: &mut Session,
@@ -275,7 +276,8 @@ pub fn stages_ui(
 ) {
     ui.add_space(2.0);
     if course.hides() {
-        // As high as with numbers, so that the picture keeps its size. Other views say it themselves.
+        // As high as with numbers, so that the picture keeps its size. Other views say themselves that
+        // numbers are hidden.
         ui.horizontal(|ui| {
             if window.shows(ViewName::Course) {
                 ui.label(RichText::new(text!("course-hidden")).weak());
@@ -300,7 +302,7 @@ pub fn stages_ui(
             let text = text!("coarser", share = engine.coarser());
             ui.label(text).on_hover_text(text!("coarser-tip"));
         }
-        // A notice takes the room of the counts; so does a narrow window.
+        // A notice leaves no space for the counts; nor does a narrow window.
         let room = if session.said().is_none() {
             ui.available_width()
         } else {

@@ -1,5 +1,5 @@
-//! The scene in other programs' words, to read, to copy and to save: calls of OpenGL, shaders, or a whole program in C. The text
-//! is written in the background, and again when the scene has become another.
+//! The scene as source code, to read, to copy and to save: calls of OpenGL, shaders, or a whole program in C.
+//! The text is written in the background, and again whenever the scene changes.
 
 use super::dialog::{CodeForm, Dialog, Language};
 use crate::analysis::Watch;
@@ -23,27 +23,27 @@ use eframe::egui::{
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Lines that are shown of a program: its polygons, which fill the rest, are not for reading.
+/// The maximum number of lines displayed of a program: the rest consists of polygons, which nobody reads.
 const PROGRAM_LINES: usize = 200;
-/// Lines that are shown of other texts; only a scene of hundreds of lights has more.
+/// The maximum number of lines displayed of other texts; only a scene with hundreds of lights has more.
 const TEXT_LINES: usize = 2000;
-/// The languages, what their tabs are called, and what they are.
+/// The languages, with the names and the tips of their tabs.
 const LANGUAGES: [(Language, &str, &str); 3] = [
     (Language::Calls, "code-calls", "code-calls-tip"),
     (Language::Shaders, "code-shaders", "code-shaders-tip"),
     (Language::Program, "code-program", "code-program-tip"),
 ];
-/// Width of the dialog in a window that has room for it, points: a line of 100 characters.
+/// The maximum width of the dialog, in points: a line of 100 characters.
 const WIDTH: f32 = 920.0;
-/// Height of the dialog's contents above its buttons in a window that has room for them, points.
+/// The maximum height of the dialog's contents above its buttons, in points.
 const HEIGHT: f32 = 620.0;
-/// Height that the dialog's buttons, margins and distance from the window's edges take, points.
+/// The height taken by the dialog's buttons, its margins and its distance from the window's edges, in points.
 const AROUND: f32 = 180.0;
-/// The text has at least this height, points.
+/// The minimum height of the text, in points.
 const LEAST_TEXT: f32 = 96.0;
-/// Round the text, points.
+/// The margin around the text, in points.
 const MARGIN: f32 = 8.0;
-/// Height that the list of limits may have, points; a longer one is scrolled.
+/// The maximum height of the list of limits, in points; a longer one scrolls.
 const LIMITS: f32 = 92.0;
 
 fn write(language: Language, scene: &Scene, model: Option<&Arc<Mesh>>) -> Result<Export, String> {
@@ -59,15 +59,15 @@ fn write(language: Language, scene: &Scene, model: Option<&Arc<Mesh>>) -> Result
     }
 }
 
-/// A text, and what is shown of it.
+/// An exported text, with the excerpts on display.
 pub struct Written {
     pub export: Export,
-    /// Of each part of the export.
+    /// The excerpt of each part of the export.
     pub shown: Vec<Shown>,
 }
 
 impl Written {
-    /// The files that are written for `target`.
+    /// Returns the files that are written for `target`.
     fn paths(&self, target: &Path) -> Vec<PathBuf> {
         self.export
             .parts
@@ -89,9 +89,9 @@ impl Written {
 #[derive(Debug, PartialEq, Eq)]
 pub struct Shown {
     pub text: String,
-    /// Lines of `text`.
+    /// The number of lines in `text`.
     pub lines: usize,
-    /// Lines that follow.
+    /// The number of lines that follow.
     pub hidden: usize,
 }
 
@@ -135,10 +135,10 @@ impl Work for Request<Language> {
 
 type Answer = Result<Arc<Written>, String>;
 
-/// Writes one text at a time.
+/// The background task that writes one text at a time.
 pub type Writer = Background<Request<Language>>;
 
-/// The text of `document`, or why there is none; nothing as long as it is being written.
+/// Returns the text of `document`, or the reason why there is none; `None` while it is being written.
 fn ask<'a>(
     writer: &'a mut Writer,
     ctx: &Context,
@@ -155,18 +155,18 @@ fn ask<'a>(
     writer.known()
 }
 
-/// The width of the dialog, points.
+/// Returns the width of the dialog, in points.
 pub fn width(ui: &Ui) -> f32 {
     (ui.ctx().content_rect().width() - 64.0).clamp(0.0, WIDTH)
 }
 
-/// What the form asks to be written, and where.
+/// Returns the target path of the form, and the text to be written there.
 fn asked<'a>(window: &'a WindowState, form: &CodeForm) -> Option<(PathBuf, &'a Written)> {
     let written = window.own.get().and_then(Writer::answer)?;
     Some((PathBuf::from(form.path.as_ref()?.trim()), written))
 }
 
-/// Writes the files that the form asks for; returns the dialog, which stays open and says what has become of it.
+/// Writes the files that the form requests. Returns the dialog, which stays open and reports the result.
 pub fn save(window: &WindowState, mut form: CodeForm) -> Dialog {
     if let Some((target, written)) = asked(window, &form) {
         form.message = Some(match save_code(&target, &written.export) {
@@ -180,12 +180,12 @@ pub fn save(window: &WindowState, mut form: CodeForm) -> Dialog {
     Dialog::Code(form)
 }
 
-/// The files that the form asks for.
+/// Returns the files that the form requests.
 pub fn targets(window: &WindowState, form: &CodeForm) -> Vec<PathBuf> {
     asked(window, form).map_or(vec![], |(target, written)| written.paths(&target))
 }
 
-/// What the dialog shows.
+/// Shows the contents of the dialog.
 pub fn code_ui(
     ui: &mut Ui,
     form: &mut CodeForm,
@@ -217,7 +217,7 @@ pub fn code_ui(
             form.part = form.part.min(written.shown.len().saturating_sub(1));
             limits_ui(ui, &written.export.limits);
             if let Some(shown) = written.shown.get(form.part) {
-                // The parts to choose from, and how much of the text is seen.
+                // The choice of parts, and the number of lines displayed.
                 ui.horizontal(|ui| {
                     for (index, part) in written
                         .export
@@ -244,7 +244,7 @@ pub fn code_ui(
             }
         }
     }
-    // The tabs and the buttons stay where they are, whatever text there is.
+    // The tabs and the buttons stay in place, whatever the text.
     ui.add_space((bottom - ui.cursor().top()).max(0.0) + 8.0);
     let ready = answer.and_then(|answer| answer.as_deref().ok());
     if let Some(message) = &form.message {
@@ -273,7 +273,7 @@ pub fn code_ui(
     )
 }
 
-/// What the target cannot say, as plainly as the text itself.
+/// Shows the features of the scene that the target cannot express, as prominently as the text itself.
 fn limits_ui(ui: &mut Ui, limits: &[Limit]) {
     if limits.is_empty() {
         ui.label(RichText::new(text!("code-complete")).weak());
@@ -294,7 +294,7 @@ fn limits_ui(ui: &mut Ui, limits: &[Limit]) {
         });
 }
 
-/// The text: scrolled, not wrapped, to be selected but not changed.
+/// Shows the text: scrolled, not wrapped, selectable but read-only.
 fn text_ui(ui: &mut Ui, form: &CodeForm, text: &str, height: f32) {
     let (font, colour) = (
         TextStyle::Monospace.resolve(ui.style()),
@@ -347,7 +347,7 @@ fn actions_ui(
             if save.clicked() {
                 form.path = Some(document.suggested(part.ending));
                 form.message = None;
-                // A page downloads it at once.
+                // A web page downloads it at once.
                 if system::PAGE {
                     choice = Choice::Accept;
                 }

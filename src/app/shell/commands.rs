@@ -1,4 +1,5 @@
-//! The commands of the window: one table that the keys, the menus and Help read, and what each does to the state.
+//! The commands of the window: one table read by the keys, the menus and Help, and the effect of each command
+//! on the state.
 
 use crate::analysis::scan::ScanLevel;
 use crate::app::course::Course;
@@ -18,43 +19,43 @@ use crate::text;
 use eframe::egui::{Context, Event, Key, Modifiers};
 use std::sync::LazyLock;
 
-/// The sections that are menus, in the order of the bar; "compare" is a menu inside "view".
+/// The sections that are menus, in the order of the bar; "compare" is a submenu of "view".
 pub const MENUS: [&str; 5] = ["file", "edit", "view", "scene", "help"];
 
-/// Commands that belong together: a menu, or a part of Help, or both.
+/// A group of commands: a menu, a part of Help, or both.
 pub struct Section {
-    /// Its name in the catalogue, `controls-group-KEY`.
+    /// The name in the catalogue, `controls-group-KEY`.
     pub key: &'static str,
     pub commands: Vec<Command>,
 }
 
-/// A command, or several that are alike.
+/// A command, or several similar ones.
 #[derive(Default)]
 pub struct Command {
-    /// Its name in the catalogue, `controls-command-KEY`: what its menu calls it, and as `.does` what Help says. Empty for a
-    /// line between the items of a menu, and for other keys of a command.
+    /// The name in the catalogue, `controls-command-KEY`: the text in the menu, and with `.does` the text in
+    /// Help. Empty for a line between the items of a menu, and for further keys of a command.
     key: &'static str,
-    /// What is held, then each key, separated by spaces.
+    /// The modifiers, then each key, separated by spaces.
     keys: &'static str,
-    /// Whether it is an item of its menu.
+    /// True for an item of the menu.
     pub in_menu: bool,
-    /// What each key asks for; none for gestures. A menu asks for the first.
+    /// The action of each key; none for gestures. The menu uses the first.
     pub actions: Vec<Action>,
 }
 
 impl Command {
-    /// As it is called in its menu.
+    /// Returns the text in the menu.
     pub fn name(&self) -> &'static str {
         text!(&format!("controls-command-{}", self.key))
     }
 
-    /// As explained in Help; none where it does not stand there.
+    /// Returns the text in Help, if the command appears there.
     pub fn does(&self) -> Option<&'static str> {
         let stands = !self.key.is_empty() && (self.actions.is_empty() || !self.keys.is_empty());
         stands.then(|| text!(&format!("controls-command-{}.does", self.key)))
     }
 
-    /// The keys, or the gesture, as shown in Help and in the menus.
+    /// Returns the keys, or the gesture, as Help and the menus show them.
     pub fn keys(&self) -> &'static str {
         if self.keys.is_empty() && self.actions.is_empty() {
             text!(&format!("controls-command-{}.gesture", self.key))
@@ -63,12 +64,12 @@ impl Command {
         }
     }
 
-    /// Whether it is a line between the items of a menu.
+    /// Returns whether this is a line between the items of a menu.
     pub fn is_line(&self) -> bool {
         self.key.is_empty() && self.actions.is_empty()
     }
 
-    /// The keys, with what each asks for.
+    /// Returns the keys with their actions.
     fn bindings(&self) -> impl Iterator<Item = (Modifiers, Key, &Action)> {
         let (command, keys) = held("Ctrl + ", self.keys);
         let (shift, keys) = held("Shift + ", keys);
@@ -84,7 +85,7 @@ impl Command {
     }
 }
 
-/// Whether a key is held, and what follows.
+/// Returns whether the keys begin with the modifier `name`, and the rest of them.
 fn held(name: &str, keys: &'static str) -> (bool, &'static str) {
     keys.strip_prefix(name)
         .map_or((false, keys), |rest| (true, rest))
@@ -108,7 +109,7 @@ impl Section {
         }
     }
 
-    /// As the menu and Help call it.
+    /// Returns the title in the menu and in Help.
     pub fn title(&self) -> &'static str {
         text!(&format!("controls-group-{}", self.key))
     }
@@ -118,7 +119,7 @@ impl Section {
         self
     }
 
-    /// An item of the menu; without keys it does not stand in Help.
+    /// Adds an item of the menu; without keys it does not appear in Help.
     fn item(self, key: &'static str, keys: &'static str, action: Action) -> Self {
         self.with(Command {
             key,
@@ -128,7 +129,7 @@ impl Section {
         })
     }
 
-    /// Keys that stand in Help alone.
+    /// Adds keys that appear only in Help.
     fn keys(
         self,
         key: &'static str,
@@ -143,33 +144,33 @@ impl Section {
         })
     }
 
-    /// A gesture.
+    /// Adds a gesture.
     fn gesture(self, key: &'static str) -> Self {
         self.keys(key, "", [])
     }
 
-    /// A line between the items of a menu.
+    /// Adds a line between the items of a menu.
     fn line(self) -> Self {
         self.with(Command::default())
     }
 }
 
-/// Degrees that a press of a key turns the camera.
+/// The degrees that one key press turns the camera.
 const TURN: f64 = 5.0;
-/// Heights of the picture that a press of a key shifts the camera.
+/// The distance that one key press shifts the camera, in heights of the picture.
 const SHIFTED: f64 = 0.05;
-/// What a press of a key multiplies the distance by.
+/// The factor by which one key press multiplies the distance.
 const NEARER: f64 = 0.9;
-/// Left, right, up and down, in pixels; ten of them with the shift key held.
+/// The steps of the arrow keys left, right, up and down, in pixels; ten times as long with the shift key.
 const ARROWS: [[i32; 2]; 4] = [[-1, 0], [1, 0], [0, -1], [0, 1]];
-/// Left, right, up and down of the camera.
+/// The directions of the camera: left, right, up and down.
 const WAYS: [[f64; 2]; 4] = [[-1.0, 0.0], [1.0, 0.0], [0.0, 1.0], [0.0, -1.0]];
 
 fn walk(level: ScanLevel) -> [Action; 2] {
     [Walk::Back(level), Walk::Forward(level)].map(Action::Scan)
 }
 
-/// Every command. Sections that are menus have them in the order of their items.
+/// All commands. In a section that is a menu, they are in the order of its items.
 pub static SECTIONS: LazyLock<Vec<Section>> = LazyLock::new(|| {
     vec![
         file(),
@@ -197,7 +198,7 @@ fn file() -> Section {
         .item("set-target", "", Action::SetTarget)
         .line()
         .item("copy-link", "Ctrl + Shift + L", Action::CopyLink);
-    // A page knows where it is, and is closed by its browser.
+    // A web page has an address of its own, and the browser closes it.
     if system::PAGE {
         return section;
     }
@@ -359,7 +360,7 @@ fn help() -> Section {
         .item("about", "", Action::About)
 }
 
-/// The next view of the rail; the curves where the panel is closed.
+/// Shows the next view of the rail, or the curves if the panel is closed.
 fn next_view(appearance: &mut Appearance) {
     appearance.view = if appearance.views {
         after(appearance.view)
@@ -369,9 +370,9 @@ fn next_view(appearance: &mut Appearance) {
     appearance.views = true;
 }
 
-/// Turns the keys pressed in this frame into actions. What has the focus keeps its keys, digits as well, unless it is the
-/// picture: they may be meant for a field. Function keys and those with Ctrl are always the window's, but for those that
-/// fields know too.
+/// Turns the keys pressed in this frame into actions. A focused widget other than the picture keeps its keys,
+/// including digits: they may be meant for a field. Function keys and those with Ctrl always belong to the
+/// window, except for those that fields use too.
 pub fn listen(ctx: &Context, window: &WindowState, course: &Course, requests: &mut Requests) {
     let free = ctx.memory(|memory| {
         memory
@@ -384,7 +385,7 @@ pub fn listen(ctx: &Context, window: &WindowState, course: &Course, requests: &m
     ctx.input_mut(|input| {
         input.events.retain(|event| {
             let action = match event {
-                // The window's back end turns Ctrl + C into this.
+                // The window's back end turns Ctrl + C into this event.
                 Event::Copy if !editing => Some(Action::CopyPicture),
                 Event::Paste(text) if !editing && is_link(text) => {
                     Some(Action::OpenLink(text.clone()))
@@ -398,7 +399,7 @@ pub fn listen(ctx: &Context, window: &WindowState, course: &Course, requests: &m
                     && modifiers.is_none()
                     && matches!(key, Key::PageUp | Key::PageDown) =>
                 {
-                    // A presenter's remote, from anywhere in the window.
+                    // Keys of a presenter's remote, which work anywhere in the window.
                     let by = if *key == Key::PageDown { 1 } else { -1 };
                     Some(Action::Course(Turn::Step(by)))
                 }
@@ -447,11 +448,12 @@ fn allowed(key: Key, modifiers: Modifiers, free: bool, editing: bool) -> bool {
 }
 
 impl AppState {
-    /// Does what concerns the state alone; returns what needs the window, files or the clipboard.
+    /// Performs the actions that concern the state alone, and returns those that need the window, files or
+    /// the clipboard.
     ///
     /// `size` is the picture's, in pixels.
     pub fn perform(&mut self, action: Action, size: [u32; 2]) -> Option<Action> {
-        // A place that is to be marked must not move away.
+        // A point that is to be marked must not move away.
         let moves = matches!(
             action,
             Action::ResetCamera | Action::Orbit(_) | Action::Pan(_) | Action::Zoom(_)
@@ -530,7 +532,7 @@ impl AppState {
         None
     }
 
-    /// Adds a light like this one where it is seen and no other is.
+    /// Adds a light like `light` at a visible position away from the other lights.
     fn add_light(&mut self, light: Light, size: [u32; 2]) {
         let scene = &mut self.session.shown.scene;
         if scene.lights.len() >= Scene::MAX_LIGHTS {

@@ -1,4 +1,4 @@
-//! What is asked or told in front of everything else.
+//! The dialogs: questions and messages in front of everything else.
 
 use super::film::FilmForm;
 use crate::analysis::Format;
@@ -7,46 +7,46 @@ use crate::figure::QrCode;
 use crate::text::text;
 use std::path::Path;
 
-/// A dialog.
+/// A dialog of the window.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Dialog {
     Message {
         title: String,
         text: String,
     },
-    /// Asks for a file, and what is to be done with it.
+    /// A question for a file, with the task to be done with it.
     File {
         task: FileTask,
         path: String,
     },
     Code(CodeForm),
-    /// Whether to replace files that exist, before what another dialog asks for is done.
+    /// The question whether to replace existing files, asked before `then` is accepted.
     Replace {
         names: String,
         then: Box<Self>,
     },
-    /// Whether to save before the window closes.
+    /// The question whether to save before the window closes.
     Unsaved,
-    /// Whether to restore unsaved work that was left behind.
+    /// The question whether to restore unsaved work from an earlier run.
     Restore {
         name: String,
     },
-    /// Asks for the address of the page that links begin with.
+    /// The question for the address of the page that links begin with.
     Page(PageForm),
-    /// The link of what is seen, over the whole window.
+    /// The link to the current view as a QR code, over the whole window.
     LinkCode(LinkCode),
     Scenes,
     Keys,
     About,
 }
 
-/// The address of the page that links begin with, as it is typed.
+/// The form for the address of the page that links begin with.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PageForm {
     pub address: String,
-    /// What is wrong with it.
+    /// The error in the address.
     pub wrong: Option<String>,
-    /// Whether the QR code is shown then.
+    /// True if the QR code is shown afterwards.
     pub then_code: bool,
 }
 
@@ -55,49 +55,49 @@ pub struct PageForm {
 pub struct LinkCode {
     pub link: String,
     pub code: QrCode,
-    /// The name of a model that the link says nothing of.
+    /// The name of a model that the link leaves out.
     pub left_out: Option<String>,
 }
 
-/// What is to be done with a file.
+/// A task to be done with a file.
 #[derive(Clone, Debug, PartialEq)]
 pub enum FileTask {
     Open,
     SaveScene,
     Export(ExportForm),
     SaveAnswer(Format),
-    /// The answers to a lesson, by whom.
+    /// The answers to a lesson, with the student's name.
     HandIn(String),
 }
 
-/// How a picture is to be exported.
+/// The settings for exporting a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ExportForm {
     pub size: [u32; 2],
-    /// Width over height, while a change of one changes the other.
+    /// The width over the height, if a change of one changes the other.
     pub shape: Option<f64>,
     pub samples: u32,
-    /// With the vectors as they are shown.
+    /// True if the displayed vectors are exported too.
     pub overlay: bool,
-    /// A value that changes from frame to frame.
+    /// The animation of a value, if one is exported.
     pub film: Option<FilmForm>,
-    /// What is wrong with that.
+    /// The error in the settings.
     pub wrong: Option<String>,
 }
 
-/// Which text of the scene as code is looked at, and what is done with it.
+/// The form that shows the scene as code, and saves it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CodeForm {
     pub language: Language,
-    /// Of a text in several parts, the one that is shown.
+    /// The index of the displayed part of a text in several parts.
     pub part: usize,
-    /// Where it is to be saved, while that is asked.
+    /// The path to save to, while the form asks for it.
     pub path: Option<String>,
-    /// What was last done, or why it was not.
+    /// The result of the last operation.
     pub message: Option<String>,
 }
 
-/// In which language a scene is shown as code.
+/// The language in which a scene is shown as code.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Language {
     #[default]
@@ -185,7 +185,7 @@ impl Language {
 }
 
 impl Dialog {
-    /// A message, for example an error.
+    /// Creates a message, for example an error.
     pub fn message(title: &str, text: String) -> Self {
         Self::Message {
             title: title.to_owned(),
@@ -193,7 +193,7 @@ impl Dialog {
         }
     }
 
-    /// The path that it asks for, and the kind of the file.
+    /// Returns the path that the dialog asks for, and the kind of the file.
     pub fn file(&mut self) -> Option<(&mut String, FileKind)> {
         match self {
             Self::File { task, path } => Some((path, task.file_kind())),
@@ -206,7 +206,7 @@ impl Dialog {
         }
     }
 
-    /// Leaves a question within the dialog; tells whether there was one.
+    /// Closes a question within the dialog; returns whether there was one.
     pub fn step_back(&mut self) -> bool {
         match self {
             Self::Code(form) => form.path.take().is_some(),
@@ -218,7 +218,8 @@ impl Dialog {
         }
     }
 
-    /// Gives the file that is to be written the usual ending, where its name has none that the program knows.
+    /// Appends the usual extension to the name of a file to be written, if the name has none that the program
+    /// knows.
     pub fn complete(&mut self) {
         if matches!(
             self,

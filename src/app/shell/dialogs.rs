@@ -1,4 +1,4 @@
-//! The dialogs of the window, and what becomes of their answers.
+//! The dialogs of the window, and the handling of their answers.
 
 use super::code::{self, Writer, code_ui};
 use super::commands::SECTIONS;
@@ -24,7 +24,7 @@ use eframe::egui::{
 };
 use std::path::{Path, PathBuf};
 
-/// Shows the dialog, if any, and how far work on a file has come.
+/// Shows the dialog, if any, and the progress of work on a file.
 pub fn dialog_ui(ctx: &Context, state: &mut AppState, files: &mut Files) {
     let browsing = state.dialog.is_some();
     if let Some((what, fraction)) = files.progress() {
@@ -102,7 +102,7 @@ pub fn dialog_ui(ctx: &Context, state: &mut AppState, files: &mut Files) {
     }
 }
 
-/// Does what a dialog asks for, once it is clear that no file is lost by it.
+/// Does what a dialog requests, after asking whether to replace existing files.
 fn accept(ctx: &Context, state: &mut AppState, files: &mut Files, mut dialog: Dialog) {
     dialog.complete();
     let agreed = state.agreed.take();
@@ -133,7 +133,7 @@ fn accept(ctx: &Context, state: &mut AppState, files: &mut Files, mut dialog: Di
     ctx.request_repaint();
 }
 
-/// Does what a dialog asks for.
+/// Does what a dialog requests.
 pub fn perform(ctx: &Context, state: &mut AppState, files: &mut Files, dialog: Dialog) {
     match dialog {
         Dialog::File { task, path } => match task {
@@ -262,7 +262,7 @@ fn file_ui(ui: &mut Ui, task: &mut FileTask, path: &mut String, state: &AppState
                 .char_limit(MAX_NAME)
                 .desired_width(f32::INFINITY);
             let field = named(ui.add(field), Role::TextInput, text!("course-hand-in-name"));
-            // The name comes first, where none is known.
+            // The name is entered first if none is known.
             if name.is_empty()
                 && !field.has_focus()
                 && ui.memory(|memory| memory.focused().is_none())
@@ -291,7 +291,7 @@ fn file_ui(ui: &mut Ui, task: &mut FileTask, path: &mut String, state: &AppState
     )
 }
 
-/// Sizes of pictures that are often wanted, pixels; the first is the window's.
+/// Common sizes of pictures, in pixels; the first stands for the window's.
 const PRESETS: [(&str, [u32; 2]); 4] = [
     ("preset-window", [0, 0]),
     ("1080p", [1920, 1080]),
@@ -361,7 +361,7 @@ fn export_ui(ui: &mut Ui, form: &mut ExportForm, window: [u32; 2]) {
         });
 }
 
-/// Width over height.
+/// Returns the width over the height.
 fn shape([width, height]: [u32; 2]) -> f64 {
     f64::from(width) / f64::from(height.max(1))
 }
@@ -374,7 +374,7 @@ fn keys_ui(ui: &mut Ui) -> Choice {
         .max_height(height.clamp(80.0, 440.0))
         .auto_shrink([false, true])
         .show(ui, |ui| {
-            // Where there is no room for two columns, what a key does stands below it.
+            // In a narrow window, the effect of a key is below the key instead of beside it.
             let narrow = ui.available_width() < 480.0;
             Grid::new("keys")
                 .num_columns(if narrow { 1 } else { 2 })

@@ -1,4 +1,4 @@
-//! The window within another page, as a figure: the picture, and below it the controls that the link names.
+//! The window as a figure in another page: the picture, and below it the controls that the link names.
 
 use crate::app::controls::named::{Named, rows_ui};
 use crate::app::course::Course;
@@ -13,7 +13,7 @@ use crate::scene::Choice as _;
 use crate::text::text;
 use eframe::egui::{CentralPanel, Frame, Panel, RichText, ScrollArea, Ui};
 
-/// The picture keeps at least this share of the height.
+/// The minimum fraction of the height that the picture keeps.
 const PICTURE: f32 = 0.45;
 
 /// Shows the picture and the controls below it.

@@ -1,5 +1,5 @@
-//! The equation on top of the controls. Its symbols are the table of contents: pointing at one lights up what controls
-//! it, clicking it brings that into view.
+//! The equation above the controls. Its symbols are a table of contents: pointing at one highlights its
+//! controls, and a click scrolls to them.
 
 use crate::analysis::probe::{Letters, equation_letters};
 use crate::app::session::Session;
@@ -8,10 +8,10 @@ use crate::app::widgets::typeset::{Piece, Place, formula, run_ui};
 use crate::text::text;
 use eframe::egui::{Ui, Visuals, vec2};
 
-/// Size of the equation's letters, points.
+/// The size of the equation's letters, in points.
 const SIZE: f32 = 18.0;
 
-/// The equation as `state`'s scene has it; what it leaves out is pale.
+/// Shows the equation of the session's scene; unused terms are pale.
 pub fn equation_ui(ui: &mut Ui, session: &Session) {
     let parts = equation_letters(&session.shown.scene);
     let width = ui.available_width();

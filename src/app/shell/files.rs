@@ -1,4 +1,4 @@
-//! Files, in the background: the window stays alive while a model is read or a picture is drawn.
+//! Work on files, in the background: the window stays responsive while a model is read or a picture is drawn.
 
 use super::dialog::{Dialog, ExportForm, FileTask};
 use super::film::FilmForm;
@@ -37,25 +37,25 @@ use std::convert::Infallible;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// Size of the picture that answers are handed in with, pixels.
+/// The size of the picture that is handed in with answers, in pixels.
 const HANDED_IN: [u32; 2] = [960, 720];
 
-/// What becomes of the window when work on a file is done.
+/// A change to the window after work on a file is done.
 type Outcome = Arc<dyn Fn(&mut AppState) + Send + Sync>;
 
-/// The files' side of the window.
+/// The window's work on files.
 #[derive(Default)]
 pub struct Files {
     job: Option<Job<Task<Outcome>>>,
     drawing: Option<Job<Exported>>,
     filming: Option<Job<Filmed>>,
-    /// What is under way.
+    /// The title of the work under way.
     title: String,
-    /// What it is if it does not work.
+    /// The title of the message if the work fails.
     failure: &'static str,
 }
 
-/// What is drawn over a picture, as the window has it.
+/// The overlays of a picture, as the window shows them.
 #[derive(Serialize, Deserialize)]
 pub struct Over {
     overlay: Overlays,
@@ -143,7 +143,7 @@ impl Work for Exported {
             self.over.as_ref(),
             &mut progress,
         );
-        // Nobody reads why.
+        // Nobody reads the reason.
         frame.ok_or_else(String::new)
     }
 }
@@ -151,13 +151,14 @@ impl Work for Exported {
 /// An animation to be exported.
 #[derive(Serialize, Deserialize)]
 pub struct Filmed {
-    /// The first frame's scene, its samples, its path and so on.
+    /// The first frame's settings: its scene, its samples, its path and so on.
     first: Exported,
     form: FilmForm,
 }
 
 impl Work for Filmed {
-    /// On a page the file, which only the page itself can save; elsewhere it is written already.
+    /// The file on a web page, where only the page itself can save it; `None` elsewhere, where it is already
+    /// written.
     type Answer = Option<Vec<u8>>;
 
     const CODECS: Option<(Codec<Self>, Codec<Self::Answer>)> =
@@ -201,7 +202,7 @@ impl Work for Filmed {
     }
 }
 
-/// The picture of a scene, or the sheet of what it compares; none where `progress` has stopped it.
+/// Draws the picture of a scene, or the sheet of a comparison; returns `None` if `progress` has stopped it.
 pub fn picture(
     renderer: &mut Renderer,
     scene: &Scene,
@@ -234,7 +235,7 @@ pub fn picture(
 }
 
 impl Files {
-    /// What is under way, and how far it is from 0 to 1.
+    /// Returns the title of the work under way, and its progress from 0 to 1.
     pub fn progress(&self) -> Option<(&str, f32)> {
         let drawing = self.drawing.as_ref().map(Job::share);
         let drawing = drawing.or(self.filming.as_ref().map(Job::share));
@@ -242,12 +243,13 @@ impl Files {
         share.map(|share| (&*self.title, share))
     }
 
-    /// Cancels the work under way: what is drawn stops at its next sample and is not written, other outcomes are ignored.
+    /// Cancels the work under way. Drawing stops at its next sample and nothing is written; other results are
+    /// ignored.
     pub fn cancel(&mut self) {
         (self.job, self.drawing, self.filming) = (None, None, None);
     }
 
-    /// Begins work in place of what is under way; what `run` returns is done to the window.
+    /// Starts work in place of any under way, and applies the result of `run` to the window.
     fn start<F: Fn(&mut AppState) + Send + Sync + 'static>(
         &mut self,
         ctx: &Context,
@@ -313,7 +315,7 @@ impl Files {
             sized.image.size = HANDED_IN;
             let mut renderer = Renderer::default().with_model(model.clone());
             let mut progress = |_| watch.progress(0.5);
-            // Nobody reads why.
+            // Nobody reads the reason.
             let frame =
                 picture(&mut renderer, &sized, 4, None, &mut progress).ok_or_else(String::new)?;
             hand_in(&path, &frame, &scene, &lesson, &record, &name)
@@ -323,7 +325,7 @@ impl Files {
         });
     }
 
-    /// Loads the scene of the step that is open.
+    /// Loads the scene of the current step.
     pub fn load_stage(&mut self, ctx: &Context, course: &Course) {
         let Some(open) = &course.open else {
             return;
@@ -338,7 +340,7 @@ impl Files {
         });
     }
 
-    /// Opens unsaved work that was left in a file.
+    /// Opens unsaved work that an earlier run left in a file.
     pub fn restore(&mut self, ctx: &Context, path: PathBuf) {
         let failure = text!("not-restored");
         self.start(ctx, text!("restoring").to_owned(), failure, move |_| {
@@ -353,10 +355,10 @@ impl Files {
         });
     }
 
-    /// Draws a picture or an animation of the document; when it is done it is written.
+    /// Draws a picture or an animation of the document, and then writes it.
     ///
     /// # Errors
-    /// What is wrong with the animation that is asked for.
+    /// Returns the error in the requested animation.
     pub fn export(
         &mut self,
         ctx: &Context,
@@ -389,7 +391,7 @@ impl Files {
         Ok(())
     }
 
-    /// Writes the picture that was drawn, beside the window: it may take a while.
+    /// Writes the drawn picture in the background, since it may take a while.
     fn write(&mut self, ctx: &Context, work: Arc<Exported>, frame: Frame) {
         let title = std::mem::take(&mut self.title);
         self.start(ctx, title, text!("not-exported"), move |_| {
@@ -399,7 +401,7 @@ impl Files {
         });
     }
 
-    /// Writes the animation that was drawn, where that is not done yet.
+    /// Writes the drawn animation, if that is not done yet.
     fn write_film(&mut self, ctx: &Context, work: Arc<Filmed>, file: Option<Vec<u8>>) {
         let title = std::mem::take(&mut self.title);
         self.start(ctx, title, text!("not-exported"), move |_| {
@@ -413,7 +415,8 @@ impl Files {
         });
     }
 
-    /// Shows the desktop's own dialog for the file that `dialog` asks for. It asks itself whether to replace a file.
+    /// Shows the desktop's own dialog for the file that `dialog` asks for. That dialog asks by itself whether
+    /// to replace a file.
     pub fn pick(&mut self, ctx: &Context, dialog: &mut Dialog) {
         let opens = matches!(
             dialog,
@@ -444,7 +447,7 @@ impl Files {
         );
     }
 
-    /// Takes what the thread has brought.
+    /// Handles the results of finished work.
     pub fn poll(&mut self, ctx: &Context, state: &mut AppState) {
         match Job::take(&mut self.drawing) {
             Some((work, Ok(frame))) => self.write(ctx, work, frame),

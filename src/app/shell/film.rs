@@ -1,4 +1,4 @@
-//! The animation's part of the export form: which value goes from where to where.
+//! The animation's part of the export form: the animated value, its beginning and its end.
 
 use crate::animation::{
     Course, FilmFormat, MOST_FRAMES, Sweep, USUAL_FRAMES, USUAL_RATE, is_number,
@@ -13,17 +13,17 @@ use eframe::egui::{ComboBox, DragValue, Grid, Ui};
 use serde::{Deserialize, Serialize};
 use std::path::Path;
 
-/// The labels' width, points, as in the form above.
+/// The width of the labels, as in the form above, in points.
 const LABELS: f32 = 109.0;
 
-/// The longest animation that the form offers, seconds.
+/// The maximum duration that the form offers, in seconds.
 const LONGEST: f64 = 600.0;
 
-/// What is animated.
+/// The settings of an animation.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct FilmForm {
     pub key: String,
-    /// Values as scene files have them.
+    /// The initial value, written as in scene files, like the final one in [`Self::to`].
     pub from: String,
     pub to: String,
     pub frames: u32,
@@ -33,7 +33,8 @@ pub struct FilmForm {
 }
 
 impl FilmForm {
-    /// The specular exponent, from what it is to what its slider has.
+    /// Creates the form for the specular exponent, from its current value to the end of its slider, but at
+    /// most ten times the value.
     pub fn new(scene: &Scene) -> Self {
         let mut form = Self {
             key: String::new(),
@@ -56,7 +57,7 @@ impl FilmForm {
         let value = parameter.short_setting(scene, index).unwrap_or_default();
         let slider = parameter.slider().filter(|_| !value.contains(','));
         let end = |slider: Slider| match value.parse::<f64>() {
-            // The whole of such a slider is too much for a few seconds.
+            // The whole range of such a slider is too much for a few seconds.
             Ok(value) if slider.logarithmic && value > 0.0 => (10.0 * value).min(slider.to),
             _ => slider.to,
         };
@@ -65,10 +66,10 @@ impl FilmForm {
         self.logarithmic = slider.is_some_and(|slider| slider.logarithmic);
     }
 
-    /// The sweep of a scene that it asks for, in a film of this name.
+    /// Returns the sweep that the form requests of a scene, and the film's format by the name of its file.
     ///
     /// # Errors
-    /// What is wrong with it, in a sentence.
+    /// Returns the error in the form, as a sentence.
     pub fn sweep(&self, scene: &Scene, path: &Path) -> Result<(Sweep, FilmFormat), String> {
         let course = Course {
             frames: self.frames,
@@ -85,7 +86,7 @@ impl FilmForm {
     }
 }
 
-/// The numbers of a scene that have an effect, each with the number of its light.
+/// Returns the numbers of a scene that have an effect, each with the index of its light.
 fn values(scene: &Scene) -> impl Iterator<Item = (&'static Parameter, usize)> {
     Parameter::all()
         .filter(|parameter| is_number(parameter))
@@ -93,7 +94,7 @@ fn values(scene: &Scene) -> impl Iterator<Item = (&'static Parameter, usize)> {
         .filter(|(parameter, index)| (parameter.idle)(scene, *index).is_none())
 }
 
-/// Whether an animation is exported, and which; `path` gets the ending of its format.
+/// Shows the switch and the settings of the animation; `path` gets the extension of its format.
 pub fn film_ui(ui: &mut Ui, form: &mut Option<FilmForm>, scene: &Scene, path: &mut String) {
     let mut on = form.is_some();
     let switch = ui.checkbox(&mut on, text!("animation"));
@@ -181,7 +182,7 @@ fn value_ui(ui: &mut Ui, form: &mut FilmForm, scene: &Scene) {
     named(list.response, Role::ComboBox, text!("animation-key"));
 }
 
-/// Gives a name the ending of a picture in place of another picture's.
+/// Replaces a picture's extension by `ending`; a name without one stays as it is.
 fn set_ending(path: &mut String, ending: &str) {
     let there = Path::new(path.as_str());
     if FilmFormat::from_path(there).is_some() {

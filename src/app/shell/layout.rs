@@ -1,4 +1,4 @@
-//! Where everything stands, by the size of the window.
+//! The layout of the window, which depends on its size.
 //!
 //! ```text
 //!   wide                                        tall          flat
@@ -11,8 +11,8 @@
 //!   └─────────┴───────────────┴───────┴────┘    └─ rail ──┘   └────────────┴──────┴────┘
 //! ```
 //!
-//! The picture keeps half of the window's width: where there is no room for both panels, the one opened last is shown. The drawer
-//! of a narrow window holds the controls or a view.
+//! The picture keeps half of the window's width. If there is no space for both panels, the one opened last is
+//! shown. The drawer of a narrow window holds the controls or a view.
 
 use super::bars;
 use crate::app::controls;
@@ -28,35 +28,38 @@ use eframe::egui::{
     Align2, Area, CentralPanel, Frame as Margins, Id, Margin, Order, Panel, Rect, Ui, Vec2, vec2,
 };
 
-/// Below this width, points, panels become a drawer.
+/// The window width below which panels become a drawer, in points.
 pub const NARROW: f32 = 900.0;
-/// The narrowest that a panel can be, points.
+/// The minimum width of a panel, in points.
 const PANEL: f32 = 288.0;
-/// The least side of the picture in a narrow window, points.
+/// The minimum side of the picture in a narrow window, in points.
 const PICTURE: f32 = 300.0;
-/// The same beside a lesson, whose text and question need the room, and the lesson's own width.
+/// The minimum side of the picture beside a lesson, whose text and question need the space, in points;
+/// [`LESSON`] is the lesson's own width.
 const LEAST: f32 = 200.0;
 const LESSON: f32 = 250.0;
-/// How a wide view shares the height with the picture.
+/// The default fraction of the height that a wide view takes below the picture.
 const BELOW: f32 = 0.4;
-/// Below this height, points, only what is needed stands over the picture.
+/// The window height below which only the essentials are above the picture, in points.
 const LOW: f32 = 520.0;
-/// Below this height not even the equation: half of a phone's screen may be a keyboard.
+/// The window height below which even the equation is hidden, in points: half of a phone's screen may be a
+/// keyboard.
 const LOWEST: f32 = 380.0;
 
-/// What the layout remembers.
+/// The layout's memory of the last frame.
 #[derive(Debug, Default)]
 pub struct Layout {
-    /// Whether controls and a view were open in the last frame.
+    /// True if the controls, and if a view, were open in the last frame.
     open: [bool; 2],
-    /// Whether the window is higher than wide, or was before a phone's keyboard made it lower: what is typed in keeps its place.
+    /// True if the window is higher than wide. Unchanged while text is edited, so that a field keeps its
+    /// place when a phone's keyboard makes the window lower.
     tall: bool,
-    /// Where the picture was, points.
+    /// The last rectangle of the picture, in points.
     pub picture: Option<Rect>,
 }
 
 impl Layout {
-    /// Shows everything but dialogs; returns the room that the picture has, if it is in sight.
+    /// Shows everything but dialogs. Returns the size available to the picture, if it is visible.
     pub fn ui(&mut self, ui: &mut Ui, state: &mut AppState, engine: &mut Engine) -> Option<Room> {
         let size = ui.available_size();
         state.window.appearance.controls |= symbol::opens_controls(ui.ctx());
@@ -95,7 +98,7 @@ impl Layout {
         }
         state.window.enlarged = false;
         self.make_room(&mut state.window, &state.course, size);
-        // A narrow window with a lesson has room for picture and question only.
+        // A narrow window with a lesson has space for picture and question only.
         if state.window.appearance.equation
             && size.y >= LOWEST
             && !(narrow && reads_lesson(&state.window, &state.course))
@@ -105,7 +108,7 @@ impl Layout {
             });
         }
         state.window.appearance.controls |= symbol::opens_controls(ui.ctx());
-        // A card over the picture leaves no room for a drawer.
+        // A card over the picture leaves no space for a drawer.
         if narrow && state.window.welcome {
             (
                 state.window.appearance.controls,
@@ -117,9 +120,9 @@ impl Layout {
         } else {
             panels_ui(ui, state, engine, size);
         }
-        // Nothing is drawn of a scene that a scene file would refuse.
+        // A scene that a scene file would refuse is not drawn.
         state.session.commit();
-        // A lesson says what its scenes show; what they show elsewhere would mislead.
+        // A lesson explains its scenes; their own sentences, meant for other uses, would mislead.
         if !(low
             || narrow && reads_lesson(&state.window, &state.course)
             || state.course.shows_step())
@@ -152,8 +155,8 @@ impl Layout {
         shown.inner
     }
 
-    /// Closes a panel where there is no room for both: the one that was opened first, or at once the controls beside a lesson or
-    /// answers that were handed in.
+    /// Closes a panel if there is no space for both: the one opened first, or at once the controls beside a
+    /// lesson or answers handed in.
     fn make_room(&mut self, window: &mut WindowState, course: &Course, size: Vec2) {
         let open = [window.appearance.controls, window.appearance.views];
         let beside = size.x < NARROW || !views::stands_below(window);
@@ -171,12 +174,13 @@ impl Layout {
     }
 }
 
-/// Whether a lesson is open and in sight.
+/// Returns whether a lesson is open and visible.
 fn reads_lesson(window: &WindowState, course: &Course) -> bool {
     window.shows(ViewName::Course) && course.open.is_some()
 }
 
-/// The width that panels may take, points: the picture has half of the window. In a narrow one there is one panel.
+/// Returns the width available to panels, in points: half of the window is the picture's. A narrow window has
+/// one panel.
 fn panel_room(size: Vec2) -> f32 {
     if size.x < NARROW {
         PANEL
@@ -185,7 +189,7 @@ fn panel_room(size: Vec2) -> f32 {
     }
 }
 
-/// Controls at the left, the view at the right or below the picture, the rail.
+/// Shows the controls at the left, the view at the right or below the picture, and the rail.
 fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, size: Vec2) {
     let AppState {
         session,
@@ -225,7 +229,7 @@ fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, size: Vec2) {
         session.commit();
     }
     if beside {
-        // A lesson is read, and has questions to be answered.
+        // Wider for a lesson, which is read and has questions to answer.
         let lesson = window.appearance.view == ViewName::Course;
         let (name, share, most) = if lesson {
             ("course", 0.34, 520.0)
@@ -252,7 +256,8 @@ fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, size: Vec2) {
     }
 }
 
-/// The rail at the bottom, and a drawer for what it opens: below a tall window's picture, beside or over a flat one's.
+/// Shows the rail at the bottom or side, and a drawer for what it opens: below a tall window's picture,
+/// beside or over a flat one's.
 fn drawer_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, size: Vec2, tall: bool) {
     let AppState {
         session,
@@ -288,7 +293,7 @@ fn drawer_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, size: Vec2, tal
         }
     };
     let height = ui.available_height();
-    // A lesson is about the whole picture, however small.
+    // A lesson refers to the whole picture, however small.
     let (panel, least) = if lesson {
         (LESSON, LEAST)
     } else {

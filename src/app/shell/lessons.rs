@@ -1,5 +1,5 @@
-//! Lessons in the window: opened, turned step by step, and left. A step's scene goes the way of any other, so that it is one step of
-//! undo.
+//! Lessons in the window: opening, going from step to step, and leaving. A step's scene is opened like any
+//! other, so that it is one step of undo.
 
 use super::state::AppState;
 use crate::app::course::{Glide, as_target};
@@ -14,23 +14,23 @@ use eframe::egui::Context;
 use std::sync::Arc;
 
 impl AppState {
-    /// Opens a lesson at the step that it was left at.
+    /// Opens a lesson at the step where it was left.
     pub fn open_lesson(&mut self, lesson: Arc<Lesson>, built_in: bool) {
         self.window.welcome = false;
         self.window.appearance.welcomed = true;
         self.leave_view();
         let step = self.course.begin(lesson, built_in);
-        // The step's own controls stand beside its text.
+        // The step's own controls are beside its text.
         self.window.appearance.controls = false;
         self.window.picture_alone = false;
         self.turn_to(step);
     }
 
-    /// Does what is asked of the course.
+    /// Performs a request to the course.
     pub fn turn(&mut self, turn: Turn) {
         let needs_texts = matches!(turn, Turn::Start | Turn::Open(_) | Turn::OpenAt(..));
         if needs_texts && !are_there() {
-            // A web page is fetching them.
+            // A web page is still loading the lessons.
             self.requests.ask(Action::Course(turn));
             return;
         }
@@ -87,7 +87,7 @@ impl AppState {
             return;
         };
         if open.current().stage.is_file() {
-            // A model may take its time.
+            // Loading a model may take a while.
             self.requests.ask(Action::LoadStage);
             return;
         }
@@ -97,7 +97,8 @@ impl AppState {
         }
     }
 
-    /// Shows the scene of a step, or why it cannot be shown, if that step is still the present one.
+    /// Shows the scene of a step, or the reason why it cannot be shown, if that step is still the current
+    /// one.
     pub fn stage(&mut self, opening: u64, step: usize, staged: Result<Arc<Staged>, String>) {
         let Some(open) = &mut self.course.open else {
             return;
@@ -114,7 +115,7 @@ impl AppState {
         }
     }
 
-    /// Shows a step's scene; with the answer's, where that may be seen and is `answered`.
+    /// Shows a step's scene; if `answered` and the right answer may be seen, with the answer's settings.
     fn show_stage(&mut self, staged: &Staged, answered: bool) {
         let view = (self.window.appearance.views, self.window.appearance.view);
         let before = self.session.document().scene.clone();
@@ -146,7 +147,7 @@ impl AppState {
         self.course.gliding = Glide::between(&before, &self.session.document().scene);
     }
 
-    /// Draws over the picture what the step names.
+    /// Shows the overlays that the step names.
     fn show_overlays(&mut self) {
         let Some(open) = &self.course.open else {
             return;
@@ -162,8 +163,8 @@ impl AppState {
         overlay.vertex_normals = shown("vertices");
     }
 
-    /// Follows a change of the document into the lesson or out of it: what a lesson hides, locks and draws holds for its own
-    /// scenes alone.
+    /// Follows a change of the document into the lesson or out of it: everything that a lesson hides, locks and
+    /// draws applies to its own scenes only.
     pub fn follow_document(&mut self) {
         let part = &self.session.document().part;
         self.course.follow_hand_in(part);
@@ -180,7 +181,7 @@ impl AppState {
         }
     }
 
-    /// Draws over the picture again what was drawn before the lesson came into view.
+    /// Restores the overlays from before the lesson came into view.
     fn leave_view(&mut self) {
         if let Some(open) = &mut self.course.open
             && std::mem::take(&mut open.in_view)
@@ -189,7 +190,7 @@ impl AppState {
         }
     }
 
-    /// Moves on towards the scene of the step.
+    /// Advances the animation towards the step's scene.
     pub fn glide(&mut self, ctx: &Context) {
         let Some(glide) = &mut self.course.gliding else {
             return;
@@ -203,7 +204,8 @@ impl AppState {
         self.session.show_scene(scene);
     }
 
-    /// Shows the settings that the right answer is about, and the one that was sought.
+    /// Restores the overlay of angles, and shows the settings that the right answer is about, unless the
+    /// question has controls of its own.
     pub fn show_answer(&mut self) {
         let Some(open) = &self.course.open else {
             return;
@@ -221,7 +223,7 @@ impl AppState {
         }
     }
 
-    /// Leaves the lesson at its end.
+    /// Closes the lesson at its end, and marks it as done.
     fn finish_lesson(&mut self) {
         if let Some(open) = &self.course.open {
             let name = open.lesson.name.clone();
@@ -240,10 +242,10 @@ impl AppState {
         self.window.show_view(ViewName::Course);
     }
 
-    /// The lesson follows the language.
+    /// Translates the lesson into the current language.
     pub fn translate_lesson(&mut self) {
         if let Some(handed_in) = &mut self.course.handed_in {
-            // Its texts are in the language before.
+            // The graded texts are in the previous language.
             handed_in.work = Background::default();
         }
         let Some(open) = &mut self.course.open else {
@@ -257,7 +259,7 @@ impl AppState {
         open.prepared.clear();
     }
 
-    /// Opens a match whose target is the scene in view.
+    /// Opens a match whose target is the current scene.
     pub fn set_as_target(&mut self) {
         match as_target(&self.session) {
             Some(lesson) => self.open_lesson(Arc::new(lesson), false),

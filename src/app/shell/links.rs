@@ -1,4 +1,4 @@
-//! Links: copying that of what is seen, opening one, and showing it to a room as a QR code.
+//! Links: copying the link to the current view, opening one, and showing it to an audience as a QR code.
 
 use super::dialog::{Dialog, LinkCode, PageForm};
 use crate::app::session::action::{Action, Turn};
@@ -22,24 +22,25 @@ use eframe::egui::{
 };
 use std::sync::Arc;
 
-/// By what the window's height and its width are divided for the letters below a QR code, and bounds for their size, points.
+/// The divisor that yields the size of the letters below a QR code from the window's height. [`COLUMNS`] is
+/// the one for its width, and [`LETTERS`] the bounds of the size, in points.
 const LINES: f32 = 30.0;
 const COLUMNS: f32 = 24.0;
 const LETTERS: [f32; 2] = [12.0, 32.0];
-/// Most lines of a link below its code; a longer one is cut.
+/// The maximum number of lines of a link below its code; a longer one is cut.
 const ROWS: usize = 3;
-/// Between the code, its text and the window's edge, points.
+/// The distance between the code, its text and the window's edge, in points.
 const GAP: f32 = 10.0;
-/// The text below a code: its contrast with white is 7:1.
+/// The colour of the text below a code, with a contrast of 7:1 against white.
 const GREY: Color32 = Color32::from_gray(88);
 
 impl AppState {
-    /// What a link says of the window.
+    /// Returns the state of the window that goes into a link.
     fn shown_in_links(&self) -> Shown {
         let name = serde_json::to_value(self.window.appearance.view);
         let is_open = |view: &&str| name.as_ref().is_ok_and(|name| name == view);
         let view = VIEWS.into_iter().find(|view| is_open(view));
-        // A lecturer's own lesson is a file, which does not travel.
+        // A lecturer's own lesson is a file, which a link cannot contain.
         let lesson = self.course.open.as_ref().filter(|open| open.built_in);
         let lesson = lesson.filter(|open| open.in_view && self.window.shows(ViewName::Course));
         Shown {
@@ -55,7 +56,7 @@ impl AppState {
         }
     }
 
-    /// The link of what is seen.
+    /// Returns the link to the current view.
     pub fn link(&self) -> Result<Written, WriteError> {
         let origin = match &self.session.document().origin {
             Origin::BuiltIn(name) => Some(name.as_str()),
@@ -69,7 +70,7 @@ impl AppState {
         )
     }
 
-    /// Shows what a link says.
+    /// Shows the state contained in a link.
     pub fn show(&mut self, shown: &Shown) {
         if let Some(Ok(view)) = shown.view.map(|view| serde_json::from_value(view.into())) {
             self.window.show_view(view);
@@ -90,7 +91,7 @@ impl AppState {
         }
     }
 
-    /// Opens a link; one that is wrong is told, and what is open stays.
+    /// Opens a link. For a wrong link, shows the error and leaves the document open.
     pub fn open_link(&mut self, text: &str) {
         match read(text) {
             Ok(Link { scene, name, shown }) => {
@@ -111,7 +112,7 @@ impl AppState {
         }
     }
 
-    /// Puts the link of what is seen on the clipboard, and says what it leaves out.
+    /// Copies the link to the current view to the clipboard, and says what it leaves out.
     pub fn copy_link(&mut self, ctx: &Context) {
         match self.link() {
             Ok(Written { link, left_out }) => {
@@ -125,7 +126,7 @@ impl AppState {
         }
     }
 
-    /// Opens what is seen in a page of its own.
+    /// Opens the current view in a page of its own.
     pub fn open_page(&mut self, ctx: &Context) {
         match self.link() {
             Ok(Written { link, .. }) => ctx.open_url(OpenUrl::new_tab(link)),
@@ -133,7 +134,7 @@ impl AppState {
         }
     }
 
-    /// Shows the link as a QR code; asks for the page that phones will open where none is known.
+    /// Shows the link as a QR code; if the page for phones is unknown, asks for it first.
     pub fn show_code(&mut self) {
         if self.window.appearance.page.is_empty() {
             return self.ask_page(true);
@@ -164,10 +165,10 @@ impl AppState {
         }));
     }
 
-    /// Takes the address over, or says what is wrong with it.
+    /// Takes over the address, or shows the error in it.
     pub fn set_page(&mut self, form: PageForm) {
         let address = match form.address.trim() {
-            // Links that begin with their question mark.
+            // Links then begin with their question mark.
             "" if !form.then_code => Ok(String::new()),
             address => page(address),
         };
@@ -190,8 +191,8 @@ impl AppState {
     }
 }
 
-/// Opens the addresses that this frame asks for, those that [`may_open`] allows. Every widget's request goes through here, so that no text
-/// of a lesson reaches the desktop or the browser by another way.
+/// Opens the addresses requested in this frame, if [`may_open`] allows them. The requests of all widgets go
+/// through here, so that no text of a lesson reaches the desktop or the browser in another way.
 pub fn open_addresses(ctx: &Context) {
     let mut addresses = Vec::new();
     ctx.output_mut(|output| {
@@ -213,7 +214,7 @@ fn name_of(path: &std::path::Path) -> String {
     name.to_string_lossy().into_owned()
 }
 
-/// The question for the page's address.
+/// Shows the question for the page's address.
 pub fn page_ui(ui: &mut Ui, form: &mut PageForm) -> Choice {
     let mut choice = Choice::Stay;
     ui.heading(text!("link-page"));
@@ -249,8 +250,8 @@ pub fn page_ui(ui: &mut Ui, form: &mut PageForm) -> Choice {
     choice
 }
 
-/// A QR code over the whole window, black on white in either theme, since readers and projectors want that; whether it stays.
-/// Any key or click closes it.
+/// Shows a QR code over the whole window, black on white in either theme for the sake of readers and
+/// projectors. Any key or click closes it. Returns whether it stays open.
 pub fn code_ui(ctx: &Context, shown: &LinkCode) -> bool {
     let room = ctx.content_rect();
     Area::new(Id::unique("link-code"))
@@ -324,7 +325,7 @@ fn paint(painter: &Painter, room: Rect, pixels_per_point: f32, shown: &LinkCode)
     }
 }
 
-/// Centred lines; what has no room is cut.
+/// Lays out centred lines; text beyond the available space is cut.
 fn lines(
     painter: &Painter,
     text: String,

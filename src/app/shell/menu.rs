@@ -1,4 +1,4 @@
-//! The commands of a menu, each with its key; a tick stands before what is on.
+//! The commands of a menu, each with its key; a tick marks those that are on.
 
 use super::commands::{Command, SECTIONS};
 use crate::app::session::Session;
@@ -11,12 +11,12 @@ use crate::scene::ShadingMode;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Atom, Button, IdSalt, Rect, Ui, vec2};
 
-/// Width of a menu, points.
+/// The width of a menu, in points.
 const WIDTH: f32 = 264.0;
-/// Width kept for ticks, points.
+/// The width reserved for ticks, in points.
 const TICK: f32 = 16.0;
 
-/// The items of the menu of this key.
+/// Shows the items of the menu named `menu`.
 pub fn commands_ui(
     ui: &mut Ui,
     session: &Session,
@@ -52,7 +52,7 @@ fn item_ui(
     let Some(action) = command.actions.first() else {
         return;
     };
-    // What would be undone and redone is named.
+    // The changes to be undone and redone are named.
     let change = match action {
         Action::Undo => Some(session.history().undoable()),
         Action::Redo => Some(session.history().redoable()),
@@ -91,7 +91,7 @@ fn item_ui(
     }
 }
 
-/// Whether what a command switches is on; none where it does something else.
+/// Returns whether the setting that a command switches is on; `None` if the command is not a switch.
 fn is_on(command: &Command, session: &Session, window: &mut WindowState) -> Option<bool> {
     let shading = &session.shown.scene.shading;
     match command.actions.first()? {

@@ -1,4 +1,4 @@
-//! What was last done, and what is wrong, in a line: in the bottom bar, or over the picture where there is none.
+//! The latest notice or warning in a line: in the bottom bar, or over the picture if there is no bar.
 
 use crate::app::session::Session;
 use crate::app::session::window::WindowState;
@@ -7,17 +7,17 @@ use crate::text::text;
 use eframe::egui::{Context, Label, RichText, TextWrapMode, Ui};
 use std::time::Duration;
 
-/// How long what was done is said, seconds.
+/// The duration of a notice, in seconds.
 const SECONDS: f64 = 4.0;
 
-/// The notice that is said, and since when.
+/// The current notice, and the time since which it is shown.
 #[derive(Debug, Default)]
 struct ShownNotice {
     text: Option<String>,
     since: f64,
 }
 
-/// Takes the notice away when it has been said long enough; asks for that one frame and for none after it.
+/// Removes an expired notice; requests a repaint for the frame in which it expires, and none after it.
 pub fn expire(ctx: &Context, session: &mut Session, window: &mut WindowState) {
     let now = ctx.input(|input| input.time);
     let mut shown: ShownNotice = window.own.take();
@@ -37,7 +37,7 @@ pub fn expire(ctx: &Context, session: &mut Session, window: &mut WindowState) {
     window.own.put(shown);
 }
 
-/// What there is to say, on lines that wrap or on one; what is wrong can be dismissed.
+/// Shows the notice or the warning, wrapped or on one line; a warning can be dismissed.
 pub fn said_ui(ui: &mut Ui, session: &mut Session, wrap: TextWrapMode) {
     if let Some(notice) = &session.notice {
         ui.add(Label::new(notice).wrap_mode(wrap));

@@ -1,4 +1,4 @@
-//! Everything that the window remembers, and what concerns several parts of it at once.
+//! The state of the window, and the operations on several parts of it.
 
 use crate::app::course::Course;
 use crate::app::session::Session;
@@ -9,30 +9,31 @@ use crate::app::session::window::WindowState;
 use crate::app::shell::dialog::Dialog;
 use std::path::PathBuf;
 
-/// The state of the window: a session, how it is looked at, and the course. Each panel is a function of the parts that it needs.
+/// The state of the window: a session, its appearance, and the course. Each panel is a function of the parts
+/// that it needs.
 #[derive(Default)]
 pub struct AppState {
-    /// What is open.
+    /// The open document, with its history.
     pub session: Session,
-    /// How it is looked at.
+    /// The appearance and the state of the views.
     pub window: WindowState,
-    /// The lessons, and what was answered.
+    /// The lessons, with the answers given.
     pub course: Course,
-    /// What was asked for in this frame, by button, menu or key.
+    /// The actions requested in this frame, by button, menu or key.
     pub requests: Requests,
-    /// The dialog that is open.
+    /// The open dialog.
     pub dialog: Option<Dialog>,
-    /// The path that the desktop's own dialog gave, which has asked whether to replace the file.
+    /// The path from the desktop's own dialog, which has asked whether to replace the file.
     pub agreed: Option<PathBuf>,
-    /// Whether the desktop turned out to have no dialog for files.
+    /// True if the desktop turned out to have no file dialog.
     pub no_dialog: bool,
-    /// Whether the window is about to close, and what was asked about that.
+    /// The decision whether to close the window.
     pub leaving: Leaving,
 }
 
 impl AppState {
-    /// Shows another document, in the view that its scene names; the present one is a step of undo away. Returns whether it is shown,
-    /// see [`Session::replace`].
+    /// Shows another document, in the view that its scene names; undo returns to the current one. Returns
+    /// whether the document is shown, see [`Session::replace`].
     pub fn open(&mut self, document: Document) -> bool {
         if !self.replace(document) {
             return false;
@@ -55,7 +56,7 @@ impl AppState {
         true
     }
 
-    /// Puts another document in the place of this one, see [`Session::replace`].
+    /// Replaces the current document. Returns whether the new one is shown, see [`Session::replace`].
     pub fn replace(&mut self, document: Document) -> bool {
         let went = self.session.replace(document);
         if went {
@@ -67,13 +68,13 @@ impl AppState {
     }
 }
 
-/// Whether the window is to close.
+/// A decision whether to close the window.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Leaving {
     #[default]
     No,
     OnceSaved,
-    /// Whatever is unsaved.
+    /// A decision to close, even with unsaved work.
     Now,
 }
 

@@ -1,5 +1,5 @@
-//! Switches for the terms of the equation: a lecture builds the sum up term by term. A term is off while its coefficient is 0;
-//! what it was is kept for when it is switched on again.
+//! Switches for the terms of the equation, with which a lecture builds up the sum term by term. A term is off
+//! while its coefficient is 0; the previous value is kept for switching it on again.
 
 use crate::analysis::probe::{Tone, specular_vector};
 use crate::app::session::Session;
@@ -10,7 +10,7 @@ use crate::scene::{Material, Rgb, Scene};
 use crate::text::text;
 use eframe::egui::{RichText, Ui};
 
-/// The coefficients of the terms that are off.
+/// The previous coefficients of the terms that are off.
 #[derive(Debug, Default)]
 struct SwitchedOff([Option<Rgb>; 3]);
 
@@ -18,7 +18,7 @@ fn coefficients(material: &mut Material) -> [&mut Rgb; 3] {
     [&mut material.ka, &mut material.kd, &mut material.ks]
 }
 
-/// Switches the term of this number off or on again.
+/// Switches a term, given by its index, off or on again.
 pub fn switch(session: &mut Session, window: &mut WindowState, term: usize) {
     let opened = coefficients(&mut session.opened().material.clone()).map(|value| *value)[term];
     let usual = coefficients(&mut Material::default()).map(|value| *value)[term];
@@ -36,7 +36,8 @@ pub fn switch(session: &mut Session, window: &mut WindowState, term: usize) {
     window.own.put(kept);
 }
 
-/// A switch for each term, in the term's colour; in a `wide` window from the right to the left, with their full names.
+/// Shows a switch for each term, in the term's colour; in a `wide` window from right to left, with full
+/// names.
 pub fn switches_ui(ui: &mut Ui, session: &mut Session, window: &mut WindowState, wide: bool) {
     let Scene {
         material,

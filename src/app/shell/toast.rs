@@ -1,4 +1,4 @@
-//! What was last done, and what is wrong, over the picture, where there is no bottom bar to say it.
+//! The latest notice or warning over the picture, if there is no bottom bar to show it.
 
 use super::layout::NARROW;
 use super::notice::{expire, said_ui};
@@ -6,10 +6,10 @@ use crate::app::session::Session;
 use crate::app::session::window::WindowState;
 use eframe::egui::{Align2, Area, Context, Frame, Id, Order, TextWrapMode, vec2};
 
-/// Above the rail at the bottom of a narrow window, points.
+/// The distance above the rail at the bottom of a narrow window, in points.
 const LIFT: f32 = 72.0;
 
-/// Says what there is to say over the picture, where there is no bottom bar for it and no dialog.
+/// Shows the notice or warning over the picture, if there is no bottom bar for it and no dialog.
 pub fn toast_ui(ctx: &Context, session: &mut Session, window: &mut WindowState, dialog: bool) {
     expire(ctx, session, window);
     let width = ctx.content_rect().width();

@@ -1,4 +1,4 @@
-//! What the first start shows over the picture: what this is, and ways on.
+//! The welcome over the picture at the first start: a description of the program, and ways to begin.
 
 use crate::app::session::action::Requests;
 use crate::app::session::action::{Action, Turn};
@@ -6,10 +6,10 @@ use crate::app::session::window::WindowState;
 use crate::text::text;
 use eframe::egui::{Align2, Area, Button, Context, Frame, Id, Order, Rect, RichText, Ui, vec2};
 
-/// A picture less high than this, points, is not covered by words.
+/// The picture height below which no text covers it, in points.
 const LOW: f32 = 320.0;
 
-/// A card at the bottom of the picture until one of its ways is taken.
+/// Shows a card at the bottom of the picture until one of its buttons is clicked.
 pub fn welcome_ui(ctx: &Context, window: &mut WindowState, requests: &mut Requests, picture: Rect) {
     if !window.welcome {
         return;

@@ -12,24 +12,24 @@ use eframe::egui::{
 };
 use egui_commonmark::CommonMarkCache;
 
-/// Height of an option of one line, points.
+/// The height of a one-line option, in points.
 pub const CHOICE: f32 = 22.0;
-/// The mark behind an option, points.
+/// The size of the mark behind an option, in points.
 const MARK: f32 = 16.0;
 
-/// A card with text, a mark in front of it, and one behind it where the answer is known.
+/// A card with text, a mark in front of it, and one behind it if the answer is known.
 pub struct Card<'a> {
-    /// The identity of what it shows.
+    /// The identity of the option or item.
     pub id: Id,
-    /// Its text.
+    /// The text.
     pub words: &'a str,
-    /// Its part in the form.
+    /// The accessibility role, which also decides the padding.
     pub role: Role,
-    /// It is chosen.
+    /// True if the card is chosen.
     pub on: bool,
-    /// It is right or wrong, where that is shown.
+    /// The grade of the card, if it is shown.
     pub right: Option<bool>,
-    /// It can be chosen.
+    /// True if the card can be chosen.
     pub enabled: bool,
 }
 
@@ -44,7 +44,7 @@ impl Card<'_> {
         let width = ui.available_width();
         let outer = ui.available_rect_before_wrap();
         let ground = ui.painter().add(Shape::Noop);
-        // In the middle of a card that is high enough for fingers; buttons are so themselves.
+        // In the middle of a card that is high enough for touch; buttons centre their own text.
         let pad = match self.role {
             Role::RadioButton => 0.5 * (ui.spacing().interact_size.y - CHOICE),
             _ => 0.0,
@@ -65,7 +65,7 @@ impl Card<'_> {
         let line = ui.text_style_height(&TextStyle::Body);
         let lower = (0.5 * (inside.min_rect().height() - line)).max(0.0);
         inside.vertical(|ui| {
-            // The first line is level with what stands in front.
+            // The first line is level with the mark in front.
             ui.add_space(lower);
             ui.set_width(
                 (ui.available_width()
@@ -89,7 +89,7 @@ impl Card<'_> {
         };
         let response = ui.interact(rect, self.id, sense);
         if response.clicked() {
-            // Tab goes on from here.
+            // Tab continues from here.
             response.request_focus();
         }
         let response = switch_named(response, self.role, self.on, self.words);

@@ -7,7 +7,7 @@ use crate::scene::Scene;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Sense, Stroke, Ui, vec2};
 
-/// The options, with the one that is chosen.
+/// The options, with the chosen one.
 #[derive(Default)]
 pub struct ChoiceWidget {
     chosen: Option<usize>,

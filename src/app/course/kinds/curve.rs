@@ -1,4 +1,4 @@
-//! A curve drawn by hand, and the right one laid over it.
+//! A curve drawn by hand, and the right one drawn over it.
 
 use super::widget::{Asked, Widget};
 use crate::app::course::parts::right_colour;
@@ -17,20 +17,21 @@ use eframe::egui::{
 };
 use glam::DVec2;
 
-/// Height of the drawing in its width.
+/// The height of the plot as a fraction of its width.
 const ASPECT: f32 = 0.5;
-/// Height of what does not grow with it, in letters.
+/// The height of the parts that do not grow with the plot, in text heights.
 const LETTERS: f32 = 4.0;
-/// Width of curves, points.
+/// The line width of curves, in points.
 const LINE: f64 = 2.2;
-/// Points that a key moves along the curve at once, and how far up or down, in its height.
+/// The number of points that one key press moves along the curve; [`RISE`] is its step up or down, as a
+/// fraction of the axis.
 const STRIDE: usize = 4;
 const RISE: f64 = 0.05;
 
 /// The axes of a curve on the screen.
 struct Field {
     drawing: Drawing,
-    /// The top left corner of the drawing.
+    /// The top left corner of the plot.
     origin: Pos2,
     x: [f64; 2],
     y: [f64; 2],
@@ -52,7 +53,7 @@ impl Field {
         Rect::from_two_pos(self.at(0, self.y[0]), top)
     }
 
-    /// The line through a point from the axis of x to the far side.
+    /// Returns the vertical line at a point of the curve.
     fn axis(&self, index: usize) -> [Pos2; 2] {
         let place = self.drawing.place([self.x_of(index), self.y[0]]);
         let (_, ends) = place.unwrap_or_default();
@@ -65,18 +66,18 @@ impl Field {
         let [x, y] = self.drawing.value_near(place).unwrap_or_default();
         let along = (x - self.x[0]) / (self.x[1] - self.x[0]);
         let index = (along * (CURVE_POINTS - 1) as f64).round() as usize;
-        // The axis of y reaches a little beyond its greatest value.
+        // The axis of y reaches a little beyond its maximum.
         (index, y.min(self.y[1]))
     }
 }
 
-/// A drawing, with what is drawn in it.
+/// A plot, with the curve drawn in it.
 pub struct CurveWidget {
-    /// The value at each point, where one was drawn.
+    /// The value at each point; `None` where nothing is drawn.
     drawn: Vec<Option<f64>>,
-    /// The point that the keys are at.
+    /// The point that the keys move.
     cursor: usize,
-    /// The place on a profile that the pointer is on, from 0 to 1.
+    /// The position on a profile under the pointer, from 0 to 1.
     along: Option<f64>,
 }
 
@@ -195,7 +196,7 @@ impl Widget for CurveWidget {
 }
 
 impl CurveWidget {
-    /// Takes what the pointer draws, and the keys. Returns whether the curve has changed.
+    /// Handles the pointer's strokes and the keys. Returns whether the curve has changed.
     fn draw(&mut self, ui: &Ui, field: &Field, response: &Response) -> bool {
         let mut changed = false;
         if response.hovered() {
@@ -259,15 +260,16 @@ fn points(curve: &[Option<f64>]) -> Vec<(usize, f64)> {
         .collect()
 }
 
-/// Returns the value of a point; of one that is not drawn that of the nearest drawn one, and the middle where nothing is drawn.
+/// Returns the value of a point. A point that is not drawn has the value of the nearest drawn one, or the
+/// middle of the range if nothing is drawn.
 fn height(curve: &[Option<f64>], at: usize, [low, high]: [f64; 2]) -> f64 {
     let drawn = points(curve).into_iter();
     let nearest = drawn.min_by_key(|(index, _)| index.abs_diff(at));
     nearest.map_or(0.5 * (low + high), |(_, value)| value)
 }
 
-/// Puts one point where it is wanted; those up to the next stride on either side go along a straight line, and what was not
-/// drawn yet goes level.
+/// Moves one point to `value`. The points up to the next stride on either side follow along a straight line;
+/// beyond, points not drawn yet take the value at its end.
 fn lift(curve: &mut [Option<f64>], at: usize, value: f64) {
     for way in [-1isize, 1] {
         let end = at
@@ -280,7 +282,7 @@ fn lift(curve: &mut [Option<f64>], at: usize, value: f64) {
             let share = step as f64 / steps as f64;
             curve[place] = Some(value + (there - value) * share);
         }
-        // Beyond, to the next that was drawn.
+        // Further on, up to the next drawn point.
         let mut place = end;
         while let Some(next) = place
             .checked_add_signed(way)

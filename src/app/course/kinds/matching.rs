@@ -1,4 +1,4 @@
-//! A picture to be matched: the target beside the student's own, and how far they are apart.
+//! A picture to be matched: the target beside the student's own, and the distance between them.
 
 use super::widget::{Asked, Widget, set_ui};
 use crate::analysis::Watch;
@@ -26,11 +26,12 @@ use eframe::egui::{
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
-/// The longer side of the target's picture and of those compared, pixels.
+/// The longer side of the target's picture and of the compared pictures, in pixels.
 const SIDE: u32 = 360;
-/// Greatest height of the target on the screen, points, so that it fits in with the controls and the meter.
+/// The maximum height of the target on the screen, in points, so that it fits in with the controls and the
+/// meter.
 const HIGHEST: f32 = 190.0;
-/// Height of the meter, points.
+/// The height of the meter, in points.
 const METER: f32 = 10.0;
 
 /// The target's picture.
@@ -60,7 +61,7 @@ impl Work for Target {
     }
 }
 
-/// The distance of two scenes: the root mean square of the difference of their pictures.
+/// A measurement of the distance of two scenes: the root mean square of the difference of their pictures.
 #[derive(Serialize, Deserialize)]
 pub struct Likeness {
     scenes: [Scene; 2],
@@ -90,14 +91,14 @@ struct Matching {
     target: Background<Target>,
     picture: Option<TextureHandle>,
     likeness: Background<Likeness>,
-    /// The distance at first, before the last change, and now.
+    /// The distances at first, before the last change, and now.
     distances: [Option<f64>; 3],
     changes: u32,
     began: f64,
 }
 
 impl Matching {
-    /// Has the target's picture drawn.
+    /// Starts to draw the target's picture.
     fn draw_target(&mut self, ctx: &Context, target: &Scene, model: Option<&Arc<Mesh>>) {
         let work = || Target {
             scene: target.clone(),
@@ -112,7 +113,7 @@ impl Matching {
         }
     }
 
-    /// Has the distance of two scenes measured.
+    /// Starts to measure the distance of two scenes.
     fn measure(&mut self, ctx: &Context, scenes: [Scene; 2], model: Option<&Arc<Mesh>>) {
         let work = || Likeness {
             scenes: scenes.clone(),
@@ -131,11 +132,11 @@ impl Matching {
     }
 }
 
-/// The target beside the student's own picture. What it remembers outlives the step.
+/// The target beside the student's own picture. Its state outlives the step.
 pub struct MatchWidget;
 
 impl Widget for MatchWidget {
-    /// Shows the target, the distance, and a meter that says whether the last change was for the better.
+    /// Shows the target, the distance, and a meter that says whether the last change reduced it.
     fn ui(&mut self, ui: &mut Ui, asked: &mut Asked<'_>) -> bool {
         if let Kind::Match(kind) = &asked.question.kind {
             match_ui(ui, asked, kind);
@@ -202,7 +203,7 @@ fn match_ui(ui: &mut Ui, asked: &mut Asked<'_>, kind: &Match) {
         return;
     };
     let mut present = asked.scene.clone();
-    // The students may look from elsewhere, but then nothing can be compared.
+    // The student may change the view, but the pictures are compared in the target's.
     present.camera = target.camera.clone();
     let [width, height] = target.image.size;
     let scale = f64::from(SIDE) / f64::from(width.max(height).max(1));
@@ -246,7 +247,7 @@ fn picture_ui(ui: &mut Ui, own: &Matching, [width, height]: [u32; 2]) {
     }
 }
 
-/// Shows the distance on a scale of decades from what it was at first to what counts as the same.
+/// Shows the distance on a logarithmic scale from its value at first to the tolerance.
 fn meter_ui(ui: &mut Ui, own: &Matching, distance: f64, tolerance: f64) {
     let [first, before, _] = own.distances;
     let start = first.unwrap_or(distance).max(4.0 * tolerance);

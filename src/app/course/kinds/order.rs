@@ -1,4 +1,4 @@
-//! An order: cards that are moved by dragging or by their buttons, the least first.
+//! An order: cards moved by dragging or by their buttons, the smallest first.
 
 use super::card::Card;
 use super::widget::{Asked, Widget};
@@ -10,13 +10,13 @@ use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Align, Button, CursorIcon, Layout, RichText, Sense, Ui, vec2};
 
-/// The items in the order that they have so far.
+/// The items in their current order.
 pub struct OrderWidget {
     order: Vec<usize>,
 }
 
 impl OrderWidget {
-    /// Puts the items into another order than the lesson has them.
+    /// Arranges the lesson's items in reverse, rotated by a number of places that `seed` decides.
     pub fn new(count: usize, seed: u64) -> Self {
         let turn = seed as usize % count.max(1);
         let order = (0..count).rev().map(|item| (item + turn) % count);
@@ -64,7 +64,7 @@ impl Widget for OrderWidget {
                 }
                 let side = ui.spacing().interact_size.y;
                 let size = vec2(2.0 * side + 2.0, side);
-                // As high as the buttons, whose signs stand in their middle.
+                // As high as the buttons, whose signs are at mid-height.
                 ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
                     ui.spacing_mut().item_spacing.x = 2.0;
                     for (sign, to, name) in [

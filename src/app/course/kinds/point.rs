@@ -1,4 +1,4 @@
-//! A point: a place that is clicked in the picture.
+//! A point, marked by a click in the picture.
 
 use super::widget::{Asked, Widget};
 use crate::app::session::Session;
@@ -9,10 +9,10 @@ use crate::text::text;
 use eframe::egui::{Key, Label, RichText, Ui};
 use glam::DVec2;
 
-/// The place that is marked in the picture.
+/// The point marked in the picture.
 #[derive(Default)]
 pub struct PointWidget {
-    /// From the picture's middle, in units of its shorter side.
+    /// The offset from the picture's centre, in units of its shorter side.
     mark: Option<DVec2>,
 }
 

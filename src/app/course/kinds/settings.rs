@@ -1,4 +1,4 @@
-//! Settings: a control among those of the step is the answer.
+//! Settings: one of the step's controls is the answer.
 
 use super::widget::{Asked, Widget, numbers_ui, set_ui};
 use crate::app::session::Session;
@@ -7,7 +7,7 @@ use crate::scene::Scene;
 use crate::text::text;
 use eframe::egui::{RichText, Ui};
 
-/// The hint to the control, which remembers its value itself.
+/// A hint to the control, which holds its value itself.
 pub struct SettingsWidget;
 
 impl Widget for SettingsWidget {

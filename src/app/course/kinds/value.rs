@@ -11,7 +11,7 @@ use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, RichText, Ui};
 
-/// A field for a number, with what is typed in it.
+/// A field for a number, with the text typed in it.
 #[derive(Default)]
 pub struct ValueWidget {
     typed: String,
@@ -40,7 +40,7 @@ impl Widget for ValueWidget {
             }
             entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
             if entered {
-                // For the next try; what is right gives it to the way on.
+                // Ready for the next try; after a right answer the focus moves to the next step's button.
                 field.request_focus();
             }
             if !value.unit.is_empty() {

@@ -1,4 +1,4 @@
-//! A question's widget: all that the course asks of one.
+//! The interface of a question's widget to the course.
 
 use crate::app::session::Session;
 use crate::app::session::window::WindowState;
@@ -10,15 +10,15 @@ use eframe::egui::Ui;
 use egui_commonmark::CommonMarkCache;
 use glam::DVec2;
 
-/// A question's widget, with the answer that is being made in it.
+/// A question's widget, with the answer in the making.
 pub trait Widget {
-    /// Takes up an answer that was given before.
+    /// Restores a previous answer.
     fn take_up(&mut self, _given: &Answer) {}
 
     /// Shows the widget. Returns whether Enter was pressed in it.
     fn ui(&mut self, ui: &mut Ui, asked: &mut Asked<'_>) -> bool;
 
-    /// Returns the answer, where there is a whole one; `scene` is that of the window.
+    /// Returns the answer if it is complete; `scene` is the scene of the window.
     fn answer(&self, question: &Question, scene: &Scene) -> Option<Answer>;
 
     /// Shows the right answer in words and numbers, beside the student's.
@@ -32,46 +32,46 @@ pub trait Widget {
     ) {
     }
 
-    /// Returns the place that is marked in the picture, from its middle in units of its shorter side.
+    /// Returns the point marked in the picture: its offset from the centre, in units of the shorter side.
     fn mark(&self) -> Option<DVec2> {
         None
     }
 
-    /// Marks a place in the picture.
+    /// Marks a point in the picture.
     fn put_mark(&mut self, _place: DVec2) {}
 
-    /// Returns the place on the step's line that the pointer is on, from 0 to 1.
+    /// Returns the position on the step's line under the pointer, from 0 to 1.
     fn along(&self) -> Option<f64> {
         None
     }
 }
 
-/// A question that is asked, with what its widget may read and change.
+/// A question on display, with what its widget may read and change.
 pub struct Asked<'a> {
     /// The question.
     pub question: &'a Question,
-    /// The texts of options or items, or the names of axes, with their numbers.
+    /// The texts of options or items, or the names of axes, with their numbers filled in.
     pub names: &'a [String],
     /// The right answer, once it is known.
     pub solution: Option<&'a Solution>,
-    /// The right answer is shown.
+    /// True if the right answer is shown.
     pub revealed: bool,
     /// The step's scene.
     pub staged: Option<&'a Staged>,
-    /// The opening of the lesson, and the step.
+    /// The number of the lesson's opening, and the step's index.
     pub step: (u64, usize),
-    /// The texts that were laid out.
+    /// The cache of laid-out texts.
     pub markdown: &'a mut CommonMarkCache,
     /// The scene of the window.
     pub scene: &'a Scene,
     /// The state that outlives the step.
     pub window: &'a mut WindowState,
-    /// The answer has changed.
+    /// True if the answer has changed.
     pub changed: bool,
 }
 
 impl<'a> Asked<'a> {
-    /// Returns the right answer, where it is shown.
+    /// Returns the right answer, if it is shown.
     pub fn right(&self) -> Option<&'a Solution> {
         self.solution.filter(|_| self.revealed)
     }

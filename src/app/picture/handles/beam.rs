@@ -1,9 +1,9 @@
-//! Where a spot or area light shines: its axis, its cone and its outline, drawn and dragged.
+//! The beam of a spot or area light: its axis, its cone and its outline, drawn and dragged.
 //!
-//! The axis ends as far from the light as the camera's target is: aimed at the target, the arrow's head is on it. The
-//! head slides on the sphere about the light with that radius, and the cone's edge is a circle on the same sphere, so
-//! that even a cone as wide as a half-space has one. Pulled past the sphere's outline, the head goes round to the other
-//! side.
+//! The axis ends as far from the light as the camera's target is: if the light is aimed at the target, the
+//! arrow's head is on it. The head slides on the sphere about the light with that radius, and the cone's edge
+//! is a circle on the same sphere, so that even a cone as wide as a half-space has one. Dragged past the
+//! sphere's outline, the head moves to the other side.
 
 use crate::app::session::Session;
 use crate::app::session::place::{Place, tidy};
@@ -17,30 +17,31 @@ use eframe::egui::{Color32, Painter, Pos2, Stroke, Vec2};
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
-/// How far a marker keeps from the picture's edge, points.
+/// The distance of a marker from the picture's edge, in points.
 pub const MARGIN: f32 = 22.0;
-/// Radius of the handles of a light's axis and edge, points.
+/// The radius of the handles of a light's axis and edge, in points.
 const SMALL: f32 = 5.0;
-/// The axis is at least this long, in camera distances: a light upon the target can still be turned.
+/// The minimum length of the axis, in camera distances: even a light at the target can be turned.
 const SHORTEST: f64 = 0.25;
-/// Points of an outline that is round.
+/// The number of points of a round outline.
 const ROUND: u32 = 48;
-/// Where the axis makes a smaller angle (its sine) with the viewing direction, the cone's edge is seen face on.
+/// The sine of the angle between the axis and the viewing direction below which the cone's edge counts as
+/// seen face on.
 const FACE_ON: f64 = 0.3;
 
-/// The axis of a light, with what is drawn about it.
+/// The axis of a light, with the shapes drawn about it.
 #[derive(Clone, Copy, Debug)]
 pub struct Beam<'a> {
     light: &'a Light,
-    /// Unit.
+    /// The unit direction in which the light shines.
     axis: DVec3,
     reach: f64,
-    /// Unit, across the axis, level in the picture: where the handle of the cone's edge is.
+    /// The unit vector across the axis, level in the picture, that points to the handle of the cone's edge.
     aside: DVec3,
 }
 
 impl<'a> Beam<'a> {
-    /// The beam of a light that has a place and a direction.
+    /// Returns the beam of a light, if it has a position and a direction.
     pub fn of(light: &'a Light, view: &View, target: DVec3) -> Option<Self> {
         if !light.kind.has_position() || !light.has_direction() {
             return None;
@@ -69,14 +70,14 @@ impl<'a> Beam<'a> {
         self.light.position + self.axis * self.reach
     }
 
-    /// A point of the cone's edge, `turn` radians round the axis from the handle.
+    /// Returns a point of the cone's edge, `turn` radians round the axis from the handle.
     fn edge(&self, turn: f64) -> DVec3 {
         let (sine, cosine) = self.light.cone.to_radians().sin_cos();
         let around = self.aside * turn.cos() + self.axis.cross(self.aside) * turn.sin();
         self.light.position + (self.axis * cosine + around * sine) * self.reach
     }
 
-    /// The handles that are in the picture: of the axis, and of a cone's edge.
+    /// Returns the visible handles: that of the axis, and that of a cone's edge.
     pub fn grips(&self, view: &View, place: Place) -> Vec<(Grip, Pos2)> {
         let inner = place.rect.shrink(MARGIN * 0.5);
         let seen = |world: DVec3| view.project(world).map(|(pixel, _)| place.point(pixel));
@@ -96,7 +97,7 @@ impl<'a> Beam<'a> {
         grips
     }
 
-    /// Draws its handles.
+    /// Draws the visible handles.
     pub fn paint_grips(&self, painter: &Painter, view: &View, place: Place) {
         for (_, at) in self.grips(view, place) {
             painter.circle_stroke(at, SMALL, Stroke::new(4.0, Color32::from_black_alpha(150)));
@@ -109,7 +110,7 @@ impl<'a> Beam<'a> {
         }
     }
 
-    /// Draws the axis, and faintly what it is the axis of.
+    /// Draws the axis and, faintly, the cone about it.
     fn paint(&self, painter: &Painter, view: &View, place: Place) {
         let seen = |world: DVec3| {
             view.project(world)
@@ -143,7 +144,7 @@ impl<'a> Beam<'a> {
     }
 }
 
-/// Where the chosen light shines, if it has an axis.
+/// Returns the beam of the chosen light, if it has an axis.
 pub fn chosen<'a>(session: &'a Session, view: &View) -> Option<Beam<'a>> {
     let scene = &session.shown.scene;
     scene
@@ -152,7 +153,7 @@ pub fn chosen<'a>(session: &'a Session, view: &View) -> Option<Beam<'a>> {
         .and_then(|light| Beam::of(light, view, scene.camera.target))
 }
 
-/// Draws the outline of every area light, and where the chosen light shines.
+/// Draws the outline of every area light, and the beam of the chosen light.
 pub fn paint(painter: &Painter, session: &Session, view: &View, place: Place) {
     let scene = &session.shown.scene;
     for (index, light) in scene
@@ -189,12 +190,12 @@ fn area(painter: &Painter, light: &Light, view: &View, place: Place, stroke: Str
     closed(painter, stroke, points.into_iter().map(seen));
 }
 
-/// Angles once round, radians.
+/// Returns the angles of a full circle, in radians.
 fn round() -> impl Iterator<Item = f64> {
     (0..ROUND).map(|k| f64::from(k) / f64::from(ROUND) * TAU)
 }
 
-/// A closed line through points, if all of them can be seen.
+/// Draws a closed line through points, if all of them are visible.
 fn closed(painter: &Painter, stroke: Stroke, points: impl Iterator<Item = Option<DVec2>>) {
     if let Some(points) = points.collect::<Option<Vec<_>>>() {
         outline(
@@ -206,7 +207,8 @@ fn closed(painter: &Painter, stroke: Stroke, points: impl Iterator<Item = Option
     }
 }
 
-/// Turns light `index` so that its axis' head is at `pixel`, on the side of the light where the drag began.
+/// Turns light `index` so that the head of its axis is at `pixel`, on the side of the light where the drag
+/// began.
 pub fn aim_at(scene: &mut Scene, index: usize, view: &View, pixel: DVec2, front: bool) {
     let Scene { lights, camera, .. } = scene;
     let (Some(light), target) = (lights.get_mut(index), camera.target) else {
@@ -221,7 +223,7 @@ pub fn aim_at(scene: &mut Scene, index: usize, view: &View, pixel: DVec2, front:
     }
 }
 
-/// Opens the cone of light `index` so that its edge is at `pixel`.
+/// Opens the cone of light `index` so that its edge passes through `pixel`.
 pub fn open_to(scene: &mut Scene, index: usize, view: &View, pixel: DVec2) {
     let Scene { lights, camera, .. } = scene;
     let (Some(light), target) = (lights.get_mut(index), camera.target) else {
@@ -231,7 +233,7 @@ pub fn open_to(scene: &mut Scene, index: usize, view: &View, pixel: DVec2) {
         return;
     };
     let (origin, along) = view.ray(pixel);
-    // Seen from the side, the plane of the axis and the handle; seen face on, the sphere.
+    // Seen from the side, on the plane of the axis and the handle; seen face on, on the sphere.
     let normal = beam.axis.cross(beam.aside);
     let way = if beam.axis.cross(view.forward).length() > FACE_ON {
         origin + along * ((light.position - origin).dot(normal) / along.dot(normal))
@@ -256,8 +258,9 @@ pub fn open_to(scene: &mut Scene, index: usize, view: &View, pixel: DVec2) {
     }
 }
 
-/// The unit direction from `centre` to the point of the sphere of radius `reach` that is seen at `pixel`, on the side of
-/// the viewer or beyond; beside the sphere, a point on the other side that comes the nearer the farther away `pixel` is.
+/// Returns the unit direction from `centre` to the point seen at `pixel` on the sphere of radius `reach`, on
+/// the viewer's side if `front`, else on the far one. Outside the sphere's outline, the point is on the other
+/// side, and the nearer to the middle of that side the farther away `pixel` is.
 pub fn on_sphere(view: &View, pixel: DVec2, centre: DVec3, reach: f64, front: bool) -> DVec3 {
     let (origin, along) = view.ray(pixel);
     let nearest = (centre - origin).dot(along);
@@ -265,7 +268,7 @@ pub fn on_sphere(view: &View, pixel: DVec2, centre: DVec3, reach: f64, front: bo
     let beside = offset.length() / reach;
     if beside < 1.0 {
         let half = (1.0 - beside * beside).sqrt() * reach;
-        // A sphere that holds the eye is seen from inside, on its far side only.
+        // A sphere that contains the eye is seen from inside, on its far side only.
         let side = if front && nearest > half { -1.0 } else { 1.0 };
         return ((offset + along * half * side) / reach).normalize_or_zero();
     }
@@ -273,7 +276,7 @@ pub fn on_sphere(view: &View, pixel: DVec2, centre: DVec3, reach: f64, front: bo
     offset.normalize_or_zero() * angle.cos() + along * angle.sin() * if front { 1.0 } else { -1.0 }
 }
 
-/// The pointer over a cone's edge: the arrows across it.
+/// Returns the cursor over a cone's edge: arrows across the edge.
 pub fn cursor(way: Vec2) -> eframe::egui::CursorIcon {
     use eframe::egui::CursorIcon::{ResizeHorizontal, ResizeNeSw, ResizeNwSe, ResizeVertical};
     let icons = [ResizeHorizontal, ResizeNwSe, ResizeVertical, ResizeNeSw];
@@ -304,7 +307,7 @@ mod tests {
         }
     }
 
-    /// Where the head of the axis and the handle of the edge are seen.
+    /// Returns the pixels of the axis' head and of the edge's handle.
     fn seen(scene: &Scene, view: &View) -> [DVec2; 2] {
         let beam = Beam::of(&scene.lights[0], view, scene.camera.target).expect("a spot light");
         [beam.head(), beam.edge(0.0)].map(|at| view.project(at).expect("before the eye").0)

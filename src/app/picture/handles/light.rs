@@ -1,10 +1,10 @@
-//! The lights in the picture: where their handles are, how they show, and how they are dragged.
+//! The lights' handles in the picture: their positions, their appearance, and dragging.
 //!
-//! A light keeps its distance while it is dragged: it moves on the sphere through it about the object's middle, and pulled
-//! past the sphere's rim it goes round to the other side. A directional light is nowhere, so its handle slides on a sphere in
-//! the picture, filled on the side that faces the viewer, hollow beyond. A light behind the viewer or outside the picture has a
-//! marker at the edge that points to it; dragged round the edge it goes round the object, dragged inwards it comes to the
-//! viewer.
+//! A light keeps its distance while it is dragged: it moves on the sphere through it about the object's
+//! centre, and dragged past the sphere's rim it moves to the other side. A directional light has no position,
+//! so its handle slides on a sphere in the picture, filled on the side that faces the viewer, hollow on the
+//! other. A light behind the viewer or outside the picture has a marker at the edge that points to it.
+//! Dragged along the edge, the light moves round the object; dragged inwards, it moves towards the viewer.
 
 use super::beam::{self, MARGIN, on_sphere};
 use crate::app::controls::row::swatch;
@@ -23,34 +23,37 @@ use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, 
 use glam::{DVec2, DVec3};
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
-/// Radius of the sphere that directional lights' handles slide on, in the picture's shorter side at the depth of its middle.
+/// The radius of the sphere on which directional lights' handles slide, as a fraction of the picture's
+/// shorter side at the depth of its centre.
 const SPHERE: f64 = 0.42;
-/// Radius of a handle, points.
+/// The radius of a handle, in points.
 const RADIUS: f32 = 8.0;
-/// How near the pointer must be to take hold of something, points.
+/// The maximum distance at which the pointer grabs a handle, in points.
 pub const REACH: f32 = 14.0;
-/// The height that a pane's caption takes, points.
+/// The height of a pane's caption, in points.
 const CAPTION: f32 = 34.0;
-/// Width of the figures of a difference, points.
+/// The width of the figures of a difference, in points.
 const FIGURES: f32 = 300.0;
-/// A light in the viewer's own direction counts as this far from it, radians: its marker at the edge can be dragged.
+/// The minimum angle between a light and the viewer's direction, in radians, so that its marker at the edge
+/// can be dragged.
 const LEAST_ANGLE: f64 = 0.25;
-/// How far lights can be moved by hand from the object's middle, world units.
+/// The distances from the object's centre to which lights can be moved by hand, in world units.
 const DISTANCES: RangeInclusive<f64> = 1e-3..=1e6;
 
-/// How a light shows in the picture.
+/// The marker that represents a light in the picture.
 #[derive(Clone, Copy)]
 enum Marker {
-    /// A light with a place in the picture.
+    /// A light with a position in the picture.
     Point,
-    /// A directional light; `front` on the viewer's side of the sphere.
+    /// A directional light; `front` if it is on the viewer's side of the sphere.
     Directional { front: bool },
-    /// A light that is not in the picture; the unit vector points to where it is.
+    /// A light outside the picture, with the unit vector that points to it.
     Edge(Vec2),
 }
 
-/// The middle of the object, which lights are dragged about: that of the unit sphere, or of the scene's own polygons. Where it is
-/// not before the viewer, and for a model at its file's own place, the camera's target.
+/// Returns the centre of the object, about which lights are dragged: that of the unit sphere, or of the
+/// scene's own polygons. If it is behind the viewer, or for a model at its file's own position, returns the
+/// camera's target.
 fn middle(scene: &Scene, view: &View) -> DVec3 {
     let object = &scene.object;
     let own = match object.kind {
@@ -74,7 +77,7 @@ fn middle(scene: &Scene, view: &View) -> DVec3 {
     }
 }
 
-/// Draws the line from the light that is held or pointed at to the object's middle.
+/// Draws the line from the light that is dragged or pointed at to the object's centre.
 pub fn paint_stem(
     painter: &Painter,
     session: &Session,
@@ -108,7 +111,7 @@ pub fn paint_stem(
     }
 }
 
-/// Draws the lights' handles; that of the chosen light is emphasised, those that are off look unlit.
+/// Draws the lights' handles; the chosen light is emphasised, and lights that are off look unlit.
 pub fn paint(painter: &Painter, session: &Session, view: &View, place: Place) {
     let scene = &session.shown.scene;
     let (middle, soloing) = (middle(scene, view), scene.soloing());
@@ -135,8 +138,8 @@ pub fn area(rect: Rect) -> Area {
 }
 
 impl Marker {
-    /// Where its number would stand, as seen from the handle at `at`, and how far away: clear of the line to the object's
-    /// middle, which is at `foot`.
+    /// Returns the direction and the distance of the light's number from its handle at `at`, clear of the
+    /// line to the object's centre, which is at `foot`.
     fn number(self, at: Pos2, foot: Option<DVec2>) -> (Vec2, f32) {
         let away = foot
             .and_then(|foot| (exact(at) - foot).try_normalize())
@@ -149,12 +152,12 @@ impl Marker {
     }
 }
 
-/// Where the object's middle is on the screen, or far out of it.
+/// Returns the object's centre on the screen, or far outside it; `None` behind the viewer.
 fn foot(view: &View, middle: DVec3, place: Place) -> Option<DVec2> {
     Some(place.exact_point(view.project(middle)?.0))
 }
 
-/// What each handle covers with its number, points.
+/// Returns the area that each handle covers with its number, in points.
 pub fn covered(scene: &Scene, view: &View, place: Place) -> Vec<Area> {
     let middle = middle(scene, view);
     let foot = foot(view, middle, place);
@@ -168,7 +171,7 @@ pub fn covered(scene: &Scene, view: &View, place: Place) -> Vec<Area> {
     scene.lights.iter().map(covered).collect()
 }
 
-/// What the captions of panes cover, points.
+/// Returns the areas that the captions of panes cover, in points.
 pub fn captions(session: &Session, place: Place) -> Vec<Area> {
     let (rect, view) = (place.rect, session.document().scene.compare.view);
     if view == CompareView::Single {
@@ -176,7 +179,7 @@ pub fn captions(session: &Session, place: Place) -> Vec<Area> {
     }
     let size = vec2(0.6 * rect.width(), CAPTION);
     let top = match view {
-        // The figures stand below the names where there is no room beside the scale, and are longer.
+        // The figures are longer, and in a narrow picture they are below the names.
         CompareView::Difference => vec2(rect.width().min(FIGURES), 1.6 * CAPTION),
         _ => size,
     };
@@ -195,7 +198,8 @@ pub fn captions(session: &Session, place: Place) -> Vec<Area> {
     covered.into_iter().map(area).collect()
 }
 
-/// Writes the lights' numbers beside their handles, inside the picture, off one another and off the captions of panes.
+/// Writes the lights' numbers beside their handles, inside the picture, without overlap with one another or
+/// with the captions of panes.
 fn paint_numbers(
     painter: &Painter,
     session: &Session,
@@ -237,14 +241,14 @@ fn paint_numbers(
     }
 }
 
-/// Where the lights' handles are.
+/// Returns the positions of the lights' handles.
 pub fn places(scene: &Scene, view: &View, place: Place) -> Vec<Pos2> {
     let middle = middle(scene, view);
     let at = |light| marker(light, view, middle, place).0;
     scene.lights.iter().map(at).collect()
 }
 
-/// Where a light's handle is, and how it shows.
+/// Returns the position and the marker of a light's handle.
 fn marker(light: &Light, view: &View, middle: DVec3, place: Place) -> (Pos2, Marker) {
     let directional = light.kind == LightKind::Directional;
     let world = if directional {
@@ -271,8 +275,9 @@ fn marker(light: &Light, view: &View, middle: DVec3, place: Place) -> (Pos2, Mar
     )
 }
 
-/// `light` moved, or turned if it is directional, to where its handle is as far as can be from those of `lights`: in the
-/// upper part of the picture and halfway between the viewer and what is looked at, so that this is lit.
+/// Returns `light` moved, or turned if it is directional, so that its handle is as far as possible from those
+/// of the scene's lights: in the upper part of the picture and halfway between the viewer and the camera's
+/// target, so that the target is lit.
 pub fn apart(light: Light, scene: &Scene, size: [u32; 2]) -> Light {
     let Scene { lights, camera, .. } = scene;
     let view = View::new(camera, size);
@@ -302,7 +307,7 @@ pub fn apart(light: Light, scene: &Scene, size: [u32; 2]) -> Light {
             }
         }
     };
-    // More places than lights: not all of them are taken.
+    // More positions than lights, so that some are free.
     let count = 4 + (f64::from(u32::try_from(lights.len()).unwrap_or(u32::MAX))).sqrt() as u32;
     let share = |index: u32| (f64::from(index) + 0.5) / f64::from(count);
     let places = (0..count * count).map(|index| {
@@ -328,7 +333,7 @@ fn sphere_radius(view: &View, middle: DVec3) -> f64 {
     SPHERE * 2.0 * view.centre.min_element() * view.world_per_pixel(depth)
 }
 
-/// The marker of a light that is not in the picture.
+/// Returns the position and the marker of a light outside the picture.
 fn at_edge(world: DVec3, view: &View, place: Place) -> (Pos2, Marker) {
     let from_eye = world - view.eye;
     let across = vec2(
@@ -346,7 +351,7 @@ fn at_edge(world: DVec3, view: &View, place: Place) -> (Pos2, Marker) {
     (place.rect.center() + way * reach, Marker::Edge(way))
 }
 
-/// Where light `index` is, for a drag that begins.
+/// Returns the state of light `index` at the start of a drag.
 pub fn start(scene: &Scene, index: usize, view: &View, place: Place) -> LightStart {
     let middle = middle(scene, view);
     let Some(light) = scene.lights.get(index) else {
@@ -364,8 +369,9 @@ pub fn start(scene: &Scene, index: usize, view: &View, place: Place) -> LightSta
     }
 }
 
-/// Moves light `index` about the object's middle so that its handle is at `pixel`: at the distance at which the drag began,
-/// on the side of the object where it began or, past the sphere's rim, on the other.
+/// Moves light `index` about the object's centre so that its handle is at `pixel`. The light keeps the
+/// distance at which the drag began, and its side of the object or, past the sphere's rim, changes to the
+/// other.
 pub fn drag_light(scene: &mut Scene, index: usize, view: &View, start: &LightStart, pixel: DVec2) {
     let middle = middle(scene, view);
     let Some(light) = scene.lights.get_mut(index) else {
@@ -391,9 +397,9 @@ pub fn drag_light(scene: &mut Scene, index: usize, view: &View, start: &LightSta
     }
 }
 
-/// The unit direction from the object's middle to a light whose marker was dragged from the picture's edge to `pixel`. Seen
-/// from the viewer it goes round as the pointer does, and its angle to the viewer is in proportion to the pointer's
-/// distance from the middle.
+/// Returns the unit direction from the object's centre to a light whose marker was dragged from the picture's
+/// edge to `pixel`. Seen from the viewer, the direction turns as the pointer does, and its angle to the
+/// viewer is proportional to the pointer's distance from the centre.
 fn round_the_edge(view: &View, middle: DVec3, start: &LightStart, pixel: DVec2) -> DVec3 {
     let Some((centre, _)) = view.project(middle) else {
         return DVec3::ZERO;
@@ -404,7 +410,7 @@ fn round_the_edge(view: &View, middle: DVec3, start: &LightStart, pixel: DVec2) 
         offset.angle_between(viewer).max(LEAST_ANGLE) * to.length() / from.length().max(1.0);
     let side = (offset - viewer * offset.dot(viewer)).try_normalize();
     let side = side.unwrap_or((view.right * from.x - view.up * from.y).normalize_or(view.up));
-    // Pixels count downwards: their angles go clockwise.
+    // Pixel rows count downwards, so that their angles are clockwise.
     let angle_round = from.angle_to(to);
     let turn = DVec2::from_angle(if angle_round.is_finite() {
         -angle_round
@@ -416,7 +422,7 @@ fn round_the_edge(view: &View, middle: DVec3, start: &LightStart, pixel: DVec2) 
     viewer * cosine + around * sine
 }
 
-/// Multiplies the distance of light `index` from the object's middle; a directional light has none.
+/// Multiplies the distance of light `index` from the object's centre. Does nothing for a directional light.
 pub fn scale_light(scene: &mut Scene, index: usize, view: &View, factor: f64) {
     let middle = middle(scene, view);
     let Some(light) = scene
@@ -433,7 +439,7 @@ pub fn scale_light(scene: &mut Scene, index: usize, view: &View, factor: f64) {
     }
 }
 
-/// Draws a handle, hollow and crossed where it has no `colour`: its light is off.
+/// Draws a handle; without a `colour`, the light is off, and the handle is hollow and crossed.
 fn paint_light(painter: &Painter, at: Pos2, marker: Marker, colour: Option<Color32>, chosen: bool) {
     let orange = palette::vector(Vector::L);
     let rim = colour.map_or(Color32::from_gray(175), |_| orange);
@@ -533,7 +539,7 @@ mod tests {
                 assert!((handle(&scene) - wanted).length() < 2.0, "{wanted}");
                 assert_eq!(at.z > 0.0, from.z > 0.0, "it stays on its side");
             }
-            // Past the rim it goes round to the other side, and comes back.
+            // Past the rim it moves to the other side, and comes back.
             drag_light(&mut scene, 0, &view(), &start, DVec2::new(760.0, 300.0));
             assert!((scene.lights[0].position.length() - from.length()).abs() < 2e-3);
             assert_eq!(scene.lights[0].position.z > 0.0, from.z < 0.0);

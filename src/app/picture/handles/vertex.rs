@@ -1,7 +1,7 @@
 //! The vertices of a scene's own polygons in the picture: small diamonds to drag.
 //!
-//! A vertex is dragged in the plane through it that is parallel to the picture. Where a polygon would cross itself it goes
-//! as far towards the pointer as it can.
+//! A vertex moves in the plane through it that is parallel to the picture. Before a polygon would cross
+//! itself, the vertex stops as near to the pointer as it can.
 
 use crate::app::controls::vertices::{MOST_HANDLES, move_vertex};
 use crate::app::session::Session;
@@ -15,11 +15,11 @@ use crate::scene::{Object, ObjectKind, Scene, View};
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Shape, Stroke, vec2};
 use glam::{DVec2, DVec3};
 
-/// From a diamond's middle to its corners, points.
+/// The distance from a diamond's centre to its corners, in points.
 const RADIUS: f32 = 6.0;
-/// So near to the pointer a vertex shows its number, points.
+/// The maximum distance to the pointer at which a vertex shows its number, in points.
 const NEAR: f32 = 40.0;
-/// The vertices in the picture, by their numbers.
+/// Returns the positions of the visible vertices, with their numbers.
 pub fn seen(session: &Session, view: &View, place: Place) -> Vec<(u32, Pos2)> {
     let object = &session.shown.scene.object;
     let vertices = object.polygons().vertices;
@@ -60,8 +60,8 @@ pub fn push(scene: &mut Scene, v: u32, view: &View, step: f64) {
     );
 }
 
-/// Draws the diamonds, white with a dark rim so that they show on any picture, the chosen one filled; those near the pointer
-/// with their numbers.
+/// Draws the diamonds, white with a dark rim so that they are visible on any picture, the chosen one filled;
+/// those near the pointer have their numbers.
 pub fn paint(
     painter: &Painter,
     session: &Session,
