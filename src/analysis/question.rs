@@ -14,7 +14,7 @@ use std::sync::Arc;
 /// A question about a scene: plain data, so that it can be stored, compared and sent elsewhere.
 ///
 /// ```
-/// use shading_lab::analysis::{About, Answer, Question, Subject, unwatched};
+/// use shading_lab::analysis::{Answer, Question, ReportContext, Subject, unwatched};
 /// use shading_lab::analysis::normals::NormalsQuestion;
 /// use shading_lab::scene::{Scene, presets};
 ///
@@ -23,7 +23,7 @@ use std::sync::Arc;
 /// let subject = Subject::new(scene);
 /// let answer = question.answer(&subject, &unwatched)?;
 ///
-/// let about = About { name: "vertex-normals", scene: &subject.scene };
+/// let about = ReportContext { name: "vertex-normals", scene: &subject.scene };
 /// println!("{}", answer.text(&about)); // as the command `normals` prints it
 /// assert_eq!(answer.object(&about)["vertex"]["vertex"], 0); // as with `--json`
 /// # Ok::<(), String>(())

@@ -84,7 +84,7 @@ impl Formula {
         Self::read(text).unwrap_or_else(|| Self::of(Base::Signs(text.to_owned())))
     }
 
-    /// Whether there is nothing in it.
+    /// Returns whether the formula is empty.
     pub fn is_empty(&self) -> bool {
         self.items.is_empty()
     }
@@ -132,7 +132,7 @@ impl Item {
         Self { base, low, high }
     }
 
-    /// Whether signs that follow belong to the same row of signs.
+    /// Returns whether following signs belong to the same row of signs.
     fn takes_more(&self) -> bool {
         matches!(self.base, Base::Signs(_)) && self.low.is_empty() && self.high.is_empty()
     }
