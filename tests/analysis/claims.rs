@@ -1,4 +1,4 @@
-//! What the probe says in words, of a thousand random scenes: each claim against an evaluation of its own.
+//! The sentences of the probe about random scenes: each claim against an independent evaluation.
 
 use crate::common::any_scene::{AnyScene, any_scene};
 use crate::common::reasons::Judge;
@@ -15,7 +15,7 @@ use shading_lab::scene::{
 };
 use std::collections::BTreeMap;
 
-/// The seeds that the environment names, or these.
+/// Returns the seeds that the environment names, or `0..4000`.
 fn seeds() -> std::ops::Range<u64> {
     let named = std::env::var("ROBUSTNESS_SEEDS").ok();
     let named = named.as_deref().and_then(|text| text.split_once(".."));
@@ -25,7 +25,7 @@ fn seeds() -> std::ops::Range<u64> {
     })
 }
 
-/// What is said of a cause, in short and in a clause.
+/// Returns the short note and the clause that name a cause.
 fn words(cause: ZeroCause, c: &str) -> (&'static str, String) {
     let key = match cause {
         ZeroCause::Muted => "point-zero-muted",
@@ -59,7 +59,7 @@ fn clauses(causes: ZeroCauses, c: &str) -> String {
     }
 }
 
-/// The claims met, by kind.
+/// The number of claims checked, by kind.
 type Met = BTreeMap<&'static str, u32>;
 
 struct Checker<'a> {
@@ -88,7 +88,7 @@ impl Checker<'_> {
         self.check_refraction(hit, &parts)
     }
 
-    /// Why a light or a term adds nothing.
+    /// Checks the reasons given for a light or a term that adds nothing.
     fn check_reasons(&mut self, light: LightHere<'_>, parts: &[FilledPart]) -> Result<(), String> {
         let (terms, source) = (light.terms, light.source);
         self.judge.check(light.here.hit, source, terms)?;
@@ -160,7 +160,7 @@ impl Checker<'_> {
         self.check_formulas(light, &line.parts)
     }
 
-    /// Where the equation is evaluated, and which way the highlight points.
+    /// Checks where the equation is said to be evaluated, and which way the highlight is said to point.
     fn check_formulas(&mut self, light: LightHere<'_>, parts: &[FilledPart]) -> Result<(), String> {
         let scene = self.scene;
         let own_place = matches!(scene.shading.mode, ShadingMode::Phong | ShadingMode::Exact);
@@ -200,7 +200,7 @@ impl Checker<'_> {
         Ok(())
     }
 
-    /// Angles, shadows, and whether R is built.
+    /// Checks the angles and the shadows, and whether R is constructed.
     fn check_geometry(&mut self, light: LightHere<'_>) -> Result<(), String> {
         let (hit, terms) = (light.here.hit, light.terms);
         let rows = light.angles();
@@ -264,7 +264,7 @@ impl Checker<'_> {
         Ok(())
     }
 
-    /// What becomes of values above 1.
+    /// Checks the notes about values above 1.
     fn check_display(&mut self, hit: &ProbeHit, parts: &[FilledPart]) -> Result<(), String> {
         let divided = english!("point-divided", divisor = "|");
         let above = (0..3).any(|channel| hit.sum[channel] > 1.0);
@@ -297,7 +297,7 @@ impl Checker<'_> {
         Ok(())
     }
 
-    /// How much depth cueing leaves.
+    /// Checks the attenuation by depth cueing.
     fn check_depth(&mut self, hit: &ProbeHit, parts: &[FilledPart]) -> Result<(), String> {
         let cueing = &self.scene.depth_cueing;
         let said = english!(
@@ -322,7 +322,7 @@ impl Checker<'_> {
         Ok(())
     }
 
-    /// The angles of refraction.
+    /// Checks the angles of refraction.
     fn check_refraction(&mut self, hit: &ProbeHit, parts: &[FilledPart]) -> Result<(), String> {
         let view = View::new(&self.scene.camera, self.scene.image.size);
         let sight = view.towards_eye(hit.position);
@@ -363,7 +363,7 @@ impl Checker<'_> {
     }
 }
 
-/// The note that is `text` with any values between its bars, on a line or among its parts.
+/// Finds a note that contains the pieces of `text` between its bars, whatever the values in their place, nested lines included.
 fn note_with(parts: &[FilledPart], text: &str) -> Option<String> {
     parts.iter().find_map(|part| match part {
         FilledPart::Note(note) if text.split('|').all(|part| note.contains(part)) => {
@@ -374,7 +374,7 @@ fn note_with(parts: &[FilledPart], text: &str) -> Option<String> {
     })
 }
 
-/// The numbers in a text, in their order; a digit behind a letter is part of its name.
+/// Returns the numbers in a text, in order; a digit that follows a letter belongs to a name.
 fn numbers(text: &str) -> Vec<f64> {
     let ends = |c: char| !(c.is_ascii_digit() || c == '.' || c == '−' || c.is_alphabetic());
     let words = text
@@ -391,7 +391,7 @@ fn same<T: PartialEq + std::fmt::Debug>(said: T, expected: T, what: &str) -> Res
     }
 }
 
-/// R·V or N·H at the point, from the vectors alone.
+/// Returns R·V or N·H at the point, computed from the vectors alone.
 fn cosine(scene: &Scene, light: LightHere<'_>) -> f64 {
     let (hit, l) = (light.here.hit, light.terms.l);
     let flips = scene.reflection.backfacing == Backfacing::Flip && hit.normal.dot(l) < 0.0;
@@ -405,7 +405,7 @@ fn cosine(scene: &Scene, light: LightHere<'_>) -> f64 {
     }
 }
 
-/// The claims of a scene that were checked.
+/// Checks the claims about a random scene and counts them.
 fn examine(seed: u64) -> Result<Met, String> {
     let AnyScene { mut scene, model } = any_scene(seed);
     // What carries intensities along a scan line takes them from other corners than a triangle's.

@@ -1,4 +1,4 @@
-//! Panes of one scene: what is drawn, what is measured of it, and what is told of the difference.
+//! Comparison panes of one scene: their pictures, the measured differences, and the sentences about them.
 
 use shading_lab::analysis::comparison::{
     DrawnPane, ErrorFigures, ErrorRegion, LinearPicture, PaneArea, brightest, comparison_sheet,
@@ -27,7 +27,7 @@ fn drawn(scene: &Scene) -> Vec<DrawnPane> {
     .unwrap_or_default()
 }
 
-/// A coarse sphere beside the true one.
+/// Returns a coarse sphere beside the true one.
 fn scene(view: CompareView) -> Scene {
     let mut scene = Scene::default();
     scene.image.size = [96, 64];
@@ -62,7 +62,7 @@ fn a_pane_is_the_scene_with_its_own_settings() {
     }
 }
 
-/// The probe knows no panes: it reads the scene's own picture, as large as the whole sheet.
+/// Checks that the probe ignores panes: it reads the scene's own picture, at the size of the whole sheet.
 #[test]
 fn what_the_probe_calls_stored_is_the_scenes_own_picture() {
     let with = scene(CompareView::Panes);
@@ -98,7 +98,7 @@ fn keeping_the_picture_before_the_display_does_not_change_what_is_stored() {
     }
 }
 
-/// The error of the stored pixels, worked out from them alone.
+/// Returns the RMS and the maximum error, computed from the stored pixels alone.
 fn of_stored(a: &DrawnPane, b: &DrawnPane) -> (f64, f64) {
     let (mut sum, mut greatest, mut count) = (0.0, 0.0f64, 0u32);
     for (index, (p, q)) in a.frame.pixels.iter().zip(&b.frame.pixels).enumerate() {
@@ -457,7 +457,7 @@ fn the_scale_has_short_numbers() {
     );
 }
 
-/// 200 pixels that are off by 1/256 to 200/256, in falling order.
+/// Uses 200 pixels with differences from 1/256 to 200/256, in descending order.
 #[test]
 fn a_percentile_is_of_nearest_rank() {
     let grey = |value: f32| [value, value, value, 1.0];

@@ -1,4 +1,4 @@
-//! The three conditions under which flat shading is exact: what they measure, and that they are enough.
+//! The three conditions under which flat shading is exact: their measured values, and that together they suffice.
 
 mod agree;
 
@@ -10,7 +10,7 @@ use shading_lab::scene::{
     PatternKind, Projection, Rgb, Scene, ShadingMode, Viewer, presets,
 };
 
-/// An object under a directional light, seen from infinity.
+/// Returns an object under a directional light, seen from infinity.
 fn scene(kind: ObjectKind) -> Scene {
     let mut scene = Scene::default();
     scene.image.size = [120, 100];
@@ -125,7 +125,7 @@ fn the_direction_to_a_point_turns_as_seen_from_a_polygon() {
     assert_eq!(hold(&found(&plane)), [true; 3]);
 }
 
-/// A flat picture of a whole plane in parallel projection, whose highlight the local viewer makes vary.
+/// Draws a plane as a whole in parallel projection; only the local viewer makes its highlight vary.
 #[test]
 fn a_local_viewer_fails_in_parallel_projection() {
     let mut plane = scene(ObjectKind::Plane);
@@ -220,7 +220,7 @@ fn what_the_three_conditions_assume_is_named() {
     }
 }
 
-/// Flat minus exact is what a comparison of the two pictures says, for each place where flat shading evaluates the equation.
+/// Checks that flat minus exact equals the comparison of the two pictures, wherever flat shading evaluates the equation.
 #[test]
 fn the_pictures_are_those_of_the_scene() {
     let mut scene = presets::find("flat-facets").expect("built in").scene();

@@ -23,7 +23,7 @@ fn preset(name: &str) -> Scene {
     scene
 }
 
-/// The scene drawn and probed at a pixel that it lights.
+/// Draws the scene and probes it at a pixel that it lights.
 fn probed(scene: &Scene) -> (Renderer, Probe) {
     let mut renderer = Renderer::default();
     let probe = probe(&mut renderer, scene, 60, 40);
@@ -113,7 +113,7 @@ fn microfacets_have_the_curve_of_their_distribution() {
     }
 }
 
-/// φ lies between R and V; the models that measure N and H have α.
+/// Checks that Phong's model has φ, between R and V, and the models that measure N and H have α.
 #[test]
 fn the_highlights_angle_has_the_letter_of_its_model() {
     let scene = preset("sphere");
@@ -391,8 +391,8 @@ fn towards_the_eye_the_lobe_is_what_the_probe_says() {
     }
 }
 
-/// What the surface of `scene` sends towards `v` of parallel light from `l`, without the cosine that Cook and Torrance's
-/// and Phong's models have in different places.
+/// Returns the light that the surface of `scene` reflects specularly from parallel light from `l` towards `v`, without the
+/// cosine, which Cook and Torrance's and Phong's models have in different places.
 fn specular(scene: &Scene, l: DVec3, v: DVec3) -> f64 {
     let light = Light {
         kind: LightKind::Directional,

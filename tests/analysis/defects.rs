@@ -1,4 +1,4 @@
-//! The five defects of interpolated shading: the figures beside what geometry says they are.
+//! The five defects of interpolated shading: the figures against geometry.
 
 use glam::DVec3;
 use shading_lab::analysis::defects::{Defects, defect_plots, defects, defects_with_progress};
@@ -23,7 +23,7 @@ fn preset(name: &str, size: [u32; 2]) -> Scene {
     scene
 }
 
-/// A cylinder seen along its axis: a circle of radius 0.6 beside a regular polygon.
+/// Returns a cylinder seen along its axis: a circle of radius 0.6 beside a regular polygon.
 fn disc(segments: u32, size: [u32; 2]) -> Scene {
     let mut scene = Scene {
         camera: Camera {
@@ -68,7 +68,7 @@ fn the_silhouette_of_a_circle_of_segments_is_off_by_its_sagitta() {
     }
 }
 
-/// A sphere from above: a circle of radius 1 beside a polygon inscribed in it.
+/// Compares a circle of radius 1, a sphere seen from above, with its inscribed polygon.
 #[test]
 fn the_silhouette_of_few_segments_is_their_sagitta_at_any_size() {
     for (size, height) in [
@@ -126,7 +126,7 @@ fn measuring_tells_how_far_it_is_and_can_be_stopped() {
     );
 }
 
-/// Many edges with many vertices on them: each is found, an even choice of them is measured.
+/// Checks many edges with many vertices on them: each vertex is found, and an evenly spaced selection is measured.
 #[test]
 fn many_unshared_vertices_are_measured_in_bounded_time() {
     // Triangles that each have the same long edge for themselves, and triangles with a corner on it.

@@ -17,7 +17,7 @@ use shading_lab::scene::{
 };
 use tiny_skia::Pixmap;
 
-/// Where the ray through `pixel` meets the unit sphere.
+/// Returns the point where the ray through `pixel` meets the unit sphere.
 fn meet(view: &View, pixel: DVec2) -> Option<DVec3> {
     let (origin, along) = view.ray(pixel);
     let half = origin.dot(along);
@@ -62,7 +62,7 @@ fn terms(scene: &Scene, light: &Light, position: DVec3, n: DVec3, v: DVec3) -> L
     }
 }
 
-/// The equation at a pixel of the sphere.
+/// Probes a pixel of the sphere.
 fn probe_at(scene: &Scene, size: [u32; 2], pixel: [u32; 2]) -> Probe {
     let view = View::new(&scene.camera, size);
     let hit = meet(
@@ -114,7 +114,7 @@ fn probe_at(scene: &Scene, size: [u32; 2], pixel: [u32; 2]) -> Probe {
     }
 }
 
-/// The sphere as it would be stored.
+/// Draws the sphere as it would be stored.
 fn picture(scene: &Scene, size: [u32; 2]) -> Pixmap {
     let mut pixmap = Pixmap::new(size[0], size[1]).expect("not empty");
     let background = scene.image.background.to_array().map(|c| (c * 255.0) as u8);
@@ -148,7 +148,7 @@ fn three_lights() -> Vec<Light> {
     ]
 }
 
-/// An overlay with every layer.
+/// Returns the options of an overlay with every layer.
 fn everything() -> OverlayOptions {
     OverlayOptions {
         layers: OverlayLayer::ALL.to_vec(),
@@ -559,7 +559,7 @@ fn pictures_to_look_at() {
     }
 }
 
-/// Every step of a few polygons, with and without a title: all of it lies on the sheet.
+/// Draws every step of a few polygons, with and without a title, and checks that all of it lies on the sheet.
 #[test]
 fn every_step_is_drawn_within_its_room() {
     let mut scene = Scene::default();
@@ -605,7 +605,7 @@ fn every_step_is_drawn_within_its_room() {
     }
 }
 
-/// The first shapes of the drawing are the pixels shaded so far; lines and letters cross a few of them.
+/// Checks that the drawing begins with the pixels shaded so far; lines and letters cross a few of them.
 #[test]
 fn the_filled_pixels_have_the_stored_colours() {
     let mut scene = Scene::default();

@@ -1,19 +1,20 @@
-//! What the commands draw besides scenes: comparisons, differences, defects, profiles, the scan line. Each is drawn by its
-//! command and compared with the picture that was looked at and kept.
+//! Golden pictures of the commands' other figures: comparisons, differences, defects, profiles, the scan line. Each is drawn by
+//! its command and compared with an approved picture.
 //!
-//! `UPDATE_GOLDEN=1` replaces the kept pictures, and the run still fails, so that they are looked at before they are kept.
+//! `UPDATE_GOLDEN=1` replaces the approved pictures, and the run still fails, so that they are reviewed before they are
+//! committed.
 
 use std::fs::{self, File};
 use std::io::BufReader;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// A pixel may differ by this much in a channel: machines with and without fused multiplication round differently.
+/// Maximum difference of a channel: machines with and without fused multiplication round differently.
 const ROUNDING: u8 = 2;
-/// One in so many pixels may differ by more: along the edges of letters and lines a rounding decides.
+/// One pixel in this many may differ by more: along the edges of letters and lines a rounding decides.
 const AT_EDGES: usize = 200;
 
-/// The figures: a name, and the command without its output.
+/// The figures, each as a name and a command without its output.
 const FIGURES: &[(&str, &str)] = &[
     ("panes", "render highlight --size 560x420 -o"),
     (
@@ -80,7 +81,7 @@ fn kept(name: &str) -> PathBuf {
         .join(format!("{name}.png"))
 }
 
-/// A picture's size and bytes.
+/// Reads the size and the bytes of a picture.
 fn read(path: &Path) -> Option<([u32; 2], Vec<u8>)> {
     let mut reader = png::Decoder::new(BufReader::new(File::open(path).ok()?))
         .read_info()
@@ -110,7 +111,7 @@ fn draw(name: &str, command: &str) -> PathBuf {
     target
 }
 
-/// What is wrong with a figure, if anything is.
+/// Compares a figure with the approved picture; returns a description of the difference, if any.
 fn compare(name: &str, actual: &Path) -> Option<String> {
     let Some((size, expected)) = read(&kept(name)) else {
         return Some(format!("{name}: no picture is kept"));

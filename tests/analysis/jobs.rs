@@ -1,4 +1,4 @@
-//! Work in the background: its answer, its progress, its end.
+//! Background jobs: their answer, their progress, their end.
 
 use shading_lab::analysis::Watch;
 use shading_lab::jobs::{Background, Job, News, Work, nanoseconds};
@@ -30,7 +30,7 @@ impl Work for Sum {
     }
 }
 
-/// Finds one thing again and again, and says in how many places that is kept while nobody looks.
+/// Work that reports one answer repeatedly and returns how many references to it are held while nobody reads them.
 struct Copies;
 
 impl Work for Copies {

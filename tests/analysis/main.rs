@@ -1,4 +1,4 @@
-//! The analyses: what they measure, against closed forms.
+//! The analyses against closed forms.
 
 #[path = "../common/fixtures.rs"]
 #[allow(dead_code, reason = "each program takes what it needs")]

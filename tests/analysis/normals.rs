@@ -1,5 +1,5 @@
-//! Vertex normals made visible: the faces that they come from with their weights, against closed forms, and where needles
-//! stand in a picture.
+//! Vertex normals made visible: the contributing faces with their weights against closed forms, and the positions of needles in a
+//! picture.
 
 use glam::{DVec2, DVec3, Vec3};
 use shading_lab::analysis::normals::{
@@ -38,7 +38,7 @@ fn vertex(mesh: &Mesh, weighting: Weighting, number: u32) -> VertexNormal {
     field.vertex(number).expect("a vertex")
 }
 
-/// The shares of the faces that face each way.
+/// Returns the total share of the faces that face `way`.
 fn share_towards(vertex: &VertexNormal, way: DVec3) -> f64 {
     vertex
         .faces
@@ -53,7 +53,7 @@ fn close(a: f64, b: f64) {
     assert!((a - b).abs() < 1e-6, "{a} against {b}");
 }
 
-/// A box of edges a, b, c at the origin, its six faces as quadrilaterals.
+/// Returns a box of edges a, b, c at the origin, its six faces as quadrilaterals.
 fn cuboid([a, b, c]: [f32; 3]) -> Mesh {
     let at = |i: u32| {
         [
@@ -74,7 +74,7 @@ fn cuboid([a, b, c]: [f32; 3]) -> Mesh {
     mesh(&positions, &faces)
 }
 
-/// The same, each face as two triangles by the diagonal through its first corner.
+/// Returns the mesh with each face cut into two triangles by the diagonal through its first corner.
 fn fanned(mesh: &Mesh) -> Mesh {
     let mut cut = Mesh {
         starts: vec![0],
@@ -289,7 +289,7 @@ fn what_is_shown_is_what_the_averaging_gives() {
     }
 }
 
-/// A scene drawn at a size, its field and its needles.
+/// Draws a scene and returns its normal field and its needles with the renderer.
 fn needles(scene: &Scene, layers: &[OverlayLayer]) -> (Renderer, NormalField, Needles) {
     let mut renderer = Renderer::default();
     renderer.render(scene);
@@ -520,7 +520,7 @@ fn a_model_without_normals_is_shaded_with_the_weighting_that_it_asks_for() {
     }
 }
 
-/// A built-in shape comes with no file: its normals from there are averaged, in the picture and in words.
+/// Checks that normals from a file are averaged for a built-in shape, which has no file, in the picture and in words.
 #[test]
 fn a_built_in_shape_has_no_normals_of_a_file() {
     let faceted = |kind: ObjectKind, normals| {

@@ -1,4 +1,4 @@
-//! Profiles of pictures, what is perceived of them, and the theory of both.
+//! Profiles of pictures, their perceived counterparts, and the theory of both.
 
 use glam::{DVec2, DVec3};
 use shading_lab::analysis::perception::{
@@ -17,7 +17,7 @@ use shading_lab::scene::{
 };
 use std::f64::consts::{PI, TAU};
 
-/// A line of samples, `h` pixels apart, of a function.
+/// Samples a function at `count` points, `h` pixels apart.
 fn line(h: f64, count: usize, of: impl Fn(f64) -> f64) -> Vec<f64> {
     (0..count)
         .map(|k| of((k as f64 - (count / 2) as f64) * h))
@@ -105,11 +105,11 @@ fn a_degree_is_as_many_pixels_as_the_screen_has_in_it() {
     assert!((Viewing::default().pixels_per_degree() - 39.59).abs() < 0.01);
 }
 
-/// Pixels of the unit circle's radius in the picture of [`cylinder`].
+/// Radius of the unit circle in the picture of [`cylinder`], in pixels.
 const RADIUS: f64 = 400.0;
 
-/// A cylinder across whose axis one looks from far away, matt, lit from the viewer's direction: the intensity is cos φ at
-/// sin φ from the middle, on the facets' corners.
+/// Returns a matt cylinder seen across its axis from far away and lit from the viewer's direction: on the facets' corners, the
+/// intensity at sin φ from the middle is cos φ.
 fn cylinder(segments: u32) -> Scene {
     let mut scene = Scene::default();
     scene.image.size = [1000, 101];

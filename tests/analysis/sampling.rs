@@ -1,4 +1,4 @@
-//! An area light's points against many points: the error falls as their number grows.
+//! An area light's sample points against a large number of them: the error falls as their number grows.
 
 use glam::DVec3;
 use shading_lab::analysis::sampling::{self, SamplingError};
@@ -36,7 +36,7 @@ fn errors(shape: AreaShape) -> Vec<SamplingError> {
     COUNTS.iter().map(error).collect()
 }
 
-/// The slope of log `values` over log N, by least squares.
+/// Returns the slope of log `values` over log N, by least squares.
 fn slope(values: &[f64]) -> f64 {
     let x: Vec<f64> = COUNTS.iter().map(|&count| f64::from(count).ln()).collect();
     let y: Vec<f64> = values.iter().map(|value| value.ln()).collect();

@@ -21,7 +21,7 @@ const MODES: [ShadingMode; 4] = [
     ShadingMode::Phong,
 ];
 
-/// A scene whose object is one polygon in a plane z = 0.
+/// Returns a scene whose object is one polygon in the plane z = 0.
 fn polygon(points: &[[f32; 2]]) -> (Renderer, Scene) {
     let positions: Vec<Vec3> = points.iter().map(|[x, y]| Vec3::new(*x, *y, 0.0)).collect();
     let corners: Vec<Corner> = (0..points.len())
@@ -47,8 +47,8 @@ fn polygon(points: &[[f32; 2]]) -> (Renderer, Scene) {
 
 const TRIANGLE: [[f32; 2]; 3] = [[-1.0, -0.7], [0.9, -0.3], [0.1, 0.8]];
 const QUADRILATERAL: [[f32; 2]; 4] = [[-0.9, -0.5], [0.6, -0.8], [0.9, 0.4], [-0.5, 0.9]];
-/// A letter M: its upper scan lines have two spans. From its first corner a fan does not cover it, which matters to
-/// triangles only.
+/// A letter M: its upper scan lines have two spans. A fan from its first corner does not cover it, which matters to triangles
+/// only.
 const LETTER_M: [[f32; 2]; 5] = [
     [-0.9, -0.8],
     [0.9, -0.8],
@@ -123,7 +123,7 @@ fn on_a_quadrilateral_it_is_the_formula_of_the_course() {
     );
 }
 
-/// The values are those of the engine's own picture, pixel by pixel, in every mode.
+/// Compares the values with the engine's own picture, pixel by pixel, in every mode.
 #[test]
 fn the_values_are_those_of_the_picture() {
     for name in ["sphere", "torus", "teapot", "cube", "shadows"] {
@@ -318,7 +318,7 @@ fn what_cannot_be_scanned_is_refused_in_a_sentence() {
     );
 }
 
-/// Nearly edge-on, many-sided, huge and tiny polygons give numbers or a sentence.
+/// Checks that nearly edge-on, many-sided, huge and tiny polygons yield numbers or a sentence.
 #[test]
 fn any_face_of_any_scene_gives_numbers() {
     for preset in presets::ALL {
@@ -348,7 +348,7 @@ fn any_face_of_any_scene_gives_numbers() {
     }
 }
 
-/// In exact mode the polygon that stands for what is seen is scanned as Phong shading does.
+/// Checks that exact mode scans the polygon that stands for the visible surface as Phong shading does.
 #[test]
 fn exact_shading_finds_the_polygon_under_the_pixel() {
     let mut scene = Scene::default();

@@ -1,4 +1,4 @@
-//! The catalogue of stiff and extreme cases: the engine holds in each, and the naive way does not.
+//! The catalogue of stiff and extreme cases: the engine is accurate in each, and the naive computation is not.
 
 use shading_lab::analysis::stability::{HALF_A_CODE_VALUE, Verdict, stability, stability_cases};
 use shading_lab::render::Renderer;
@@ -6,7 +6,7 @@ use shading_lab::text::{Language, in_language};
 use std::collections::HashSet;
 use std::process::Command;
 
-/// Cases in which the naive way holds as well: their condition is mild, and they stand there for comparison.
+/// Cases in which the naive computation is accurate as well: they are well conditioned, and listed for comparison.
 const MILD: [&str; 1] = ["exponent-1e4"];
 
 #[test]

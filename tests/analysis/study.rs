@@ -1,4 +1,4 @@
-//! Error against run time: orders of convergence against theory, what the historic methods do, and the loop itself.
+//! Error against run time: orders of convergence against theory, the historic methods, and the measuring loop itself.
 
 use glam::DVec3;
 use serde_json::Value;
@@ -16,7 +16,7 @@ use std::process::Command;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// A matt sphere seen along −z, lit by parallel rays that travel along `towards`.
+/// Returns a matt sphere seen along −z, lit by parallel rays in the direction `towards`.
 fn matt_sphere(towards: DVec3, projection: Projection) -> Scene {
     let mut scene = Scene::default();
     scene.image.size = [224, 224];
@@ -57,7 +57,7 @@ fn measured(scene: &Scene, methods: &[Method], segments: &[u32]) -> Study {
     )
 }
 
-/// The order of the greatest error.
+/// Returns the order of convergence of the maximum error.
 fn order(study: &Study, method: Method) -> f64 {
     for row in study.rows.iter().filter(|row| row.setting.method == method) {
         println!(
@@ -70,7 +70,7 @@ fn order(study: &Study, method: Method) -> f64 {
     series.order.expect("an order").slope
 }
 
-/// Fine enough that what is left out of theory, of higher order, is small.
+/// Segment counts fine enough that the higher-order terms that the theory neglects are small.
 const FINE: [u32; 5] = [24, 32, 48, 64, 96];
 
 #[test]
@@ -96,7 +96,7 @@ fn without_a_terminator_flat_is_of_first_order_and_gouraud_and_phong_of_second()
     }
 }
 
-/// Before the display what is above 1 counts in full; as shown it counts as 1, where the display clamps.
+/// Checks that before the display values above 1 count in full, and as shown they count as 1 where the display clamps.
 #[test]
 fn errors_are_told_before_the_display_and_as_shown() {
     let mut scene = presets::find("sphere").expect("a scene").scene();
@@ -125,8 +125,8 @@ fn errors_are_told_before_the_display_and_as_shown() {
     );
 }
 
-/// max(N·L, 0) has a corner at the terminator. A polygon that lies across it interpolates over the corner: off by its slope
-/// times the spacing. Phong's normals are bent before they are cut off.
+/// Checks the orders at the terminator, where max(N·L, 0) has a corner. A polygon that lies across it interpolates over the
+/// corner: off by its slope times the spacing. Phong's normals are interpolated before the clamp.
 #[test]
 fn at_the_terminator_gouraud_falls_to_first_order_and_phong_does_not() {
     let scene = matt_sphere(DVec3::new(-1.0, -0.3, -0.5), Projection::Orthographic);
@@ -184,7 +184,7 @@ fn the_historic_methods_come_near_phong_shading_and_are_of_its_order() {
     assert!(10 * taylor.evaluations < phong.evaluations);
 }
 
-/// Keeps the samples of each row, as they were after each frame.
+/// The sample counts of each row after each frame.
 #[derive(Default)]
 struct Seen(Mutex<Vec<Vec<u32>>>);
 
@@ -232,7 +232,7 @@ fn a_study_that_is_cancelled_keeps_what_it_has() {
     assert_eq!(found.series.len(), 1);
 }
 
-/// Runs `study` on a built-in scene; returns its exit status and what it printed.
+/// Runs `study` on a built-in scene; returns its exit status and its two outputs.
 fn run(arguments: &[&str]) -> (Option<i32>, String, String) {
     let output = Command::new(env!("CARGO_BIN_EXE_shading-lab"))
         .env_remove("LANGUAGE")
@@ -489,7 +489,8 @@ fn what_the_scalar_text_cannot_draw_is_said() {
     }
 }
 
-/// The table of a report: files have all digits, and only fields that need quotes have them; people have columns of one width.
+/// Checks the table of a report: in files, numbers have all digits and fields are quoted only if they must be; for people,
+/// columns have one width.
 #[test]
 fn a_table_is_written_for_files_and_for_people() {
     let columns = [
@@ -523,7 +524,7 @@ fn a_table_is_written_for_files_and_for_people() {
     assert_eq!(table.to_csv(), expected);
 }
 
-/// The changes whose frames `bench` times.
+/// Checks the changes whose frames `bench` times.
 #[test]
 fn every_change_changes_one_thing_and_leaves_the_scene_sound() {
     let mut far = Scene::default();

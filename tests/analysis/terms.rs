@@ -1,4 +1,4 @@
-//! The terms of the equation as products: they multiply to what the probe has, and add up to the pixel.
+//! The terms of the equation as products: their factors multiply to the probe's terms, which add up to the pixel.
 
 use shading_lab::analysis::probe::{Here, Product, clearest_pixel, digits, digits_below, probe};
 use shading_lab::render::Renderer;
@@ -32,7 +32,7 @@ fn assert_makes_its_value(product: &Product, what: &str) {
     );
 }
 
-/// The terms of every built-in scene, in every shading mode, at a few pixels.
+/// Checks the terms of every built-in scene, in every shading mode, at a few pixels.
 #[test]
 fn the_columns_multiply_to_the_terms_and_the_terms_add_up_to_the_pixel() {
     for preset in presets::ALL {

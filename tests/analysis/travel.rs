@@ -1,4 +1,4 @@
-//! What a web page sends to its workers, and what they send back: nothing is lost on the way.
+//! Messages between a web page and its workers: nothing is lost on the way.
 
 use shading_lab::analysis::bench::BenchQuestion;
 use shading_lab::analysis::defects::DefectsQuestion;
@@ -12,7 +12,7 @@ use shading_lab::scene::{Interpolation, Scene, ShadingMode};
 use std::fmt::Debug;
 use std::sync::Arc;
 
-/// A value in words, without the addresses of functions: one function may have several.
+/// Formats a value without the addresses of functions: one function may have several.
 fn text(value: &impl Debug) -> String {
     let words = format!("{value:?}");
     let mut parts = words.split("0x");
@@ -22,7 +22,7 @@ fn text(value: &impl Debug) -> String {
     })
 }
 
-/// Sends a question about a scene, and its answer back; both arrive as they were sent.
+/// Sends a question about a scene and its answer back, and checks that both arrive unchanged.
 fn travels<Q: Question>(question: Q, scene: &Scene) -> Q::Answer {
     let asked = Request::new(question, scene, None, [40, 30]);
     let (questions, answers) = <Request<Q> as Work>::CODECS.expect("it travels");

@@ -1,8 +1,8 @@
 //! Times of the engine's stages, kernels and frames: `cargo bench --bench engine`.
 //!
-//! A stage is reached through the renderer: the change from one frame to the next is one after which that stage is nearly all
-//! there is to do, in a picture or on a mesh of a size that leaves the rest small. Kernels run in one thread. The sphere is
-//! seen as by default, one point light, Phong's model with a local viewer.
+//! A stage is measured through the renderer: the change from one frame to the next leaves little to do but that stage, in a
+//! picture or on a mesh whose size keeps the rest small. Kernels run in one thread. The sphere has the default view, one point
+//! light, and Phong's model with a local viewer.
 
 use divan::counter::ItemsCount;
 use divan::{Bencher, black_box};
@@ -29,7 +29,7 @@ const MODES: [ShadingMode; 5] = [
 ];
 const TRIANGLES: [u64; 3] = [1024, 16_384, 262_144];
 const SIDE: u32 = 1024;
-/// A picture so small that its pixels hardly count.
+/// The side of a picture so small that its pixels hardly count.
 const SMALL: u32 = 16;
 
 /// An argument with its name.
@@ -54,8 +54,8 @@ fn sphere(mode: ShadingMode, triangles: u64, side: u32) -> Scene {
     scene
 }
 
-/// Draws two scenes in turn, in so many threads (0: one for each core), and measures a frame that follows the other; `count` says
-/// of how many items it is.
+/// Draws two scenes alternately on `threads` threads (0: one for each core) and measures one frame; `count` returns the number of
+/// items in it.
 fn alternate(
     bencher: Bencher<'_, '_>,
     threads: usize,
@@ -100,7 +100,7 @@ fn vertices(report: &FrameReport) -> u64 {
     report.vertices
 }
 
-/// The levels of this machine.
+/// Returns the SIMD levels of this machine.
 fn levels() -> Vec<Case<Level>> {
     let best = Level::new();
     let mut levels = vec![Case {
@@ -125,7 +125,7 @@ fn levels() -> Vec<Case<Level>> {
     levels
 }
 
-/// A scene's specular form, by model and n.
+/// Sets a scene's model and exponent n to a named specular form.
 fn with_form(scene: &mut Scene, form: &str) {
     let (model, n) = match form {
         "none" => return scene.material.ks = Rgb::ZERO,
@@ -153,7 +153,7 @@ const FORMS: [&str; 7] = [
     "ggx",
 ];
 
-/// Each specular form at each level.
+/// Returns each specular form at each SIMD level.
 fn kernels() -> Vec<Kernel> {
     FORMS
         .iter()
@@ -189,7 +189,7 @@ impl Kernel {
     }
 }
 
-/// Vertices to the picture, and triangles into bands.
+/// Measures the transform of vertices to the picture and the binning of triangles into bands.
 #[divan::bench(args = levels())]
 fn transform(bencher: Bencher<'_, '_>, level: Case<Level>) {
     let scene = sphere(ShadingMode::Flat, 262_144, SMALL);
@@ -197,7 +197,7 @@ fn transform(bencher: Bencher<'_, '_>, level: Case<Level>) {
     alternate(bencher, 1, renderer, camera_moved(&scene), vertices);
 }
 
-/// Which triangle each pixel sees, of few and of many; the torus needs the depth test.
+/// Measures visibility per pixel, with few triangles and with many; the torus needs the depth test.
 #[divan::bench(args = ["sphere 1k", "sphere 262k", "torus 1k", "torus 262k"])]
 fn coverage(bencher: Bencher<'_, '_>, what: &str) {
     let mut scene = sphere(
@@ -221,21 +221,21 @@ fn coverage(bencher: Bencher<'_, '_>, what: &str) {
     );
 }
 
-/// The equation at pixels, and storing them.
+/// Measures the equation at pixels, and storing them.
 #[divan::bench(args = kernels())]
 fn pixel_shading(bencher: Bencher<'_, '_>, kernel: Kernel) {
     let scene = kernel.scene(ShadingMode::Phong, 1024, SIDE);
     alternate(bencher, 1, kernel.renderer(), light_moved(&scene), covered);
 }
 
-/// The equation at vertices.
+/// Measures the equation at vertices.
 #[divan::bench(args = kernels())]
 fn vertex_shading(bencher: Bencher<'_, '_>, kernel: Kernel) {
     let scene = kernel.scene(ShadingMode::Gouraud, 262_144, SMALL);
     alternate(bencher, 1, kernel.renderer(), light_moved(&scene), vertices);
 }
 
-/// Intensities carried to the pixels, by each of two rules in turn, and storing them.
+/// Measures the interpolation of intensities at the pixels, by `rule` and by affine interpolation in turn, and storing them.
 #[divan::bench(args = [Interpolation::Perspective, Interpolation::Scanline])]
 fn interpolation(bencher: Bencher<'_, '_>, rule: Interpolation) {
     let mut scene = sphere(ShadingMode::Gouraud, 1024, SIDE);
@@ -246,8 +246,8 @@ fn interpolation(bencher: Bencher<'_, '_>, rule: Interpolation) {
     alternate(bencher, 1, Renderer::default(), scenes, covered);
 }
 
-/// Intensities to stored values, with the interpolation that brings them: as each pixel is shaded, or once the whole picture is
-/// known.
+/// Measures the conversion of intensities to stored values, interpolation included: as each pixel is shaded, or once the whole
+/// picture is known.
 #[divan::bench(args = ["clamp raw", "clamp sRGB", "scale raw", "scale sRGB", "mark raw"])]
 fn display(bencher: Bencher<'_, '_>, what: &str) {
     let mut scene = sphere(ShadingMode::Gouraud, 1024, SIDE);
@@ -266,7 +266,7 @@ fn display(bencher: Bencher<'_, '_>, what: &str) {
     alternate(bencher, 1, Renderer::default(), scenes, covered);
 }
 
-/// Everything from the transform on, on all cores.
+/// Measures everything from the transform on, on all cores.
 #[divan::bench(args = MODES, consts = TRIANGLES)]
 fn frame<const TRIANGLES: u64>(bencher: Bencher<'_, '_>, mode: ShadingMode) {
     let scene = sphere(mode, TRIANGLES, SIDE);
@@ -278,7 +278,7 @@ fn frame<const TRIANGLES: u64>(bencher: Bencher<'_, '_>, mode: ShadingMode) {
     });
 }
 
-/// A frame in which a light has moved.
+/// Measures a frame in which a light has moved.
 #[divan::bench(args = MODES, consts = TRIANGLES)]
 fn light<const TRIANGLES: u64>(bencher: Bencher<'_, '_>, mode: ShadingMode) {
     let scene = sphere(mode, TRIANGLES, SIDE);
@@ -291,7 +291,7 @@ fn light<const TRIANGLES: u64>(bencher: Bencher<'_, '_>, mode: ShadingMode) {
     );
 }
 
-/// A frame in which Ka has changed under one to four lights: what several do is kept.
+/// Measures a frame in which Ka has changed under one to four lights; the cached sum of several lights is reused.
 #[divan::bench(args = [1, 2, 3, 4])]
 fn ka_under_lights(bencher: Bencher<'_, '_>, lights: usize) {
     let mut scene = sphere(ShadingMode::Phong, 16_384, SIDE);
@@ -303,7 +303,7 @@ fn ka_under_lights(bencher: Bencher<'_, '_>, lights: usize) {
     alternate(bencher, 0, Renderer::default(), scenes, covered);
 }
 
-/// A frame in which Ka has changed.
+/// Measures a frame in which Ka has changed.
 #[divan::bench(args = MODES, consts = TRIANGLES)]
 fn ka<const TRIANGLES: u64>(bencher: Bencher<'_, '_>, mode: ShadingMode) {
     let scene = sphere(mode, TRIANGLES, SIDE);

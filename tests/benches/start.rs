@@ -1,9 +1,9 @@
-//! The time from starting the program to its window's first picture, beside an empty window of the same toolkit, in turn in one
-//! run: `cargo bench --bench start`. It needs Xvfb and prints what it measures.
+//! The time from starting the program to its window's first picture, measured alternately with an empty window of the same
+//! toolkit: `cargo bench --bench start`. It needs Xvfb and prints the measurements.
 //!
-//! Xvfb keeps its screen in a file, which is read every other millisecond: the times are known to 5 ms, reading and comparing
-//! included. A window is there once most of the screen's pixels have changed, its picture once they are what they are in the end
-//! but for one in a hundred.
+//! Xvfb keeps its screen in a file, which is read every other millisecond: the times are accurate to 5 ms, reading and comparing
+//! included. A window counts as shown once most of the screen's pixels have changed, and its picture once all but one pixel in a
+//! hundred have their final colour.
 
 use eframe::egui;
 use std::io::{BufRead, BufReader};
@@ -12,9 +12,9 @@ use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-/// Starts of either program that count; one more of each warms the caches of files up.
+/// Measured starts of either program; one more of each warms the file caches.
 const STARTS: usize = 7;
-/// A screen is finished when it has not changed for so long.
+/// Time without a change after which a screen counts as finished.
 const QUIET: Duration = Duration::from_millis(1500);
 const LONGEST: Duration = Duration::from_secs(60);
 const POLL: Duration = Duration::from_millis(2);
@@ -30,7 +30,7 @@ fn main() {
     }
 }
 
-/// A window with nothing in it, opened as the program opens its own.
+/// Opens a window with nothing in it, with the program's own options.
 fn empty_window() {
     let viewport = egui::ViewportBuilder::default().with_inner_size([1280.0, 800.0]);
     let options = eframe::NativeOptions {
@@ -48,7 +48,7 @@ impl eframe::App for Empty {
     }
 }
 
-/// A process that ends when it is let go.
+/// A process that is killed when dropped.
 struct Running(Child);
 
 impl Drop for Running {
@@ -110,7 +110,7 @@ fn median(mut values: Vec<f64>) -> f64 {
     values[values.len() / 2]
 }
 
-/// Starts `program` on a screen of its own and watches that.
+/// Starts `program` on a screen of its own and times what appears there.
 fn time(mut program: Command, folder: &Path) -> Start {
     let mut server = Command::new("Xvfb")
         .args([
@@ -179,7 +179,7 @@ fn most(screen: &[u8], before: &[u8]) -> bool {
     different(screen, before) > screen.len() / PIXEL / 2
 }
 
-/// Pixels that differ.
+/// Counts the pixels that differ.
 fn different(a: &[u8], b: &[u8]) -> usize {
     a.chunks(PIXEL)
         .zip(b.chunks(PIXEL))

@@ -1,4 +1,4 @@
-//! The analyses as a script sees them: curves, profiles, the scan line and vertex normals.
+//! The analyses on the command line: curves, profiles, the scan line and vertex normals.
 
 use crate::common::program::{Folder, outside, pixels_of, size_of};
 use serde_json::Value;

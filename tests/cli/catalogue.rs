@@ -1,4 +1,4 @@
-//! The catalogue of text: both languages have the same messages with the same variables, and `src` uses each.
+//! The message catalogue: both languages have the same messages with the same variables, and `src` uses each.
 
 use fluent_bundle::FluentResource;
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
@@ -15,7 +15,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
 
-/// The keys of a language, those of attributes as `key.attribute`, with the variables of each.
+/// Returns the keys of a language with their variables; an attribute's key is `key.attribute`.
 fn messages(language: usize) -> BTreeMap<String, BTreeSet<String>> {
     let mut messages = BTreeMap::new();
     for (name, file) in FILES[language] {
@@ -74,7 +74,7 @@ fn all_sources() -> Vec<(String, String)> {
     found
 }
 
-/// Each `text!("key", name = …)` and `limit!(…)` of a source: its key and the names of its variables.
+/// Finds each `text!("key", name = …)` and `limit!(…)` of a source; returns its key and the names of its variables.
 fn uses(source: &str) -> Vec<(String, BTreeSet<String>)> {
     let mut uses = Vec::new();
     let macros = ["text!(", "limit!("];
@@ -168,7 +168,7 @@ fn every_message_that_is_used_is_there_with_the_variables_it_is_given() {
     );
 }
 
-/// Families of messages whose keys are put together from names in the code.
+/// Families of messages whose keys are composed of names in the code.
 const DERIVED: [&str; 8] = [
     "parameter-",
     "choice-",
@@ -181,10 +181,10 @@ const DERIVED: [&str; 8] = [
     "controls-group-",
 ];
 
-/// The help of the command line; `src/cli/help.rs` has a test of its own.
+/// Prefix of the command line's help; `src/cli/help.rs` has a test of its own.
 const COMMAND_LINE: &str = "cli-help-";
 
-/// The keys of [`DERIVED`] families, from what is there to be named.
+/// Returns the keys of the [`DERIVED`] families, composed of the existing names.
 fn derived() -> BTreeSet<String> {
     let parameters = Parameter::all().flat_map(|parameter| {
         let name = format!("parameter-{}", parameter.key.replace('.', "-"));
@@ -276,7 +276,7 @@ fn every_character_of_the_catalogue_has_a_glyph() {
     assert!(missing.is_empty(), "no font has {missing:?}: run .ci/font");
 }
 
-/// Files whose literals are another language's text: exported programs, markup.
+/// Files whose literals are in another language: exported programs, markup.
 const CODE: [&str; 10] = [
     "src/cli/examples.rs",
     "src/export/",
@@ -290,7 +290,7 @@ const CODE: [&str; 10] = [
     "src/scene/format/",
 ];
 
-/// Macros and methods whose literals nobody reads but programmers.
+/// Macros and methods whose literals only programmers read.
 const UNREAD: [&str; 14] = [
     "attribute",
     "class",
@@ -308,7 +308,7 @@ const UNREAD: [&str; 14] = [
     "include_str",
 ];
 
-/// Literals that people read, of a stream of tokens.
+/// Collects the literals of a token stream that people read.
 fn read_by_people(tokens: TokenStream, found: &mut Vec<String>) {
     let mut tokens = tokens.into_iter().peekable();
     let (mut test_follows, mut before) = (false, String::new());
@@ -353,7 +353,7 @@ fn read_by_people(tokens: TokenStream, found: &mut Vec<String>) {
     }
 }
 
-/// Whether a literal has words, rather than names, keys, letters of formulas or numbers.
+/// Returns whether a literal contains words rather than names, keys, letters of formulas or numbers.
 fn is_prose(text: &str) -> bool {
     let mut bare = String::new();
     let mut depth = 0;
@@ -397,7 +397,7 @@ fn no_text_that_people_read_is_left_in_the_sources() {
     );
 }
 
-/// Names of things, which are the same in every language: keys of the keyboard are recognised by their parts.
+/// Names that are the same in every language, keys of the keyboard aside: [`is_keys`] recognises those.
 const KEPT: [&str; 36] = [
     // What the standard input is called.
     "<stdin>",
@@ -443,7 +443,7 @@ const KEPT: [&str; 36] = [
     "Case",
 ];
 
-/// Whether a text is keys of the keyboard, whose names are engraved on it.
+/// Returns whether a text consists of keys of the keyboard, whose names are engraved on it.
 fn is_keys(text: &str) -> bool {
     const NAMES: [&str; 12] = [
         "Ctrl", "Shift", "Tab", "Esc", "Space", "Home", "End", "PageUp", "PageDown", "Page", "up",

@@ -1,4 +1,4 @@
-//! The language of the program: chosen by `--language` or by the system's locale, for what people read and for nothing else.
+//! The language of the program, from `--language` or the system's locale: it affects only what people read.
 
 use crate::common::program::Folder;
 use serde_json::Value;
@@ -6,7 +6,7 @@ use std::collections::BTreeSet;
 use std::fs;
 use std::process::Output;
 
-/// Runs in a Taiwanese locale.
+/// Runs the program in a Taiwanese locale.
 fn in_taiwan(folder: &Folder, arguments: &[&str]) -> Output {
     let mut command = folder.command(arguments);
     command.env("LC_ALL", "zh_TW.UTF-8");
@@ -58,7 +58,7 @@ fn help_and_errors_are_in_the_language_of_the_locale_unless_an_option_says_other
     );
 }
 
-/// All keys and texts of a JSON value.
+/// Collects all keys and texts of a JSON value.
 fn words(value: &Value, found: &mut BTreeSet<String>) {
     match value {
         Value::String(text) => {
@@ -75,7 +75,7 @@ fn words(value: &Value, found: &mut BTreeSet<String>) {
     }
 }
 
-/// What programs read has the same bytes in both languages; where times are in it, the same words.
+/// Checks that output for programs has the same bytes in both languages or, where it contains times, the same words.
 #[test]
 fn what_programs_read_is_the_same_in_both_languages() {
     let folder = Folder::new("same");

@@ -1,4 +1,4 @@
-//! The program as a script and as a person in a terminal see it, and its texts.
+//! The command line and its texts, for scripts and for people in a terminal.
 
 #[path = "../common/fixtures.rs"]
 #[allow(dead_code, reason = "each program takes what it needs")]

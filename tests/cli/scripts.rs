@@ -1,4 +1,4 @@
-//! The program as a script sees it: what it prints, what it writes, and how it ends.
+//! The program in scripts: its output, its files and its exit status.
 
 mod analyses;
 mod memory;
@@ -12,7 +12,7 @@ use std::fs;
 
 const TRIANGLE: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
-/// What is said of a file that is not there, by the key of what it should be.
+/// Returns the message about a missing file; `kind` is the key of the expected kind.
 fn missing(kind: &str) -> String {
     english!("document-no-such-file", expected = english!(kind))
 }

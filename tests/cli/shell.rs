@@ -1,4 +1,4 @@
-//! The program among others in a shell: standard input and output, help, completions, manual pages, closed pipes.
+//! The program in a shell: standard input and output, help, completions, manual pages, closed pipes.
 
 use crate::common::program::Folder;
 use crate::common::value;
@@ -7,7 +7,7 @@ use std::fs;
 use std::io::Write as _;
 use std::process::{Command, Output, Stdio};
 
-/// Runs with `input` on the standard input.
+/// Runs the program with `input` on its standard input.
 fn fed(folder: &Folder, arguments: &[&str], input: &[u8]) -> Output {
     let mut child = folder
         .command(arguments)
@@ -125,7 +125,7 @@ fn help_of_a_command_is_what_its_option_prints() {
     assert!(chinese.contains("\n範例：\n"), "{chinese}");
 }
 
-/// Whether a program is there, which says so otherwise.
+/// Returns whether a program is installed; prints a message if it is not.
 fn is_there(name: &str) -> bool {
     let there = Command::new(name).arg("--version").output().is_ok();
     if !there {
@@ -286,7 +286,7 @@ const PRINTS: [&str; 16] = [
     "normals cube --size 16x16",
 ];
 
-/// Into a pipe that nobody reads.
+/// Prints into a pipe that nobody reads.
 #[cfg(unix)]
 #[test]
 fn a_closed_pipe_ends_quietly() {
@@ -307,7 +307,7 @@ fn a_closed_pipe_ends_quietly() {
     }
 }
 
-/// On a disk that is full.
+/// Prints to a full device.
 #[cfg(target_os = "linux")]
 #[test]
 fn an_output_that_does_not_fit_is_a_failure() {
@@ -327,7 +327,8 @@ fn an_output_that_does_not_fit_is_a_failure() {
     }
 }
 
-/// A lesson, a model and a scene whose words would turn letters red, rename the window, ring, and write from right to left.
+/// Writes a lesson, a model and a scene whose words would turn letters red, rename the window, ring, and write from right to
+/// left.
 #[cfg(unix)]
 fn write_hostile(folder: &Folder) {
     let acts = "\u{1b}[31m\u{1b}]0;x\u{7}\u{9b}31m\u{7f}\u{202e}";
@@ -516,7 +517,7 @@ fn the_environment_asks_for_so_many_threads_at_most() {
     assert_eq!(threads("1000"), cores.max(256));
 }
 
-/// On a terminal help has colours, unless NO_COLOR asks for none, and a picture is not written to it.
+/// Checks that help has colours on a terminal, unless NO_COLOR forbids them, and that a picture is not written to a terminal.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_terminal_has_colours_unless_it_wants_none() {

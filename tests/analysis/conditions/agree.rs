@@ -1,7 +1,7 @@
-//! Picture, probe, profile, conditions and comparison say the same of one scene: random scenes of concave polygons, with patterns,
-//! each source of ambient light, each projection, and each place where flat shading evaluates the equation.
+//! Agreement of picture, probe, profile, conditions and comparison on random scenes of concave polygons, with patterns, each
+//! source of ambient light, each projection, and each place where flat shading evaluates the equation.
 //!
-//! `PROPTEST_CASES` is the number of scenes; `SCENE` is the only one to look at.
+//! `PROPTEST_CASES` sets the number of scenes; `SCENE` selects a single one.
 
 use crate::common::textbook::{Dice, field_edge, random_light, random_scene, textbook_at};
 use glam::{DVec2, DVec3};
@@ -19,23 +19,25 @@ use shading_lab::scene::{
     Viewer,
 };
 
-/// How far single precision and the picture's grid take an intensity, in parts of 1 and of itself.
+/// Error of an intensity due to single precision and the picture's grid, absolute and relative.
 const ROUNDING: f64 = 4e-3;
-/// Where N·L is less, a point may be on either side of the terminator: in these small pictures the grid moves the weights of a
-/// polygon's corners by up to 1/1024, and with them the normal.
+/// Value of N·L below which a point may be on either side of the terminator: in these small pictures the grid moves the weights
+/// of a polygon's corners by up to 1/1024, and with them the normal.
 const NEAR: f64 = 1e-3;
-/// A point nearer than this to the edge of a field, world units, may likewise be on either side of it: the grid moves it along its ray.
+/// Distance from the edge of a field, in world units, below which a point may be on either side of it: the grid moves the point
+/// along its ray.
 const FIELD_NEAR: f64 = 1e-3;
-/// The engine moves the edges of fields by no more than this, so that a vertex on one is in the same field in every precision.
+/// Maximum distance by which the engine moves the edges of fields, so that a vertex on one is in the same field in every
+/// precision.
 const FIELD_MOVED: f64 = 1e-5;
-/// A border of polygons nearer than this to a pixel's centre, pixels, is on either side of it by the picture's grid.
+/// Distance from a pixel's centre, in pixels, below which the picture's grid may put a polygon's border on either side.
 const GRID: f64 = 0.02;
-/// Corners are no nearer than this to other edges.
+/// Minimum distance of corners from edges that they do not belong to.
 const CLEAR: f64 = 0.04;
 
 type Outcome = Result<Vec<&'static str>, String>;
 
-/// The corners of a random simple polygon within a square of side 2: random points whose edges are untangled.
+/// Returns the corners of a random simple polygon within a square of side 2: random points with their edges untangled.
 fn simple_polygon(dice: &mut Dice) -> Vec<DVec2> {
     loop {
         let count = 4 + (dice.unit() * dice.of(&[4.0, 6.0, 10.0])) as usize;
@@ -49,7 +51,7 @@ fn simple_polygon(dice: &mut Dice) -> Vec<DVec2> {
     }
 }
 
-/// Turns parts of a closed line about until no two of its edges cross, which makes it shorter each time.
+/// Reverses parts of a closed line until no two of its edges cross. It ends because each reversal makes the line shorter.
 fn untangle(corners: &mut [DVec2]) {
     let count = corners.len();
     let side = |a: DVec2, b: DVec2, c: DVec2| (b - a).perp_dot(c - a);
@@ -70,7 +72,7 @@ fn untangle(corners: &mut [DVec2]) {
     }
 }
 
-/// Whether no corner is near an edge that it does not belong to.
+/// Returns whether every corner keeps its distance from the edges that it does not belong to.
 fn is_clear(corners: &[DVec2]) -> bool {
     let count = corners.len();
     (0..count).all(|edge| {
@@ -85,7 +87,7 @@ fn is_clear(corners: &[DVec2]) -> bool {
     })
 }
 
-/// One to three polygons, each in a plane of its own and with corners of its own.
+/// Returns one to three polygons, each in a plane of its own and with corners of its own.
 fn polygons(dice: &mut Dice) -> Object {
     let (mut vertices, mut faces, mut normals) = (Vec::new(), Vec::new(), Vec::new());
     let given = dice.unit() < 0.4;
@@ -118,7 +120,7 @@ fn polygons(dice: &mut Dice) -> Object {
     }
 }
 
-/// The scene of this number.
+/// Returns the scene with this seed.
 fn scene(seed: u64) -> Scene {
     let mut dice = Dice(seed.wrapping_mul(0xd134_2543_de82_ef95));
     let n = dice.between(1.0, 40.0);
@@ -192,19 +194,19 @@ fn scene(seed: u64) -> Scene {
     scene
 }
 
-/// Whether two intensities differ by more than rounding.
+/// Returns whether two intensities differ by more than rounding.
 fn differ(a: f64, b: f64) -> bool {
     (a - b).abs() > ROUNDING * (1.0 + a.abs().max(b.abs()))
 }
 
-/// The pixels that see the object, each with what the probe says there.
+/// The picture before the display.
 struct Drawn {
     linear: Vec<[f32; 4]>,
-    /// The pixel, and whether rounding may take its point over a step of the equation.
+    /// For each pixel, true if rounding may move its point across a step of the equation.
     steps: Vec<bool>,
 }
 
-/// The picture against the probe, pixel by pixel; flat shades against the textbook's equation.
+/// Compares the picture with the probe, pixel by pixel, and flat shades with the textbook's equation.
 fn picture_and_probe(
     renderer: &mut Renderer,
     scene: &Scene,
@@ -262,7 +264,8 @@ fn picture_and_probe(
     Ok(Drawn { linear, steps })
 }
 
-/// The shade of a flat polygon from its corners alone, without light that bounces; none where one of them is at the edge of a field.
+/// Returns the shade of a flat polygon from its corners alone, without light that bounces; `None` if a corner is at the edge of a
+/// field.
 fn flat_shade(scene: &Scene, hit: &ProbeHit) -> Option<DVec3> {
     let object = &scene.object;
     let flat = scene.shading.mode == ShadingMode::Flat && scene.depth_cueing.by == CuedBy::Off;
@@ -300,13 +303,13 @@ fn flat_shade(scene: &Scene, hit: &ProbeHit) -> Option<DVec3> {
     })
 }
 
-/// The unit normal of a plane polygon.
+/// Returns the unit normal of a plane polygon.
 fn facing(corners: &[DVec3]) -> DVec3 {
     let edges = corners.iter().zip(corners.iter().cycle().skip(1));
     edges.map(|(a, b)| a.cross(*b)).sum::<DVec3>().normalize()
 }
 
-/// The profile along a row against the picture, at the centres of the row's pixels.
+/// Compares the profile along a row with the picture, at the centres of the row's pixels.
 fn profile_and_picture(
     renderer: &mut Renderer,
     scene: &Scene,
@@ -345,7 +348,7 @@ fn profile_and_picture(
     Ok(())
 }
 
-/// What the conditions say of flat and exact shading against a comparison of both, and against the verdicts.
+/// Compares the conditions' figures for flat and exact shading with a comparison of both, and with the verdicts.
 fn conditions_and_comparison(
     renderer: &mut Renderer,
     scene: &Scene,

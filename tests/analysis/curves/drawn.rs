@@ -1,4 +1,4 @@
-//! The curves as figures: their texts, their papers and the lobe over the picture.
+//! The curves as figures: their texts, their sheets, and the lobe over the picture.
 
 use super::{lobe_of, near, preset, probed};
 use glam::{DVec2, DVec3};
@@ -10,7 +10,7 @@ use shading_lab::figure::{Drawing, Ink, Paper, Plot, PlotKind, PlotStyle, lay_ou
 use shading_lab::scene::{Reflectance, Rgb, Scene, ShadingMode, View};
 use tiny_skia::Pixmap;
 
-/// All plots of a scene that has them all.
+/// Returns all plots of a scene that has every kind.
 fn all_plots() -> Vec<Plot> {
     let mut scene = preset("attenuation");
     scene.material.reflectance = Reflectance::Gold;
@@ -30,7 +30,7 @@ fn figure(size: [u32; 2], paper: Paper) -> Drawing {
     )
 }
 
-/// Whether every tag that opens is closed, in order.
+/// Returns whether every tag that opens is closed, in order.
 fn well_formed(svg: &str) -> bool {
     let mut open: Vec<&str> = Vec::new();
     for piece in svg.split('<').skip(1) {
@@ -159,10 +159,10 @@ fn a_place_in_a_plot_is_read_back() {
     }
 }
 
-/// The probe's ring, which is always there, inks fewer pixels.
+/// An upper bound on the pixels inked by the probe's ring, which is always drawn.
 const RING: usize = 100;
 
-/// Pixels that the lobe alone inks over an empty picture, and the mean of their places.
+/// Counts the pixels that the lobe alone inks over an empty picture, and returns the mean of their positions with the count.
 fn inked(scene: &Scene, probe: &Probe, length: f64) -> (usize, DVec2) {
     let options = OverlayOptions {
         layers: vec![OverlayLayer::Lobe],

@@ -1,4 +1,4 @@
-//! Overlays of extreme pictures, numbers and counts of lights.
+//! Overlays of extreme pictures, numbers and light counts.
 
 use super::{everything, probe_at, three_lights};
 use glam::DVec3;

@@ -1,4 +1,4 @@
-//! What commands say of a scene: probes, code, benchmarks, plans and tables.
+//! The output of commands about a scene: probes, code, benchmarks, plans and tables.
 
 use crate::common::program::{Folder, outside};
 use serde_json::Value;

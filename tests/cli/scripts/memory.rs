@@ -1,21 +1,21 @@
-//! Memory that cannot be had: every command ends with its result or with a sentence, whatever the system grants. Linux only, where a shell
-//! can grant less.
+//! Exhausted memory: every command ends with its result or with a sentence, however little the system grants. Linux only, where a
+//! shell can set the limit.
 //!
-//! `MEMORY_LADDER=1` climbs it step by step, from 300 MB to 3 GB.
+//! `MEMORY_LADDER=1` raises the limit step by step, from 300 MB to 3 GB.
 
 use crate::common::program::Folder;
 use std::process::{Command, Stdio};
 
-/// Kilobytes that are granted.
+/// Memory limits, in kilobytes.
 const GRANTED: [u32; 2] = [300_000, 1_000_000];
 const LADDER: [u32; 6] = [300_000, 500_000, 800_000, 1_200_000, 2_000_000, 3_000_000];
 
-/// A scene with so many segments and rings.
+/// Returns a scene with this many segments and rings.
 fn scene_of(divisions: u32, more: &str) -> String {
     format!("?scene=teapot&set=object.segments={divisions}&set=object.rings={divisions}{more}")
 }
 
-/// What the commands take after the scene.
+/// The commands, with their arguments after the scene.
 const COMMANDS: [&[&str]; 11] = [
     &["render", "-o", "a.png"],
     &["probe", "--pixel", "300,300"],
@@ -40,7 +40,7 @@ const COMMANDS: [&[&str]; 11] = [
     ],
 ];
 
-/// Runs the program with so many kilobytes of addresses; whether it has found its result.
+/// Runs the program with `granted` kilobytes of address space; returns whether it produced its result.
 fn ends_well(folder: &Folder, granted: u32, arguments: &[&str]) -> bool {
     let program = env!("CARGO_BIN_EXE_shading-lab");
     let output = Command::new("sh")

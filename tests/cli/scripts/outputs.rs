@@ -1,4 +1,4 @@
-//! How commands write files: whole or not at all, wherever they are.
+//! Files written by commands: whole or not at all, wherever they are.
 
 use crate::common::program::{Folder, size_of};
 use std::fs;
@@ -59,7 +59,7 @@ fn an_output_that_nobody_reads_is_no_failure() {
     assert_eq!(output.status.code(), Some(0));
 }
 
-/// What is written to a closed pipe: quietly nothing.
+/// Checks that output to a closed pipe is dropped quietly.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_file_that_is_the_output_is_written_to_it() {
@@ -153,7 +153,7 @@ fn an_interrupted_write_leaves_nothing() {
     }
 }
 
-/// The signals that this process ignores, a bit each.
+/// Returns the signals that this process ignores, one bit each.
 #[cfg(target_os = "linux")]
 fn ignored_signals() -> u64 {
     let status = fs::read_to_string("/proc/self/status").expect("a status");
@@ -232,7 +232,7 @@ fn files_keep_their_mode_links_lead_on_and_any_name_will_do() {
     assert!(folder.0.join(OsStr::from_bytes(b"\xe9.csv")).is_file());
 }
 
-/// The system lets the process have so much memory only.
+/// Limits the memory that the system grants to the process.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_picture_that_memory_is_too_short_for_is_a_failure() {
@@ -270,7 +270,7 @@ fn a_picture_that_memory_is_too_short_for_is_a_failure() {
     );
 }
 
-/// Some containers have no `/proc`, by which a file without a name is given one.
+/// Hides `/proc`, which some containers lack and by which a file without a name is given one.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_file_is_replaced_whole_without_proc_as_well() {
@@ -313,7 +313,7 @@ fn a_file_is_replaced_whole_without_proc_as_well() {
     assert_eq!(folder.names(), ["a.png"]);
 }
 
-/// On a disk that has room for the first of two files.
+/// Limits file sizes so that only the first of the two files fits.
 #[cfg(unix)]
 #[test]
 fn of_a_pair_of_shaders_both_are_written_or_none() {
