@@ -1,4 +1,4 @@
-//! Any scene at all: its numbers are everyday ones, the ends of what is allowed, or none that a scene may hold.
+//! Random scenes whose numbers are everyday ones, the ends of their ranges, or ones that no scene may hold.
 
 use super::dice;
 mod model;
@@ -37,13 +37,13 @@ const SPECIAL: [f64; 16] = [
     1e-300,
 ];
 
-/// A scene, and the model that it shows where it is of kind `obj`; or why that model cannot be read.
+/// A scene with its model: a mesh if the scene is of kind `obj`, or the reason why it cannot be read.
 pub struct AnyScene {
     pub scene: Scene,
     pub model: Result<Option<Arc<Mesh>>, String>,
 }
 
-/// The scene of this number.
+/// Returns the scene with this seed.
 pub fn any_scene(seed: u64) -> AnyScene {
     let mut dice = Dice(seed.wrapping_mul(0xd134_2543_de82_ef95));
     let extreme = dice.of(&[0.0, 0.0, 0.01, 0.03, 0.1, 0.3, 0.6]);
@@ -69,7 +69,7 @@ pub fn any_scene(seed: u64) -> AnyScene {
     .scene()
 }
 
-/// The scene of this number with everyday numbers only: no extreme makes single precision fall short.
+/// Returns the scene with this seed, with everyday numbers only: no extreme makes single precision fall short.
 pub fn everyday_scene(seed: u64) -> AnyScene {
     let dice = Dice(seed.wrapping_mul(0xd134_2543_de82_ef95));
     Author {
@@ -83,16 +83,16 @@ pub fn everyday_scene(seed: u64) -> AnyScene {
     .scene()
 }
 
-/// Draws the numbers of one scene.
+/// A source of the random numbers of one scene.
 struct Author {
     dice: Dice,
-    /// How often a number is at an end of its range, or anywhere in it.
+    /// Probability that a number is at an end of its range, or anywhere in it.
     extreme: f64,
-    /// Which end it mostly is: the lowest, the highest, or the least magnitude.
+    /// Index of the preferred end: the minimum, the maximum, or the smallest magnitude.
     lean: Option<usize>,
-    /// How often a number is one of [`SPECIAL`].
+    /// Probability that a number is one of [`SPECIAL`].
     special: f64,
-    /// What everyday lengths are multiplied by.
+    /// Scale of everyday lengths.
     scale: f64,
     /// Points of the scene so far, for others to coincide with.
     points: Vec<DVec3>,
@@ -142,7 +142,7 @@ impl Author {
         self.length(-reach..=reach, -GREATEST_LENGTH..=GREATEST_LENGTH)
     }
 
-    /// A point within `reach` of the origin, or one of the others, or next to it.
+    /// Returns a point within `reach` of the origin; at times an earlier point, or one next to it.
     fn point(&mut self, reach: f64) -> DVec3 {
         let mut point = DVec3::new(
             self.coordinate(reach),
@@ -336,7 +336,7 @@ impl Author {
         object
     }
 
-    /// Corners about a point with polygons over them, of which neighbours share some.
+    /// Adds vertices about a point and polygons over them; neighbours share some vertices.
     fn polygons(&mut self, object: &mut Object) {
         let middle = if self.chance(0.8) {
             DVec3::ZERO

@@ -1,6 +1,6 @@
-//! Numbers that look random and are the same every time.
+//! Reproducible pseudorandom numbers.
 
-/// Numbers that look random and are the same every time (Steele, Lea and Flood 2014, SplitMix64).
+/// A generator of reproducible pseudorandom numbers (Steele, Lea and Flood 2014, SplitMix64).
 pub struct Dice(pub u64);
 
 impl Dice {

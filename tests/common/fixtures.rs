@@ -1,6 +1,7 @@
-//! What several tests share.
+//! Helpers shared by several tests.
 
-/// Returns a message of the catalogue in English, whatever the language of the window beside it. It is given as to `text!`.
+/// Returns a message of the catalogue in English, whatever the language of the window beside it. It takes the arguments of
+/// `text!`.
 #[allow(unused_macros, reason = "each program takes what it needs")]
 macro_rules! english {
     ($($message:tt)+) => {
@@ -25,7 +26,7 @@ pub mod reasons;
 pub mod simd;
 pub mod textbook;
 
-/// What is wrong with a value of a scene.
+/// Returns the message about an invalid value of a scene.
 pub fn value(place: &str, found: &str, expected: &str) -> String {
     let words = english!("problem-value", found = found, expected = expected);
     format!("{place} {words}")

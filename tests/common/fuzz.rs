@@ -1,7 +1,8 @@
-//! Inputs changed at random in ways that know their structure: each is read or refused, in bounded time and memory.
+//! Random, structure-aware mutations of inputs: each is read or refused, in bounded time and memory.
 //!
-//! `FUZZ_SECONDS=3600 cargo test --release --test lessons fuzz` goes on for an hour with each, `FUZZ_COUNT=100000` tries so many of each, and
-//! `FUZZ_SEED=7` begins elsewhere. `--nocapture` prints how many were tried and how many were sound.
+//! `FUZZ_SECONDS=3600 cargo test --release --test lessons fuzz` spends an hour on each format, `FUZZ_COUNT=100000` tries that
+//! many inputs of each, and `FUZZ_SEED=7` starts from another seed. `--nocapture` prints how many inputs were tried and how many
+//! were valid.
 
 use super::dice::Dice;
 use super::lessons::EVERY_KIND;
@@ -9,13 +10,13 @@ use shading_lab::lesson::Lesson;
 use std::env;
 use std::time::{Duration, Instant};
 
-/// For each format, unless the environment says otherwise.
+/// Seconds for each format, unless the environment says otherwise.
 const SECONDS: f64 = 8.0;
-/// Longest that one input may take.
+/// Maximum time for one input.
 const PATIENCE: Duration = Duration::from_secs(10);
-/// Most that the process may grow by while it reads all of them, bytes.
+/// Maximum growth of the process while it reads all inputs, bytes.
 const MEMORY: u64 = 1 << 30;
-/// Longest input, bytes.
+/// Maximum length of an input, bytes.
 const LENGTH: usize = 1 << 18;
 
 /// Pieces that formats share, and numbers that are hard.
@@ -50,13 +51,13 @@ const PIECES: [&str; 28] = [
     " ",
 ];
 
-/// A format: what is sound in it, its own words, and how it is read; that tells whether an input was sound.
+/// A format: valid inputs, its keywords, and a reader, which returns whether an input was valid.
 pub struct Format {
     pub name: &'static str,
     pub sound: Vec<Vec<u8>>,
     pub words: &'static [&'static str],
     pub read: fn(&[u8]) -> bool,
-    /// Whether inputs are PNG files, whose chunks are changed within.
+    /// True if inputs are PNG files, whose chunks are changed within.
     pub png: bool,
 }
 
@@ -171,7 +172,7 @@ impl Format {
         }
     }
 
-    /// Changes the content of a chunk of a PNG, whose length and check are then right again.
+    /// Changes the content of a chunk of a PNG and corrects its length and checksum.
     fn change_chunk(&self, png: &mut Vec<u8>, dice: &mut Dice) {
         let mut chunks = chunks(png);
         if chunks.is_empty() {
@@ -205,7 +206,7 @@ fn splice(input: &mut Vec<u8>, at: usize, piece: &[u8]) {
     input.splice(at..at, piece.iter().copied());
 }
 
-/// The chunks of a PNG with their kinds, as far as they can be followed.
+/// Returns the chunks of a PNG with their types, as far as they can be followed.
 fn chunks(png: &[u8]) -> Vec<([u8; 4], Vec<u8>)> {
     let mut found = Vec::new();
     let mut rest = png.get(8..).unwrap_or_default();
@@ -220,7 +221,7 @@ fn chunks(png: &[u8]) -> Vec<([u8; 4], Vec<u8>)> {
     found
 }
 
-/// The check of a chunk (PNG specification, annex D).
+/// Returns the checksum of a chunk (PNG specification, annex D).
 fn crc(bytes: &[u8]) -> u32 {
     !bytes.iter().fold(u32::MAX, |crc, byte| {
         (0..8).fold(crc ^ u32::from(*byte), |crc, _| {
@@ -229,7 +230,7 @@ fn crc(bytes: &[u8]) -> u32 {
     })
 }
 
-/// The most memory that the process has had, bytes; 0 where the system does not say.
+/// Returns the peak memory of the process, bytes; 0 where the system does not report it.
 fn peak_memory() -> u64 {
     let status = std::fs::read_to_string("/proc/self/status").unwrap_or_default();
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"));
@@ -241,7 +242,7 @@ pub fn text(bytes: &[u8]) -> std::borrow::Cow<'_, str> {
     String::from_utf8_lossy(bytes)
 }
 
-/// Whether no step shows much: work is bounded, but what may be done within the bounds is too much to do thousands of times.
+/// Returns whether every step is cheap to draw: work is bounded, but the bound is too high to be reached thousands of times.
 pub fn is_small(lesson: &Lesson) -> bool {
     lesson.steps.iter().all(|step| {
         step.stage.load(None).is_ok_and(|staged| {
@@ -252,7 +253,7 @@ pub fn is_small(lesson: &Lesson) -> bool {
     })
 }
 
-/// A lesson for each question of the one with every kind, its scene so coarse that thousands can be gone through.
+/// Returns a lesson for each question of [`EVERY_KIND`], its scene coarse enough to try thousands of mutations.
 fn small_lessons() -> Vec<Vec<u8>> {
     let coarse = "\"image.size=[24,24]\", \"object.segments=8\", \"object.rings=6\"";
     let lesson = EVERY_KIND.replace("\"image.size=[96,96]\"", coarse);
@@ -268,7 +269,7 @@ fn small_lessons() -> Vec<Vec<u8>> {
     lessons.collect()
 }
 
-/// Lessons with one step, for every kind of question.
+/// Returns the format of lessons with one step, for every kind of question.
 pub fn lessons_of_every_kind(name: &'static str, read: fn(&[u8]) -> bool) -> Format {
     Format {
         name,
@@ -294,7 +295,7 @@ pub fn lessons_of_every_kind(name: &'static str, read: fn(&[u8]) -> bool) -> For
     }
 }
 
-/// Returns a lesson that is wrong somewhere, and can still be opened.
+/// Returns a mutated lesson that can still be opened.
 pub fn any_lesson(dice: &mut Dice) -> Lesson {
     let format = lessons_of_every_kind("lessons", |_| true);
     loop {

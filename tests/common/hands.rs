@@ -1,4 +1,4 @@
-//! The window without a screen, and hands for it: controls are found by role and name.
+//! The window without a screen, and helpers that operate it: controls are found by role and name.
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, Pos2, Rect, TexturesDelta};
@@ -21,28 +21,28 @@ pub fn window(scene: &str) -> Harness<'static, App> {
     window_with(scene, |app| app)
 }
 
-/// A window whose controls are all in reach, on a file or a built-in scene that is set up before its first frame.
+/// Opens a window whose controls are all in reach, on a file or a built-in scene; `set_up` changes it before its first frame.
 pub fn window_with(scene: &str, set_up: impl FnOnce(App) -> App) -> Harness<'static, App> {
     opened(built_in(scene), Nowhere, set_up)
 }
 
-/// A window with its sections folded as the scene has them.
+/// Opens a window whose sections are folded as the scene has them.
 pub fn folded(scene: &str) -> Harness<'static, App> {
     let loaded = built_in(scene);
     built(loaded, Nowhere, |app| app)
 }
 
-/// A window whose textures go to `card`.
+/// Opens a window whose textures go to `card`.
 pub fn window_on(scene: &str, card: impl TestRenderer + 'static) -> Harness<'static, App> {
     opened(built_in(scene), card, |app| app)
 }
 
-/// A window on any scene.
+/// Opens a window on any scene.
 pub fn window_of(loaded: Loaded) -> Harness<'static, App> {
     opened(loaded, Nowhere, |app| app)
 }
 
-/// What is stored between two sessions, in memory.
+/// In-memory storage in place of the one that persists between sessions.
 #[derive(Default)]
 struct Storage(BTreeMap<String, String>);
 
@@ -62,7 +62,7 @@ impl eframe::Storage for Storage {
     fn flush(&mut self) {}
 }
 
-/// What a window stores.
+/// The stored state of a window.
 #[derive(Serialize)]
 struct Stored<'a> {
     #[serde(rename = "look")]
@@ -70,7 +70,7 @@ struct Stored<'a> {
     course: &'a SavedProgress,
 }
 
-/// A window of some size, in points, that finds this look stored.
+/// Opens a window of a given size, in points, with a stored appearance.
 pub fn window_looking(
     loaded: Loaded,
     size: [f32; 2],
@@ -80,7 +80,7 @@ pub fn window_looking(
     window_storing(loaded, size, appearance, &SavedProgress::default(), set_up)
 }
 
-/// The same with answers to lessons.
+/// Opens a window with a stored appearance and stored answers to lessons.
 pub fn window_storing(
     loaded: Loaded,
     size: [f32; 2],
@@ -128,7 +128,7 @@ fn built(
     harness
 }
 
-/// A graphics card that takes textures and lets them go, as one does that has copied them.
+/// A graphics card that takes textures and discards them, like one that has copied them.
 pub struct Nowhere;
 
 impl TestRenderer for Nowhere {
@@ -145,8 +145,8 @@ pub fn scene<'h>(harness: &'h Harness<'_, App>) -> &'h Scene {
     &harness.state().state().session.document().scene
 }
 
-/// Returns the English name of what has a key: a parameter, a message, or a part of them, as in `light.0.position.x`. What is no
-/// key is a name itself.
+/// Returns the English name for a key: of a parameter, of a message, or of a part of them, as in `light.0.position.x`. Any other
+/// text is returned unchanged.
 pub fn named(key: &str) -> &'static str {
     let parameter = Parameter::of_key(key);
     let whole = parameter
@@ -160,7 +160,7 @@ pub fn named(key: &str) -> &'static str {
     name.map_or_else(|| english!(key), |name| interned(&name))
 }
 
-/// Chooses an entry of a list: a parameter's value, both as in a scene file, or by the keys of both.
+/// Chooses an entry of a list. Both are given by the keys of their messages, or as a parameter and its value in a scene file.
 pub fn choose(harness: &mut Harness<'_, App>, list: &str, entry: &str) {
     let options = Parameter::of_key(list).map_or(&[][..], |(parameter, _)| parameter.options());
     let option = options.iter().find(|option| option.word == entry);
@@ -198,14 +198,14 @@ pub fn open_view(harness: &mut Harness<'_, App>, name: &str) {
     harness.run();
 }
 
-/// Where the picture is.
+/// Returns the rectangle of the picture.
 pub fn picture_place(harness: &Harness<'_, App>) -> Rect {
     let mode = harness.state().state().session.shown.scene.shading.mode;
     let name = english!("picture-name", mode = mode.label());
     harness.get_by_role_and_label(Role::Image, &name).rect()
 }
 
-/// Clicks a button by the key of its name, or by the name.
+/// Clicks a button, given by its name or the key of its name.
 pub fn press(harness: &mut Harness<'_, App>, key: &str) {
     harness
         .get_by_role_and_label(Role::Button, named(key))
@@ -257,7 +257,7 @@ pub fn undo(harness: &mut Harness<'_, App>) {
     harness.run();
 }
 
-/// Looks at the window until `condition` holds.
+/// Runs the window until `condition` holds; returns `false` after 3000 attempts.
 pub fn wait(harness: &mut Harness<'_, App>, condition: impl Fn(&Harness<'_, App>) -> bool) -> bool {
     for _ in 0..3000 {
         harness.run_ok();
@@ -269,7 +269,7 @@ pub fn wait(harness: &mut Harness<'_, App>, condition: impl Fn(&Harness<'_, App>
     false
 }
 
-/// Drags from one place of the window to another.
+/// Drags from one position in the window to another.
 pub fn drag(harness: &mut Harness<'_, App>, from: Pos2, to: Pos2) {
     harness.drag_at(from);
     harness.run();

@@ -1,6 +1,6 @@
 //! A lesson with every kind of question, small enough to be solved often.
 
-/// The kinds in the order of `docs/lessons.md`, some of them twice.
+/// A lesson with the kinds in the order of `docs/lessons.md`, some of them twice.
 pub const EVERY_KIND: &str = r#"+++
 lesson = 1
 name = "every-kind"

@@ -1,4 +1,4 @@
-//! What a monkey does: one step at a time, as the events that a desktop would send.
+//! The actions of a monkey: one step at a time, as the events that a desktop would send.
 
 use super::dice::Dice;
 use super::hands::named;
@@ -10,7 +10,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::NodeT;
 use shading_lab::app::App;
 
-/// Roles of what can be clicked, typed into or dragged.
+/// Roles of widgets that can be clicked, typed into or dragged.
 const ROLES: [Role; 11] = [
     Role::Button,
     Role::CheckBox,
@@ -24,7 +24,7 @@ const ROLES: [Role; 11] = [
     Role::Tab,
     Role::TextInput,
 ];
-/// What is typed into fields.
+/// Texts to type into fields.
 const TEXTS: [&str; 24] = [
     "1e300",
     "-1e300",
@@ -51,7 +51,7 @@ const TEXTS: [&str; 24] = [
     "picture.png",
     "  ",
 ];
-/// What is typed where a large number is a large picture.
+/// Texts to type where a large number would be a large picture.
 const SIZES: [&str; 5] = ["", "1", "17", "200", "-3"];
 /// Numbers that a screen reader sets.
 const NUMBERS: [f64; 12] = [
@@ -68,7 +68,7 @@ const NUMBERS: [f64; 12] = [
     f64::NEG_INFINITY,
     f64::NAN,
 ];
-/// Keys that mean something to the window or to fields, besides those that it meets among all keys.
+/// Keys that mean something to the window or to fields, in addition to random keys.
 const KEYS: [Key; 40] = [
     Key::Tab,
     Key::Tab,
@@ -111,7 +111,7 @@ const KEYS: [Key; 40] = [
     Key::Z,
     Key::S,
 ];
-/// Width and height of the window, points, and pixels to a point: no picture is so large that every frame takes long.
+/// Width and height of the window in points, and pixels per point: no picture is large enough to make every frame slow.
 const WINDOWS: [[f32; 3]; 10] = [
     [800.0, 500.0, 1.0],
     [800.0, 500.0, 1.0],
@@ -125,7 +125,7 @@ const WINDOWS: [[f32; 3]; 10] = [
     [1.0, 1.0, 1.0],
 ];
 
-/// Something that can be clicked, typed into or dragged.
+/// A widget that can be clicked, typed into or dragged.
 struct Widget {
     role: Role,
     label: String,
@@ -137,7 +137,7 @@ struct Widget {
 }
 
 impl Widget {
-    /// A request of a screen reader.
+    /// Returns a request of a screen reader.
     fn request(&self, action: Action, data: Option<ActionData>) -> Event {
         let (target_node, target_tree) = self.id;
         Event::AccessKitActionRequest(ActionRequest {
@@ -148,7 +148,7 @@ impl Widget {
         })
     }
 
-    /// Whether it asks how large or how fine a picture is to be.
+    /// Returns whether the widget sets the size or the sampling of a picture.
     fn is_size(&self) -> bool {
         ["width", "height", "samples"]
             .iter()
@@ -156,7 +156,7 @@ impl Widget {
     }
 }
 
-/// What can be used at present.
+/// Returns the widgets that can be used at present.
 fn widgets(harness: &Harness<'_, App>) -> Vec<Widget> {
     let usable = harness.root().children_recursive().filter_map(|node| {
         let it = node.accesskit_node();
@@ -172,7 +172,7 @@ fn widgets(harness: &Harness<'_, App>) -> Vec<Widget> {
     usable.collect()
 }
 
-/// The next step: what it is, and the events that it consists of.
+/// Returns the next step: its description and its events.
 pub fn act(harness: &mut Harness<'_, App>, dice: &mut Dice) -> (String, Vec<Event>) {
     let screen = harness.ctx.content_rect();
     let widgets = widgets(harness);
@@ -217,7 +217,7 @@ fn button(at: Pos2, button: PointerButton, pressed: bool, modifiers: Modifiers) 
     }
 }
 
-/// A click, mostly with the first button.
+/// Clicks, mostly with the primary button.
 fn press(at: Pos2, dice: &mut Dice) -> Vec<Event> {
     use PointerButton::{Middle, Primary, Secondary};
     let which = dice.of(&[
@@ -239,7 +239,7 @@ fn pick<'w>(widgets: &'w [Widget], roles: &[Role], dice: &mut Dice) -> Option<&'
     }
 }
 
-/// Clicks something that can be used; what is out of sight is clicked as a screen reader does.
+/// Clicks a widget; one that is out of sight is clicked as by a screen reader.
 fn click(widgets: &[Widget], screen: Rect, dice: &mut Dice) -> (String, Vec<Event>) {
     let roles = if dice.unit() < 0.2 {
         &[Role::Tab][..]
@@ -394,7 +394,7 @@ fn wheel(screen: Rect, dice: &mut Dice) -> (String, Vec<Event>) {
     )
 }
 
-/// A key pressed and let go, with the letter that it types.
+/// Presses and releases a key, with the letter that it types.
 fn stroke(key: Key, modifiers: Modifiers) -> Vec<Event> {
     let event = |pressed| Event::Key {
         key,

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
-/// A folder of a test's own, in which the program runs; removed at its end.
+/// A test's own folder, in which the program runs; removed when dropped.
 pub struct Folder(pub PathBuf);
 
 impl Folder {
@@ -50,7 +50,7 @@ impl Folder {
         self.command(arguments).output().expect("the program")
     }
 
-    /// What a run prints that ends well.
+    /// Runs the program, checks that it succeeds without errors, and returns its output.
     #[track_caller]
     pub fn prints(&self, arguments: &[&str]) -> String {
         let output = self.run(arguments);
@@ -68,7 +68,7 @@ impl Folder {
         serde_json::from_str(&self.prints(arguments)).expect("JSON")
     }
 
-    /// A run that ends with `status`, says exactly `errors` on stderr, as errors, and nothing on stdout.
+    /// Checks that a run ends with `status`, prints exactly `errors` to stderr, as errors, and nothing to stdout.
     #[track_caller]
     pub fn fails(&self, arguments: &[&str], status: i32, errors: &[&str]) {
         let output = self.run(arguments);
@@ -80,7 +80,7 @@ impl Folder {
         assert!(output.stdout.is_empty(), "{arguments:?}");
     }
 
-    /// A run that the reading of the arguments refuses.
+    /// Checks that a run is refused while its arguments are parsed.
     #[track_caller]
     pub fn refuses(&self, arguments: &[&str], expected: &str) {
         let output = self.run(arguments);
@@ -99,12 +99,12 @@ impl Drop for Folder {
     }
 }
 
-/// What is said of a place that no pixel of the picture has.
+/// Returns the message about a position outside the picture.
 pub fn outside(what: &str, last: &str) -> String {
     english!("cli-outside-picture", what = what, last = last)
 }
 
-/// What is said of a sound file with the scene that every setting is left out of.
+/// Returns the message about a valid file that leaves every setting at its default.
 pub fn sound(name: &str) -> String {
     let words = english!(
         "cli-check-sound",

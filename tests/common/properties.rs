@@ -1,9 +1,9 @@
-//! Keeps the seeds of properties that failed in one folder.
+//! Configuration of property tests: the seeds of failed cases are kept in one folder.
 
 use proptest::test_runner::{Config, FileFailurePersistence};
 use std::path::Path;
 
-/// The usual configuration; `file` is the caller's `file!()`.
+/// Returns the usual configuration; `file` is the caller's `file!()`.
 pub fn config(file: &str) -> Config {
     let name = Path::new(file)
         .file_stem()

@@ -1,4 +1,4 @@
-//! Whether a reason for which a light adds nothing is the real one, decided by rays and angles worked out apart.
+//! Verification of the stated reason why a light adds nothing, by independently computed rays and angles.
 
 use glam::DVec3;
 use shading_lab::analysis::probe::{LightTerms, ProbeHit, ZeroCause, ZeroCauses};
@@ -12,14 +12,14 @@ use shading_lab::scene::{
 /// A point with its normal.
 type ShadingPoint = (DVec3, DVec3);
 
-/// A term of a light: its value, and why that is 0.
+/// A term of a light: its value, and the causes if that is 0.
 struct Term {
     specular: bool,
     value: Rgb,
     causes: ZeroCauses,
 }
 
-/// A scene with its polygons.
+/// A scene with its polygons, against which stated causes are checked.
 pub struct Judge<'a> {
     scene: &'a Scene,
     vertices: VertexMesh,
@@ -44,7 +44,7 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// What is wrong with what is said of a light; how many causes were checked.
+    /// Checks the causes stated for a light; returns those checked, or a description of a false one.
     pub fn check(
         &self,
         hit: &ProbeHit,
@@ -84,7 +84,7 @@ impl<'a> Judge<'a> {
         Ok(checked)
     }
 
-    /// Where the equation is evaluated; several sets where that depends on how a polygon is cut.
+    /// Returns the points where the equation is evaluated: several sets if they depend on how a polygon is cut.
     fn sites(&self, hit: &ProbeHit) -> Vec<Vec<ShadingPoint>> {
         let Some(face) = hit.face.map(|face| face as usize) else {
             return vec![vec![(hit.position, hit.normal)]];
@@ -109,8 +109,8 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Whether the causes of a term are real with these shading points: one alone for all of them and all points of the light,
-    /// each of several somewhere.
+    /// Returns whether the causes of a term are real at these shading points: a single cause at all of them and for all points of
+    /// the light, each of several causes somewhere.
     fn holds(&self, light: &Light, sites: &[ShadingPoint], term: &Term) -> bool {
         let points = if light.kind == LightKind::Area {
             area_samples(light)
@@ -178,7 +178,7 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// L at `p`, and how far its cosines may be off by the rounding of places.
+    /// Returns L at `p`, and the error of its cosines due to the rounding of positions.
     fn towards(&self, light: &Light, p: DVec3, point: DVec3) -> (DVec3, f64) {
         let camera = &self.scene.camera;
         let unit = |v: DVec3| (v / v.abs().max_element()).normalize_or_zero();
@@ -195,7 +195,7 @@ impl<'a> Judge<'a> {
         (unit(point - p), 1e-9 + 1e-12 * spread / near)
     }
 
-    /// Kd·Od or Ks·Os·W, for either colour of a pattern.
+    /// Returns Kd·Od or Ks·Os·W, for either colour of a pattern.
     fn coefficients(&self, specular: bool) -> Vec<Rgb> {
         let material = &self.scene.material;
         if specular {
@@ -212,7 +212,8 @@ impl<'a> Judge<'a> {
         vec![material.kd * material.color, material.kd * other]
     }
 
-    /// R·V, or for the other models the least of N·H and what is left of N·V above −¼.
+    /// Returns R·V for Phong's model, N·H for Blinn's, and for Cook and Torrance's the smaller of N·H and N·V + ¼. If rounding decides
+    /// which side a grazing light is on, returns the minimum over both.
     fn lobe_cosine(&self, (p, n): ShadingPoint, l: DVec3) -> f64 {
         let camera = &self.scene.camera;
         let from = if camera.viewer == Viewer::Infinite {
@@ -241,8 +242,8 @@ impl<'a> Judge<'a> {
         sides.into_iter().map(cosine).fold(1.0, f64::min)
     }
 
-    /// Whether the floor, the surface or one of the polygons stands between a shading point and a point of the light; what does so by
-    /// the breadth of a rounding counts.
+    /// Returns whether the floor, the surface or a polygon blocks the path from a shading point to a point of the light; an
+    /// obstacle within rounding error counts.
     fn is_blocked(&self, light: &Light, (p, n): ShadingPoint, point: DVec3) -> bool {
         let (way, end) = match light.kind {
             LightKind::Directional => (-light.direction, f64::INFINITY),
@@ -269,8 +270,8 @@ impl<'a> Judge<'a> {
     }
 
     #[allow(dead_code, reason = "each test takes what it needs of it")]
-    /// Whether a face of a convex solid is turned away from a light. Where its vertex normals are not, they stand for a smooth surface
-    /// that is lit there, though the face itself is not.
+    /// Returns whether a face of a convex solid is turned away from a light. If its vertex normals are not, they stand for a
+    /// smooth surface that is lit there, though the face itself is not.
     pub fn turns_away(&self, light: &Light, face: u32, p: DVec3) -> bool {
         let way = match light.kind {
             LightKind::Directional => -light.direction,
@@ -280,7 +281,7 @@ impl<'a> Judge<'a> {
     }
 
     #[allow(dead_code, reason = "each test takes what it needs of it")]
-    /// Whether something stands before the light of a point with its normal, whatever the point is lifted by.
+    /// Returns whether something blocks the light of a point with its normal, whatever offset is added to the point.
     pub fn is_clearly_blocked(&self, light: &Light, (p, n): (DVec3, DVec3)) -> bool {
         // In steps of the object's radius, whose millionth is_met takes for nothing.
         let unit = |v: DVec3| (v / v.abs().max_element()).normalize_or_zero();
@@ -332,7 +333,7 @@ impl<'a> Judge<'a> {
     }
 }
 
-/// Every triangle over the corners of a polygon.
+/// Returns every triangle over the corners of a polygon.
 fn triples(corners: &[ShadingPoint]) -> Vec<Vec<ShadingPoint>> {
     let count = corners.len();
     let mut all = Vec::new();

@@ -3,7 +3,7 @@
 use fearless_simd::Level;
 use shading_lab::render::SimdLevel;
 
-/// All of them, best first.
+/// Returns all available levels, best first.
 pub fn levels() -> Vec<Level> {
     let level = |(_, level)| level;
     SimdLevel::available().into_iter().map(level).collect()

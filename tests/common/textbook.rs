@@ -1,4 +1,4 @@
-//! The equation again, as the textbooks write it: apart from the program, in double precision, for the unit sphere.
+//! The textbooks' equation, independent of the program, in double precision, for the unit sphere.
 
 use super::dice;
 
@@ -137,7 +137,8 @@ pub fn random_scene(dice: &mut Dice, n: f64) -> Scene {
     scene
 }
 
-/// Point and normal of the unit sphere in the middle of a pixel, and how far from its outline the pixel lies, in pixels.
+/// Returns the point and normal of the unit sphere at the centre of a pixel, and the pixel's distance from the outline, in
+/// pixels.
 pub fn meet(scene: &Scene, x: u32, y: u32) -> Option<(DVec3, f64)> {
     let camera = &scene.camera;
     let [width, height] = scene.image.size.map(f64::from);
@@ -175,12 +176,12 @@ pub fn meet(scene: &Scene, x: u32, y: u32) -> Option<(DVec3, f64)> {
     ))
 }
 
-/// The equation of the unit sphere at `p`.
+/// Evaluates the equation of the unit sphere at `p`.
 pub fn textbook(scene: &Scene, p: DVec3) -> DVec3 {
     textbook_at(scene, p, p)
 }
 
-/// The equation at `p` of a surface with normal `n`.
+/// Evaluates the equation at `p` of a surface with normal `n`.
 pub fn textbook_at(scene: &Scene, p: DVec3, n: DVec3) -> DVec3 {
     let m = &scene.material;
     let od = surface_colour(scene, p);
@@ -259,7 +260,7 @@ fn from_light(scene: &Scene, light: &Light, [p, n]: [DVec3; 2], od: DVec3) -> DV
         * (m.kd * od * n_dot_l + m.ks * m.specular_color * fresnel(m, cosine) * s)
 }
 
-/// The part of a spot light's intensity that goes along `ray`.
+/// Returns the fraction of a spot light's intensity in the direction `ray`.
 pub fn spot_part(light: &Light, ray: DVec3) -> f64 {
     let axis = light.direction.normalize();
     let cosine = ray.dot(axis);
@@ -278,7 +279,7 @@ pub fn spot_part(light: &Light, ray: DVec3) -> f64 {
     cosine.max(0.0).powf(light.exponent) * t * t * (3.0 - 2.0 * t)
 }
 
-/// S, and the cosine of the angle of incidence that W depends on.
+/// Returns S, and the cosine of the angle of incidence that W depends on.
 fn specular(scene: &Scene, n: DVec3, l: DVec3, v: DVec3) -> (f64, f64) {
     let m = &scene.material;
     let h = (l + v).normalize();
@@ -292,7 +293,7 @@ fn specular(scene: &Scene, n: DVec3, l: DVec3, v: DVec3) -> (f64, f64) {
     }
 }
 
-/// `π·D·G/(4·(N·V))`.
+/// Returns `π·D·G/(4·(N·V))`.
 pub fn cook_torrance(distribution: Distribution, m: f64, n: DVec3, l: DVec3, v: DVec3) -> f64 {
     let h = (l + v).normalize();
     let alpha = n.dot(h).clamp(-1.0, 1.0).acos();
@@ -315,7 +316,7 @@ pub fn cook_torrance(distribution: Distribution, m: f64, n: DVec3, l: DVec3, v: 
     PI * d * g * fading / (4.0 * nv)
 }
 
-/// W per channel, from the complex amplitudes of Fresnel's formulas.
+/// Returns W per channel, from the complex amplitudes of Fresnel's formulas.
 pub fn fresnel(m: &Material, cosine: f64) -> DVec3 {
     let (eta, k) = match m.reflectance {
         Reflectance::Constant => return DVec3::ONE,
@@ -333,7 +334,7 @@ pub fn fresnel(m: &Material, cosine: f64) -> DVec3 {
     DVec3::from_array([0, 1, 2].map(|c| amplitude_reflectance(eta[c], k[c], cosine)))
 }
 
-/// The reflectance of unpolarised light at a surface of index η + ik.
+/// Returns the reflectance of unpolarised light at a surface of index η + ik.
 pub fn amplitude_reflectance(eta: f64, k: f64, cosine: f64) -> f64 {
     type Complex = DVec2;
     let times = |a: Complex, b: Complex| Complex::new(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
@@ -353,8 +354,8 @@ pub fn amplitude_reflectance(eta: f64, k: f64, cosine: f64) -> f64 {
     0.5 * (perpendicular.length_squared() + parallel.length_squared())
 }
 
-/// Whether the equation has a step near `p`, which any other normal or rounding moves: the terminator, where a highlight
-/// that reaches beyond it ends at once; the edge between two fields of a pattern.
+/// Returns whether the equation has a step near `p`, where a slightly different normal or rounding changes the value: the
+/// terminator, at which a highlight that reaches beyond it ends abruptly, or the edge between two fields of a pattern.
 pub fn steps(scene: &Scene, p: DVec3, near: f64) -> bool {
     let terminator = scene.lights.iter().any(|light| {
         let towards = |place: DVec3| p.dot((place - p).normalize()).abs() < near;
@@ -367,7 +368,7 @@ pub fn steps(scene: &Scene, p: DVec3, near: f64) -> bool {
     terminator || field_edge(scene, p, near)
 }
 
-/// Whether `p` is within `near` fields of an edge of the pattern.
+/// Returns whether `p` is within `near` world units of an edge of the pattern.
 pub fn field_edge(scene: &Scene, p: DVec3, near: f64) -> bool {
     let edge = |x: f64| {
         ((x / scene.pattern.scale - 0.5).rem_euclid(1.0) - 0.5).abs()

@@ -1,4 +1,4 @@
-//! Pictures of a sphere against rays that meet it in closed form, written apart from the engine, in double precision.
+//! Pictures of a sphere against rays intersected in closed form, independent of the engine, in double precision.
 
 mod grid;
 
@@ -11,8 +11,8 @@ use shading_lab::scene::{
     FlatAt, NormalSource, ObjectKind, Overflow, Rgb, Scene, ShadingMode, presets,
 };
 
-/// The greatest difference in code values over the pixels at least 1.5 pixels inside the outline, but for those that
-/// `leave_out` names.
+/// Returns the maximum difference in code values over the pixels at least 1.5 pixels inside the outline, without the points that
+/// `leave_out` excludes.
 fn worst(renderer: &mut Renderer, scene: &Scene, leave_out: impl Fn(DVec3) -> bool) -> f64 {
     let frame = renderer.render(scene);
     let mut worst: f64 = 0.0;
@@ -70,7 +70,7 @@ fn phong_shading_of_a_fine_sphere_nears_the_closed_form() {
     }
 }
 
-/// The probe says what the picture shows, wherever the mode evaluates the equation.
+/// Checks that the probe agrees with the picture wherever the mode evaluates the equation.
 #[test]
 fn the_probe_adds_up_to_the_stored_pixel() {
     let mut dice = Dice(0x5eed_1997);
@@ -124,7 +124,7 @@ fn the_probe_adds_up_to_the_stored_pixel() {
     }
 }
 
-/// Which normal each way of flat shading takes: that of the highlight's terms at its places, worked out apart.
+/// Checks which normal each kind of flat shading uses: the highlight's terms at its points, computed independently, must match.
 #[test]
 fn flat_shading_takes_the_normals_that_are_documented() {
     let mut scene = Scene::default();

@@ -1,4 +1,4 @@
-//! Animations: what each frame shows, how long it stands, and what is refused.
+//! Animations: the content and duration of each frame, and the requests that are refused.
 
 use crate::common::program::{Folder, pixels_of};
 use shading_lab::animation::{Course, FilmFormat, Sweep, SweepError, write_film};
@@ -315,7 +315,7 @@ fn a_gif_has_the_very_colours_where_they_are_few() {
     }
 }
 
-/// Frames as they were drawn, and as a GIF of them shows them.
+/// Returns the frames as drawn, each with its pixels in a GIF of them.
 fn through_a_gif(name: &str, size: [u32; 2]) -> Vec<(Frame, Vec<u8>)> {
     let mut scene = presets::find(name).expect("built in").scene();
     scene.image.size = size;

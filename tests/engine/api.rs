@@ -1,4 +1,4 @@
-//! What the types of the library promise to programs that use it.
+//! Guarantees of the library's types to programs that use it.
 
 mod security;
 
@@ -20,10 +20,10 @@ use std::error::Error;
 use std::fmt::Debug;
 use std::path::Path;
 
-/// What callers do with errors: `?` into a box, across threads, downcast.
+/// Requires what callers do with errors: `?` into a box, sending between threads, downcasting.
 fn error<E: Error + Send + Sync + 'static>() {}
 
-/// What callers do with data.
+/// Requires what callers do with data.
 fn data<T: Clone + Debug + PartialEq + Send + Sync + 'static>() {}
 
 #[test]

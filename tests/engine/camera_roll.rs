@@ -26,7 +26,7 @@ fn picture(scene: &Scene) -> Vec<[u8; 4]> {
     Renderer::default().render(scene).pixels.clone()
 }
 
-/// The picture turned counter-clockwise by a quarter: what was at the right comes to the top.
+/// Turns the picture counter-clockwise by a quarter: its right side becomes the top.
 fn turned(pixels: &[[u8; 4]]) -> Vec<[u8; 4]> {
     let from = |x: usize, y: usize| pixels[x * SIDE + SIDE - 1 - y];
     (0..SIDE * SIDE)
@@ -34,7 +34,7 @@ fn turned(pixels: &[[u8; 4]]) -> Vec<[u8; 4]> {
         .collect()
 }
 
-/// How many pixels differ by more than rounding.
+/// Counts the pixels that differ by more than rounding.
 fn differences(a: &[[u8; 4]], b: &[[u8; 4]]) -> usize {
     let far = |(a, b): &(&[u8; 4], &[u8; 4])| a.iter().zip(*b).any(|(a, b)| a.abs_diff(*b) > 1);
     a.iter().zip(b).filter(far).count()

@@ -1,4 +1,4 @@
-//! Depth cueing against closed forms, the probe's working against the picture, and what re-runs when it changes.
+//! Depth cueing against closed forms, the probe's working against the picture, and the stages that re-run when it changes.
 
 use glam::{DVec2, DVec3};
 use shading_lab::analysis::probe::probe;
@@ -23,7 +23,7 @@ const RULES: [Interpolation; 3] = [
     Interpolation::Scanline,
 ];
 
-/// A square of one polygon that runs away from the eye, the same I all over, fading into blue.
+/// Returns a square of one polygon that recedes from the eye, of constant I, fading into blue.
 fn slanted(by: CuedBy, front: f64, back: f64) -> Scene {
     let mut scene = Scene::default();
     scene.image.size = [96, 128];
@@ -44,7 +44,7 @@ fn slanted(by: CuedBy, front: f64, back: f64) -> Scene {
     scene
 }
 
-/// The depth of the plane z = 0 at a pixel, where the pixel sees the square.
+/// Returns the depth of the plane z = 0 at a pixel, if the pixel sees the square.
 fn depth_at(scene: &Scene, x: u32, y: u32) -> Option<f64> {
     let view = View::new(&scene.camera, scene.image.size);
     let (origin, direction) = view.ray(DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5));
@@ -53,7 +53,7 @@ fn depth_at(scene: &Scene, x: u32, y: u32) -> Option<f64> {
     (point.truncate().abs().max_element() < 0.98).then(|| (point - view.eye).dot(view.forward))
 }
 
-/// Compares every pixel of the square with `expected` of its depth; how many there were.
+/// Compares every pixel of the square with `expected` of its depth; returns how many there were.
 #[track_caller]
 fn assert_ramp(scene: &Scene, expected: impl Fn(f64) -> f64) -> u32 {
     let frame = Renderer::default().render(scene).clone();
@@ -82,7 +82,7 @@ fn places(frame: &Frame) -> impl Iterator<Item = (u32, u32)> + use<> {
     (0..height).flat_map(move |y| (0..width).map(move |x| (x, y)))
 }
 
-/// The depths of the square's near and far edge.
+/// Returns the depths of the square's near and far edge.
 fn edges(scene: &Scene) -> [f64; 2] {
     let view = View::new(&scene.camera, scene.image.size);
     [-1.0, 1.0].map(|y| (DVec3::new(0.0, y, 0.0) - view.eye).dot(view.forward))
@@ -126,7 +126,7 @@ fn a_linear_cue_is_the_same_by_vertex_and_by_pixel() {
     }
 }
 
-/// The polygon reaches beyond both depths: by pixel s0 has two corners, between vertices it has none.
+/// Uses a polygon that reaches beyond both depths: per pixel, s0 has two corners; per vertex, it has none.
 #[test]
 fn the_corners_of_clamping_are_missed_between_vertices() {
     for mode in [ShadingMode::Gouraud, ShadingMode::Phong] {
@@ -198,7 +198,7 @@ fn the_background_keeps_its_colour() {
     assert_eq!(frame.pixel(48, 64), Some([0, 51, 204]));
 }
 
-/// Scenes in which cueing meets everything else that makes up a pixel.
+/// Returns scenes that combine depth cueing with everything else that makes up a pixel.
 fn crowded() -> Vec<Scene> {
     let mut scenes = Vec::new();
     for kind in [ObjectKind::Torus, ObjectKind::Teapot, ObjectKind::Cube] {
@@ -324,7 +324,7 @@ fn what_cannot_change_anything_is_left_out() {
     );
 }
 
-/// What is left out would not have changed a pixel.
+/// Checks that the steps skipped in front of the front depth would not have changed a pixel.
 #[test]
 fn before_the_front_the_picture_is_as_without() {
     for preset in presets::ALL

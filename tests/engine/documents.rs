@@ -6,7 +6,7 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::{fs, io, process};
 
-/// A folder of a test's own, removed at its end.
+/// A test's own folder, removed when dropped.
 struct Folder(PathBuf);
 
 impl Folder {

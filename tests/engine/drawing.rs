@@ -1,4 +1,4 @@
-//! Drawings: clipping, places for labels, pixels, SVG text, letters and the round numbers of axes.
+//! Drawings: clipping, positions of labels, pixels, SVG text, letters and the round numbers of axes.
 
 use glam::DVec2;
 use shading_lab::figure::palette::{Rgb8, contrast};
@@ -176,7 +176,8 @@ fn drawn(width: u32, height: u32, shapes: &[Shape]) -> Pixmap {
     pixmap
 }
 
-/// `#` the shape's colour, `+` the halo's, `.` neither; what covers less than half a pixel counts as nothing.
+/// Formats the pixels as rows of `#` for the shape's colour, `+` for the halo's and `.` for neither; coverage below half a pixel
+/// counts as none.
 fn ascii(pixmap: &Pixmap) -> Vec<String> {
     let symbol = |p: &tiny_skia::PremultipliedColorU8| match (p.red() > 127, p.blue() > 127) {
         (true, _) => '#',
@@ -269,7 +270,7 @@ fn a_raised_letter_comes_back_to_the_line() {
     assert!(text.contains(expected), "{text}");
 }
 
-/// The rows that a text inks whose baseline is row 200, as drawn at a size of 100 pixels: from the first to the last.
+/// Returns the first and the last row that a text inks, drawn at a size of 100 pixels with its baseline at row 200.
 fn inked_rows(text: &str) -> Option<[usize; 2]> {
     let mut drawing = Drawing::new(DVec2::splat(300.0), [0; 3]);
     drawing

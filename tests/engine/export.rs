@@ -1,7 +1,7 @@
-//! Scenes in OpenGL's words: what the texts say, and that Mesa draws the same pictures by them.
+//! Scenes exported to OpenGL: the content of the texts, and the same pictures drawn by Mesa.
 //!
-//! The pictures need a C compiler, EGL and OpenGL (Debian: gcc libegl-dev libgl-dev libgl1-mesa-dri); without them those
-//! tests say so and are skipped.
+//! The pictures need a C compiler, EGL and OpenGL (Debian: gcc libegl-dev libgl-dev libgl1-mesa-dri); without them those tests
+//! print a message and are skipped.
 
 mod compiled;
 
@@ -10,7 +10,7 @@ use shading_lab::export::{Export, ExportError, Limit, glsl_330, opengl_c, opengl
 use shading_lab::geometry::tessellate;
 use shading_lab::scene::{Scene, View, presets};
 
-/// The built-in scene `name` with overrides.
+/// Returns the built-in scene `name` with overrides.
 fn scene(name: &str, overrides: &[&str]) -> Scene {
     let preset = presets::find(name).expect("a built-in scene");
     preset
@@ -92,7 +92,7 @@ fn silent_lights_are_left_out() {
     assert!(!snippet(&dark).parts[0].text.contains("glLightf"));
 }
 
-/// How many limits of `export` have a message.
+/// Counts the limits of `export` that have a message.
 fn count(export: &Export, key: &str) -> usize {
     let limits = export.limits.iter();
     limits.filter(|limit| limit.key == key).count()
@@ -257,7 +257,7 @@ fn shaders_name_what_they_cannot_say() {
     }
 }
 
-/// The shader's matrix puts a point where the view has it.
+/// Checks that the shader's matrix projects a point as the view does.
 #[test]
 fn a_point_appears_where_the_view_has_it() {
     for projection in ["perspective", "orthographic"] {

@@ -1,4 +1,4 @@
-//! Polygons as fine as pixels: what is kept from frame to frame shows the same picture as a renderer that starts anew.
+//! Polygons as small as pixels: reused intermediate results give the same picture as a new renderer.
 
 use crate::common::simd::levels;
 use shading_lab::render::Renderer;
@@ -6,7 +6,7 @@ use shading_lab::scene::{
     Encoding, FlatAt, Interpolation, ObjectKind, Overflow, Projection, Rgb, Scene, ShadingMode,
 };
 
-/// Triangles smaller than pixels.
+/// Returns a scene with triangles smaller than pixels.
 fn fine(kind: ObjectKind) -> Scene {
     let mut scene = Scene::default();
     scene.image.size = [97, 70];

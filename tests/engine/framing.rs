@@ -1,4 +1,4 @@
-//! What a picture shows of a scene, whatever the picture's shape.
+//! The framing of each scene in pictures of any shape.
 
 use crate::common::properties;
 use glam::{DVec2, DVec3};
@@ -9,10 +9,10 @@ use shading_lab::scene::{Camera, Framing, Object, Projection, View, presets};
 /// A square, a wide and a narrow picture.
 const SHAPES: [[u32; 2]; 3] = [[600, 600], [1600, 1000], [540, 960]];
 
-/// Scenes whose object is cut off by the picture's edge, as their sentences say.
+/// Scenes whose object is cut off by the picture's edge, as their descriptions say.
 const CLOSE: [&str; 2] = ["perspective-distortion", "under-water"];
 
-/// The least part of the shorter side that a scene leaves free beside its object; negative where this is cut off.
+/// Returns the minimum margin around a scene's object, as a fraction of the shorter side; negative if the object is cut off.
 fn room(camera: &Camera, points: &[DVec3], size: [u32; 2]) -> f64 {
     let view = View::new(camera, size);
     let [width, height] = size.map(f64::from);
@@ -82,7 +82,7 @@ fn camera() -> impl Strategy<Value = Camera> {
     )
 }
 
-/// Points of a ball's surface, evenly spread.
+/// Returns evenly spread points on a ball's surface.
 fn surface(centre: DVec3, radius: f64) -> impl Iterator<Item = DVec3> {
     (0..400).map(move |k| {
         let z = 1.0 - (2.0 * f64::from(k) + 1.0) / 400.0;

@@ -1,4 +1,4 @@
-//! Vertex normals: weightings by hand, and what happens where an average has no direction.
+//! Vertex normals: weightings by hand, and averages without a direction.
 
 use crate::common::properties;
 use glam::{DVec3, Vec3};
@@ -26,7 +26,7 @@ fn averaged(mesh: &Mesh, weighting: Weighting) -> VertexMesh {
     mesh.with_vertex_normals(NormalSource::Averaged, weighting)
 }
 
-/// Three faces of a box that meet at point 0: z = 0 as two triangles, x = 0 a unit square, y = 0 twice as large.
+/// Returns three faces of a box that meet at point 0: z = 0 as two triangles, x = 0 a unit square, y = 0 twice as large.
 fn box_corner() -> Mesh {
     let positions = [
         [0.0, 0.0, 0.0],

@@ -1,4 +1,4 @@
-//! Polygons of the scene itself, and the corrugated sheet.
+//! Polygons given in the scene, and the corrugated sheet.
 
 mod concave;
 
@@ -166,7 +166,7 @@ fn a_concave_polygon_is_covered_once_and_a_closed_one_is_noticed() {
     assert!(mesh.closed && mesh.signed_volume() > 0.0);
 }
 
-/// Twice the area of the triangles of a face.
+/// Returns twice the area of the triangles of a face.
 fn doubled_area(mesh: &Mesh, f: usize) -> f64 {
     mesh.face_triangles(f)
         .map(|triangle| {
@@ -301,7 +301,8 @@ fn undivided_slopes_average_to_one_normal_and_divided_ones_do_not() {
     );
 }
 
-/// How far above the sheet of `slopes` slopes a point is, along z; and whether it is over or under the sheet at all.
+/// Returns the height of a point above the sheet of `slopes` slopes, along z, and whether the point is over or under the sheet at
+/// all.
 fn above(slopes: f64, p: DVec3) -> (f64, bool) {
     let along = (p.x + 0.75) / 1.5 * slopes;
     // A triangle wave that begins in a trough.

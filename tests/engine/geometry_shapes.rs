@@ -40,7 +40,7 @@ fn euler_characteristic(mesh: &Mesh) -> i64 {
     points.len() as i64 - edges.len() as i64 + mesh.face_count() as i64
 }
 
-/// Distance from the surface, and its normal at a point of it, from the implicit equations.
+/// Returns the distance from the surface, by its implicit equation; its gradient on the surface is the normal.
 fn implicit(kind: ObjectKind, p: DVec3) -> f64 {
     let radial = DVec2::new(p.x, p.z).length();
     match kind {
@@ -273,7 +273,7 @@ proptest! {
     }
 }
 
-/// The shapes with a true surface.
+/// Returns the shapes with a true surface.
 fn shapes() -> impl Iterator<Item = ObjectKind> {
     ObjectKind::VALUES
         .iter()

@@ -22,7 +22,7 @@ fn surface(kind: ObjectKind) -> Surface {
     .expect("a built-in shape has a surface")
 }
 
-/// Negative inside, positive outside.
+/// Returns the value of the implicit equation: negative inside, positive outside.
 fn implicit(kind: ObjectKind, p: DVec3) -> f64 {
     let radial = DVec2::new(p.x, p.z).length();
     match kind {
@@ -35,7 +35,8 @@ fn implicit(kind: ObjectKind, p: DVec3) -> f64 {
     }
 }
 
-/// The first change of sign along the ray, in steps of 1/2000, then halved; with the number of changes in all.
+/// Returns the first change of sign along the ray, found in steps of 1/2000 and then by bisection, and the number of changes in
+/// all.
 fn by_search(kind: ObjectKind, ray: &Ray, t_max: f64) -> (Option<f64>, usize) {
     let at = |t: f64| implicit(kind, ray.origin + t * ray.direction);
     let steps = (t_max * 2000.0) as usize;

@@ -31,7 +31,7 @@ fn points(mesh: &Mesh, f: usize) -> Vec<DVec3> {
         .collect()
 }
 
-/// Van der Corput's sequence: spread evenly over 0 to 1, the same at every run.
+/// Returns term `k` of van der Corput's sequence, which spreads evenly over 0 to 1 and is reproducible.
 fn spread(mut k: u32, base: u32) -> f64 {
     let (mut value, mut digit) = (0.0, 1.0);
     while k > 0 {
@@ -42,7 +42,7 @@ fn spread(mut k: u32, base: u32) -> f64 {
     value
 }
 
-/// A direction spread evenly over the sphere.
+/// Returns a direction spread evenly over the sphere.
 fn direction(k: u32) -> DVec3 {
     let (y, turn) = (
         2.0 * spread(k, 2) - 1.0,
@@ -186,7 +186,7 @@ fn smooth_seams_have_one_vertex_and_averaged_normals_near_the_exact_ones() {
     );
 }
 
-/// The points on edges with a face on one side only.
+/// Returns the points on edges with a face on one side only.
 fn border(mesh: &Mesh) -> HashSet<u32> {
     let mut edges = HashSet::new();
     for f in 0..mesh.face_count() {
@@ -237,7 +237,7 @@ fn a_ray_at_any_point_of_the_pot_meets_it_there() {
     assert!(tried > 10_000);
 }
 
-/// The first triangle that a ray meets: t and the normal.
+/// Returns t and the normal at the first triangle that a ray meets.
 fn by_triangles(mesh: &Mesh, ray: &Ray) -> Option<(f64, DVec3)> {
     let mut nearest: Option<(f64, DVec3)> = None;
     for f in 0..mesh.face_count() {

@@ -1,7 +1,7 @@
-//! Every built-in scene as a small picture, compared with the one that was looked at and kept.
+//! Golden pictures of every built-in scene, small, each compared with an approved picture.
 //!
-//! A difference writes what was expected, what came and where they differ to `target/golden/`. `UPDATE_GOLDEN=1` replaces
-//! the kept pictures, and the run still fails, so that they are looked at before they are kept.
+//! A difference writes the expected picture, the actual one and their difference to `target/golden/`. `UPDATE_GOLDEN=1` replaces
+//! the approved pictures, and the run still fails, so that they are reviewed before they are committed.
 
 use shading_lab::analysis::comparison::{comparison_sheet, draw_panes, panes_on_sheet};
 use shading_lab::render::{Frame, Renderer};
@@ -14,10 +14,10 @@ use std::path::{Path, PathBuf};
 /// Pixels along each side.
 const SIDE: u32 = 96;
 
-/// A pixel may differ by this much in a channel: machines with and without fused multiplication round differently.
+/// Maximum difference of a channel: machines with and without fused multiplication round differently.
 const ROUNDING: u8 = 1;
 
-/// So many pixels may differ by more: at an outline, the edge of a shadow or of a pattern a rounding decides.
+/// Number of pixels that may differ by more: at an outline, the edge of a shadow or of a pattern a rounding decides.
 const AT_EDGES: usize = SIDE as usize * SIDE as usize / 400;
 
 fn kept(name: &str) -> PathBuf {
@@ -55,7 +55,7 @@ fn colours(frame: &Frame) -> Vec<[u8; 3]> {
     frame.pixels.iter().map(|p| [p[0], p[1], p[2]]).collect()
 }
 
-/// What is wrong with a scene's picture, if anything is.
+/// Compares a scene's picture with the approved one; returns a description of the difference, if any.
 fn compare(name: &str, actual: &[[u8; 3]]) -> Option<String> {
     let Some(expected) = read(&kept(name)) else {
         return Some(format!("{name}: no picture is kept"));

@@ -11,7 +11,7 @@ use shading_lab::scene::{
 };
 use std::f64::consts::FRAC_PI_2;
 
-/// Applies `function` to a number at the machine's best level and at its baseline.
+/// Applies `function` to a number at the machine's best SIMD level and at its baseline.
 fn at_both(function: Function, x: f32) -> [f32; 2] {
     [Level::new(), Level::baseline()]
         .map(|level| dispatch!(level, simd => apply(simd, function, x)))
@@ -248,7 +248,7 @@ fn any_number_of_samples_covers_a_rectangle_evenly() {
     }
 }
 
-/// So a light of one point is what a point light is, whatever its shape.
+/// Checks that the only sample is the middle, so that an area light of one sample equals a point light, whatever its shape.
 #[test]
 fn one_sample_is_the_middle() {
     for shape in [AreaShape::Rectangle, AreaShape::Sphere] {
@@ -303,7 +303,7 @@ fn samples_lie_on_the_light() {
     );
 }
 
-/// S of a surface with normal `n` that the viewer sees along −z, under light from half-way between +x and +z.
+/// Returns S of a surface with normal `n`, seen along −z, under light from half-way between +x and +z.
 fn specular(distribution: Distribution, n: DVec3) -> f64 {
     let mut scene = Scene {
         camera: Camera {

@@ -1,7 +1,7 @@
-//! Imports run downwards: the order of the folders, and no circle between files.
+//! Imports run downwards: the order of the folders, and no cycle between files.
 //!
-//! Reads the `use` declarations of every file in `src`, those of tests aside. A name that a module only re-exports counts as
-//! an import from the file that defines it.
+//! Reads the `use` declarations of every file in `src`, except in tests. A name that a module only re-exports counts as an import
+//! from the file that defines it.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -29,7 +29,7 @@ const ORDER: [&str; 17] = [
     "cli",
 ];
 
-/// The rooms of the window, likewise. The system and the page do the same for the window, each in its place.
+/// Folders of the window, from the bottom up. The system and the page do the same for the window, each on its platform.
 const ROOMS: [&str; 11] = [
     "widgets", "system", "page", "session", "engine", "controls", "course", "views", "picture",
     "shell", "start",
@@ -38,10 +38,10 @@ const ROOMS: [&str; 11] = [
 type ModulePath = Vec<String>;
 
 struct Import {
-    /// The name it has in this file; empty for a glob.
+    /// The local name in this file; empty for a glob.
     name: String,
     path: ModulePath,
-    /// Whether it only hands the name on to others.
+    /// True if the import is a re-export.
     re_export: bool,
 }
 
@@ -90,7 +90,7 @@ fn no_file_of_the_window_imports_from_a_room_above_its_own() {
     );
 }
 
-/// The imports from a folder of `order` into one after it; both are right below `within`.
+/// Returns the imports from a folder of `order` into one after it; both are right below `within`.
 fn upwards(
     edges: &BTreeMap<ModulePath, BTreeSet<ModulePath>>,
     within: &[&str],
@@ -140,7 +140,7 @@ fn lines(items: &BTreeSet<String>) -> String {
     items.iter().map(|item| format!("  {item}\n")).collect()
 }
 
-/// Every module that has a file of its own, by its path from the crate's root.
+/// Returns the imports of every module that has a file of its own, by the module's path from the crate's root.
 fn modules() -> BTreeMap<ModulePath, Vec<Import>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let mut modules = BTreeMap::new();
@@ -176,7 +176,7 @@ fn modules() -> BTreeMap<ModulePath, Vec<Import>> {
     modules
 }
 
-/// The imports of these items and of the modules within them, tests aside.
+/// Collects the imports of these items and of the modules within them, except tests.
 fn collect(items: &[Item], module: &ModulePath, imports: &mut Vec<Import>) {
     for item in items {
         match item {
@@ -240,7 +240,7 @@ fn flatten(tree: &UseTree, mut prefix: Vec<String>, found: &mut impl FnMut(Strin
     }
 }
 
-/// The path from the crate's root. That of another crate looks like one to a module below this one, which does not exist.
+/// Returns the path from the crate's root. A path into another crate comes out as that of a child module, which does not exist.
 fn absolute(path: Vec<String>, module: &ModulePath) -> ModulePath {
     let ups = path.iter().take_while(|part| *part == "super").count();
     match path.first().map(String::as_str) {
@@ -250,7 +250,7 @@ fn absolute(path: Vec<String>, module: &ModulePath) -> ModulePath {
     }
 }
 
-/// Which files each file imports from.
+/// Returns the files that each file imports from.
 fn edges(
     modules: &BTreeMap<ModulePath, Vec<Import>>,
 ) -> BTreeMap<ModulePath, BTreeSet<ModulePath>> {
@@ -267,7 +267,7 @@ fn edges(
         .collect()
 }
 
-/// The file that defines what a path names, through re-exports.
+/// Returns the file that defines the target of a path, through re-exports.
 fn defining_file(
     path: &[String],
     modules: &BTreeMap<ModulePath, Vec<Import>>,
@@ -297,7 +297,7 @@ fn defining_file(
         .or_else(|| Some(module.to_vec()))
 }
 
-/// The sets of files that reach one another: strongly connected components with more than one member (Tarjan 1972).
+/// Returns the import cycles: strongly connected components with more than one member (Tarjan 1972).
 fn circles(edges: &BTreeMap<ModulePath, BTreeSet<ModulePath>>) -> Vec<Vec<ModulePath>> {
     let reach = |from: &ModulePath| {
         let (mut seen, mut open) = (BTreeSet::new(), vec![from.clone()]);

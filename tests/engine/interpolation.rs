@@ -1,7 +1,7 @@
-//! How intensities come from the vertices to the pixels, against the course's formulas worked out apart.
+//! Interpolation of intensities from the vertices to the pixels, against the course's formulas, computed independently.
 //!
-//! The vertices are given their intensities by their normals: under light along −z, with kd = 1 and no other term, I is the
-//! normal's z.
+//! The vertices get their intensities from their normals: under light along −z, with kd = 1 and no other term, I is the normal's
+//! z.
 
 use crate::common::properties;
 use glam::{DVec2, DVec3};
@@ -18,10 +18,10 @@ use shading_lab::scene::{
 
 /// An odd side, so that a pixel's centre is the picture's middle.
 const SIDE: u32 = 65;
-/// What is computed in single precision, or read from normals that are stored so.
+/// Error of values computed in single precision, or derived from normals stored in it.
 const SINGLE: f64 = 1e-5;
 
-/// One polygon whose vertices have intensities.
+/// Returns a scene of one polygon whose vertices have these intensities.
 fn polygon(corners: &[(DVec3, f64)], interpolation: Interpolation) -> Scene {
     let mut scene = Scene::default();
     scene.image.size = [SIDE; 2];
@@ -46,7 +46,7 @@ fn polygon(corners: &[(DVec3, f64)], interpolation: Interpolation) -> Scene {
     scene
 }
 
-/// The intensity of some of the pixels that show the polygon: what the probe says, which the picture must agree with.
+/// Returns the probe's intensity at some of the pixels that show the polygon; the picture must agree with it.
 fn intensities(scene: &Scene) -> Vec<([u32; 2], f64)> {
     assert_eq!(scene.validate(), Ok(()));
     let mut renderer = Renderer::default();
@@ -68,7 +68,7 @@ fn intensities(scene: &Scene) -> Vec<([u32; 2], f64)> {
     found
 }
 
-/// The intensity in the picture's middle.
+/// Returns the intensity in the picture's middle.
 fn in_the_middle(scene: &Scene) -> f64 {
     probe(&mut Renderer::default(), scene, SIDE / 2, SIDE / 2)
         .hit
@@ -81,7 +81,7 @@ fn centre([x, y]: [u32; 2]) -> DVec2 {
     DVec2::new(f64::from(x), f64::from(y)) + 0.5
 }
 
-/// Where the corners appear, with their intensities.
+/// Returns the positions of the corners in the picture, with their intensities.
 fn seen(scene: &Scene, corners: &[(DVec3, f64)]) -> Vec<(DVec2, f64)> {
     let view = View::new(&scene.camera, scene.image.size);
     corners
@@ -90,21 +90,21 @@ fn seen(scene: &Scene, corners: &[(DVec3, f64)]) -> Vec<(DVec2, f64)> {
         .collect()
 }
 
-/// Linear over the triangle: each corner weighs by the area of the triangle opposite.
+/// Interpolates linearly over the triangle: each corner's weight is the area of the triangle opposite.
 fn barycentric(corners: &[(DVec2, f64)], at: DVec2) -> f64 {
     let [(a, ia), (b, ib), (c, ic)] = [corners[0], corners[1], corners[2]];
     let area = |p: DVec2, q: DVec2, r: DVec2| (q - p).perp_dot(r - p);
     (ia * area(at, b, c) + ib * area(a, at, c) + ic * area(a, b, at)) / area(a, b, c)
 }
 
-/// Whether a triangle has a place inside it. The picture's grid may show a pixel just beside: there the scan line keeps the
-/// outline's value, and a linear function goes on.
+/// Returns whether a position is inside a triangle. The picture's grid may show a pixel just outside it: there the scan line
+/// keeps the outline's value, and a linear function extrapolates.
 fn inside(corners: &[(DVec2, f64)], at: DVec2) -> bool {
     let turn = |k: usize| (corners[(k + 1) % 3].0 - corners[k].0).perp_dot(at - corners[k].0);
     (0..3).all(|k| turn(k) > 0.0) || (0..3).all(|k| turn(k) < 0.0)
 }
 
-/// The course's formula: P and Q where the scan line cuts the outline, α along either edge, then along the span.
+/// Evaluates the course's formula: P and Q where the scan line cuts the outline, α along either edge, then along the span.
 fn bilinear(corners: &[(DVec2, f64)], at: DVec2) -> f64 {
     let mut cuts = Vec::new();
     for (k, &(from, i1)) in corners.iter().enumerate() {
@@ -136,7 +136,7 @@ fn corner() -> impl Strategy<Value = (DVec3, f64)> {
         .prop_map(|((x, y, z), i)| (DVec3::new(x, y, z), i))
 }
 
-/// Convex: one corner in each quarter of a circle.
+/// Generates a convex quadrilateral, with one corner in each quarter of a circle.
 fn quadrilateral() -> impl Strategy<Value = Vec<(DVec3, f64)>> {
     prop::collection::vec((0.1..0.9f64, intensity()), 4).prop_map(|corners| {
         let on_circle = |(k, (part, i)): (usize, &(f64, f64))| {
@@ -152,7 +152,7 @@ proptest! {
     // the picture is compared by.
     #![proptest_config(ProptestConfig { cases: 24, rng_seed: RngSeed::Fixed(1971), ..properties::config(file!()) })]
 
-    /// On a triangle it is the same: both are the one linear function that has the corners' values.
+    /// Checks that the scan line on a triangle is barycentric: both are the one linear function that has the corners' values.
     #[test]
     fn on_a_triangle_the_scan_line_is_barycentric(corners in prop::collection::vec(corner(), 3), perspective in any::<bool>()) {
         let scene = |interpolation| {
@@ -194,7 +194,7 @@ proptest! {
     }
 }
 
-/// A square about the picture's middle, counter-clockwise from its lower left.
+/// Returns a square about the picture's middle, counter-clockwise from its lower left.
 fn square(values: [f64; 4]) -> Vec<(DVec3, f64)> {
     let corners = [[-20.0, -20.0], [20.0, -20.0], [20.0, 20.0], [-20.0, 20.0]];
     corners
@@ -254,7 +254,7 @@ fn a_turned_square_changes_its_shade_and_a_triangle_does_not() {
     }
 }
 
-/// A point off the middle keeps its value at a quarter turn and has another in between.
+/// Checks that a point off the middle keeps its value at a quarter turn and has another in between.
 #[test]
 fn a_point_fixed_to_the_square_is_followed() {
     let mut scene = polygon(&square([0.9, 0.2, 0.7, 0.1]), Interpolation::Scanline);
@@ -271,7 +271,7 @@ fn a_point_fixed_to_the_square_is_followed() {
     assert!((i0 - i45).abs() > 0.03, "{i0} {i45}");
 }
 
-/// An edge from depth z1 to z2, seen across: half-way in the picture is nearer to the near end on the polygon.
+/// Checks an edge from depth z1 to z2, seen across: its half-way point in the picture is nearer to the near end on the polygon.
 #[test]
 fn half_way_in_the_picture_weighs_by_the_other_ends_depth() {
     for (z1, z2) in [(1.0, 9.0), (2.0, 3.0), (1.0, 100.0)] {
@@ -310,7 +310,7 @@ fn half_way_in_the_picture_weighs_by_the_other_ends_depth() {
     }
 }
 
-/// The probe's greatest difference from the stored pixels, in code values, and the brightest stored value.
+/// Returns the probe's maximum difference from the stored pixels, in code values, and the maximum stored value.
 fn off_the_picture(scene: &Scene) -> (f64, u8) {
     assert_eq!(scene.validate(), Ok(()));
     let mut renderer = Renderer::default();
@@ -329,7 +329,7 @@ fn off_the_picture(scene: &Scene) -> (f64, u8) {
     (worst, brightest)
 }
 
-/// A face that is far from plane, folded over itself where it is seen.
+/// Returns a face that is far from plane and appears folded over itself.
 fn warped() -> Scene {
     let mut scene = Scene::default();
     scene.image.size = [96, 96];
@@ -388,7 +388,7 @@ fn clipped_polygons_are_probed_as_they_are_drawn() {
     }
 }
 
-/// The plane's vertices lie on the borders of the fields.
+/// Checks a plane whose vertices lie on the borders of the fields.
 #[test]
 fn vertices_on_the_borders_of_fields_are_in_one_field_for_picture_and_probe() {
     let mut scene = presets::find("plane").expect("a built-in scene").scene();
@@ -414,8 +414,8 @@ fn vertices_on_the_borders_of_fields_are_in_one_field_for_picture_and_probe() {
     }
 }
 
-/// A bowl's rim of very many corners: what a row costs does not grow with the polygon, nor what a sample of the profile does
-/// by much. The bound is some hundred times what is needed.
+/// Draws a bowl's rim of very many corners: the cost of a row does not grow with the polygon, and that of a sample of the profile
+/// hardly does. The bound is some hundred times what is needed.
 #[test]
 fn a_polygon_of_twenty_thousand_corners_is_drawn_and_read_along_a_line() {
     let corners = 20_000_u32;
@@ -460,7 +460,7 @@ fn a_polygon_of_twenty_thousand_corners_is_drawn_and_read_along_a_line() {
 proptest! {
     #![proptest_config(ProptestConfig { cases: 200, rng_seed: RngSeed::Fixed(1971), ..properties::config(file!()) })]
 
-    /// Any quadrilateral or larger polygon: warped, concave, crossing itself where it is seen, clipped, foreshortened.
+    /// Checks any quadrilateral or larger polygon: warped, concave, self-intersecting in the picture, clipped, foreshortened.
     #[test]
     fn no_value_leaves_the_range_of_the_corners(
         corners in prop::collection::vec(((-1.5..1.5f64, -1.5..1.5f64, -1.5..4.5f64), intensity()), 4..9),
@@ -487,7 +487,7 @@ proptest! {
 
 const SQUARE: u32 = 64;
 
-/// The linear picture of a polygon whose corners, in pixels, have these intensities.
+/// Returns the linear picture of a polygon whose corners, in pixels, have these intensities.
 fn linear_polygon(corners: &[(DVec2, f64)], interpolation: Interpolation) -> Vec<[f32; 4]> {
     let mut scene = Scene::default();
     (scene.image.size, scene.image.background) = ([SQUARE; 2], Rgb::splat(9.0));
@@ -520,7 +520,7 @@ fn linear_polygon(corners: &[(DVec2, f64)], interpolation: Interpolation) -> Vec
     renderer.linear().to_vec()
 }
 
-/// A place on the grid of the picture, off the rows of the pixels' centres.
+/// Generates a position on the picture's grid, off the rows of the pixels' centres.
 fn place() -> impl Strategy<Value = DVec2> {
     [0..16_000u32, 0..16_000u32]
         .prop_map(|xy| DVec2::from_array(xy.map(|k| (f64::from(k) + 64.0).floor() / 256.0)))

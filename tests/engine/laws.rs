@@ -1,4 +1,4 @@
-//! The laws of illumination against their closed forms: at ordinary points, at their limits, and in what they keep.
+//! The laws of illumination against their closed forms: at ordinary points, at their limits, and in their conserved quantities.
 
 use crate::common::textbook::{
     Dice, amplitude_reflectance, cook_torrance, random_scene, spot_part,
@@ -12,7 +12,7 @@ use shading_lab::scene::{
 };
 use std::f64::consts::PI;
 
-/// The eye far out on the z axis; the point is the origin, its normal z.
+/// Returns a scene with the eye far out on the z axis, for the point at the origin with normal z.
 fn bench(model: ReflectionModel, n: f64) -> Scene {
     let mut scene = Scene::default();
     scene.camera.eye = DVec3::new(0.0, 0.0, 1e3);
@@ -28,12 +28,12 @@ fn bench(model: ReflectionModel, n: f64) -> Scene {
     scene
 }
 
-/// A direction `angle` radians from z, in the plane of x and z.
+/// Returns a direction `angle` radians from z, in the plane of x and z.
 fn tilted(angle: f64) -> DVec3 {
     DVec3::new(angle.sin(), 0.0, angle.cos())
 }
 
-/// Parallel rays that arrive from `l`.
+/// Returns a directional light whose rays arrive from `l`.
 fn from(l: DVec3) -> Light {
     Light {
         kind: LightKind::Directional,
@@ -42,7 +42,7 @@ fn from(l: DVec3) -> Light {
     }
 }
 
-/// What one light does at the origin of a scene, seen along `v`.
+/// Evaluates the contribution of one light at the origin of a scene, seen along `v`.
 fn respond(scene: &Scene, light: Light, v: DVec3) -> LightAt {
     let mut scene = scene.clone();
     scene.camera.eye = v * 1e3;
@@ -350,7 +350,7 @@ fn microfacets_are_the_closed_form_and_reciprocal() {
     }
 }
 
-/// A normal that is left short of unit length enters as it is: cos α is N·H, as in Blinn's model.
+/// Checks that a normal shorter than unit length enters unchanged: cos α is N·H, as in Blinn's model.
 #[test]
 fn microfacets_take_a_short_normal_as_it_is() {
     let mut dice = Dice(0x2007);
@@ -410,7 +410,7 @@ fn phongs_factor_is_the_same_both_ways() {
     }
 }
 
-/// Every microfacet is counted once: ∫ D·cos α dω = 1. D is read off the light that returns to where it came from.
+/// Checks that every microfacet counts once: ∫ D·cos α dω = 1. D is measured by the light that returns to where it came from.
 #[test]
 fn the_distributions_are_normalised() {
     for distribution in [Distribution::Beckmann, Distribution::Ggx] {

@@ -1,5 +1,5 @@
-//! Every built-in scene at every SIMD level of the machine: the same picture from any number of threads, the same but for one
-//! code value at any level, and within one code value of the equation in double precision.
+//! Every built-in scene at every SIMD level of the machine: identical pictures for any number of threads, pictures within one
+//! code value of each other at all levels, and within one code value of the equation in double precision.
 
 use crate::common::simd::levels;
 use crate::common::textbook::field_edge;
@@ -13,13 +13,13 @@ use shading_lab::scene::{Encoding, Overflow, Scene, ShadingMode, View, presets};
 
 const THREADS: [usize; 4] = [1, 2, 3, 8];
 const SIDE: u32 = 150;
-/// Of the pixels one in so many is evaluated in double precision: coprime to the side, so that all columns have their turn.
+/// One pixel in this many is evaluated in double precision: coprime to the side, so that all columns have their turn.
 const EVERY: u32 = 7;
-/// Single precision turns N·L or a place by less than this where they are near 0 or an edge.
+/// Error of single precision in N·L near 0, or in a position near an edge.
 const STEP: f64 = 1e-4;
-/// Corners lie on a grid of 1/256 of a pixel, at each level the same. In a polygon thinner than this many pixels that moves
-/// what a pixel sees by 1/200 of the polygon and more: a code value and more where a highlight comes and goes across a
-/// sliver, as it does on a knob or at an outline.
+/// Thickness of a polygon in pixels, below which the grid of corners, 1/256 of a pixel at each level, moves what a pixel sees by
+/// 1/200 of the polygon and more: a code value and more where a highlight comes and goes across a sliver, as on a knob or at an
+/// outline.
 const THIN: f64 = 0.6;
 
 fn pools() -> Vec<ThreadPool> {
@@ -40,7 +40,7 @@ fn scenes() -> impl Iterator<Item = (&'static str, Scene)> {
     })
 }
 
-/// The picture at `level`, which must not depend on the number of threads.
+/// Draws the picture at `level`, which must not depend on the number of threads.
 fn picture(pools: &[ThreadPool], name: &str, scene: &Scene, level: Level) -> Frame {
     let mut pictures = pools
         .iter()
@@ -55,7 +55,7 @@ fn picture(pools: &[ThreadPool], name: &str, scene: &Scene, level: Level) -> Fra
     first
 }
 
-/// The code values of a pixel by the equation in double precision, not rounded; nothing where the display marks it, or where
+/// Returns the unrounded code values of a pixel by the equation in double precision; `None` where the display marks it, or where
 /// the equation has a step that rounding may cross.
 fn expected(scene: &Scene, hit: &ProbeHit) -> Option<[f64; 3]> {
     let marked = scene.display.overflow == Overflow::Mark && hit.sum.max_element() > 1.0;
@@ -72,8 +72,9 @@ fn expected(scene: &Scene, hit: &ProbeHit) -> Option<[f64; 3]> {
     })
 }
 
-/// Where a highlight reaches beyond the terminator it ends there at once, and the fields of a pattern meet in an edge. Modes
-/// that evaluate the equation at vertices or faces bring such a step to all their pixels, so there it counts at their places.
+/// Returns whether the equation has a step at a hit: a highlight that reaches beyond the terminator ends there abruptly, and the
+/// fields of a pattern meet in an edge. Modes that evaluate the equation at vertices or faces carry such a step to all their
+/// pixels, so for them the points of evaluation count.
 fn has_step(scene: &Scene, hit: &ProbeHit) -> bool {
     let terminator = hit.lights.iter().any(|light| light.n_dot_l.abs() < STEP);
     let edge = matches!(scene.shading.mode, ShadingMode::Phong | ShadingMode::Exact)
@@ -81,7 +82,7 @@ fn has_step(scene: &Scene, hit: &ProbeHit) -> bool {
     terminator || edge
 }
 
-/// How thick a face is in the picture, pixels: twice its area over its longest diagonal or edge.
+/// Returns a face's thickness in the picture, pixels: twice its area over its longest diagonal or edge.
 fn thickness(view: &View, mesh: &Mesh, face: u32) -> f64 {
     let corners = mesh
         .face(face as usize)

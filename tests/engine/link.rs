@@ -1,4 +1,4 @@
-//! Scenes as links: the very scene comes back, and no text does harm.
+//! Scenes as links: each scene is restored exactly, and no text does harm.
 
 use crate::common::any_scene::{any_scene, everyday_scene};
 use crate::common::dice::Dice;
@@ -19,7 +19,7 @@ fn plain(scene: &Scene, origin: Option<&str>) -> String {
     written.expect("a sound scene").link
 }
 
-/// Writes and reads; the scenes agree bit by bit, where a model is left out.
+/// Writes a link and reads it back; the scenes must agree bit by bit, except for models.
 fn round_trip(scene: &Scene, origin: Option<&str>) -> String {
     let shown = Shown {
         view: Some("profile"),
@@ -111,7 +111,8 @@ fn every_built_in_scene_is_its_name() {
     );
 }
 
-/// With `SHADING_LAB_LINKS=FILE` the links are written there, a line each, for the tests of the web page.
+/// Checks random scenes. With `SHADING_LAB_LINKS=FILE` the links are also written to that file, a line each, for the tests of the
+/// web page.
 #[test]
 fn every_scene_comes_back_bit_by_bit() {
     let links: Vec<String> = (0..4000u64)
@@ -133,7 +134,7 @@ fn every_scene_comes_back_bit_by_bit() {
     }
 }
 
-/// Built-in scenes with some keys of another scene: these links stay readable.
+/// Checks built-in scenes with some keys of another scene: these links stay readable.
 #[test]
 fn changed_built_in_scenes_come_back_bit_by_bit() {
     let parameters: Vec<_> = Parameter::all()
@@ -237,7 +238,7 @@ fn a_model_stays_and_its_path_is_not_told() {
     assert!(error.contains("`object.path`"), "{error}");
 }
 
-/// A link that holds the text of a scene file.
+/// Returns a link that holds the text of a scene file.
 fn packed(text: &str) -> String {
     format!(
         "#scene={}",
@@ -372,7 +373,7 @@ fn a_bad_link_is_refused_by_its_key_and_place() {
     assert_eq!(found.to_string(), line);
 }
 
-/// How many links are tried: `LINKS=100000` for a long run.
+/// Returns the number of links to try: `LINKS=100000` for a long run.
 fn tries() -> u64 {
     env::var("LINKS")
         .ok()
@@ -470,7 +471,7 @@ fn views_are_called_as_built_in_scenes_call_them() {
     }
 }
 
-/// What a reader of QR codes sees in a picture, luminance from 0 to 1.
+/// Decodes the QR code in a picture as a reader sees it, by luminance from 0 to 1.
 fn decoded(frame: &Frame) -> String {
     let [width, height] = [frame.width, frame.height].map(|side| side as usize);
     let mut image = rqrr::PreparedImage::prepare_from_greyscale(width, height, |x, y| {

@@ -1,13 +1,13 @@
-//! The memory that a renderer holds: its bounds for a large mesh, and whether its account is true.
+//! The memory that a renderer holds: its bounds for a large mesh, and the accuracy of its account.
 
 use glam::DQuat;
 use shading_lab::geometry::divisions_for;
 use shading_lab::render::Renderer;
 use shading_lab::scene::{ObjectKind, Overflow, Scene, ShadingMode};
 
-/// Bytes a vertex, a triangle and a pixel at most.
+/// Maximum bytes per vertex, per triangle and per pixel.
 const BOUNDS: [u64; 3] = [64, 48, 40];
-/// Arrays of vertices are filled up to a multiple of so many.
+/// Multiple to which arrays of vertices are padded.
 const PADDING: u64 = 16;
 
 fn sphere(mode: ShadingMode, triangles: u64, side: u32) -> Scene {
@@ -70,7 +70,7 @@ fn a_large_sphere_stays_within_the_bounds() {
     }
 }
 
-/// As the camera goes round and comes near, triangles wander through all bands of the picture.
+/// Checks views all round and near by, in which triangles move through all bands of the picture.
 #[test]
 fn memory_does_not_add_up_over_the_views() {
     let mut renderer = Renderer::default();
@@ -103,7 +103,7 @@ fn what_a_display_needed_is_let_go() {
     assert_eq!(renderer.memory(), before);
 }
 
-/// The memory that this process has in use, bytes.
+/// Returns the resident memory of this process, bytes.
 #[cfg(target_os = "linux")]
 fn resident() -> f64 {
     let status = std::fs::read_to_string("/proc/self/status").expect("Linux");
@@ -120,8 +120,8 @@ fn resident() -> f64 {
             .expect("a number")
 }
 
-/// In a process of its own, so that nothing else comes and goes meanwhile, and with an allocator that gives every large buffer
-/// back as soon as it is dropped.
+/// Runs in a process of its own, so that nothing else allocates meanwhile, and with an allocator that returns every large buffer
+/// as soon as it is dropped.
 #[cfg(target_os = "linux")]
 #[test]
 fn the_account_is_true() {

@@ -1,4 +1,4 @@
-//! Wavefront OBJ: what real files contain is read, what is wrong is named with its line.
+//! Wavefront OBJ: the contents of real files are read, and mistakes are reported with their line.
 
 use crate::common::properties;
 use glam::{DVec2, DVec3, Vec3};
@@ -36,7 +36,7 @@ fn arities(mesh: &Mesh) -> Vec<usize> {
     (0..mesh.face_count()).map(|f| mesh.face(f).len()).collect()
 }
 
-/// The message and the line of the error.
+/// Returns the message and the line of the error.
 fn bad(file: impl AsRef<[u8]>) -> (String, Option<u64>) {
     let error = read(file).expect_err("the model is not sound");
     (error.to_string(), error.line())
@@ -216,7 +216,7 @@ fn concave_polygons_stay_whole_and_are_covered_once() {
     );
 }
 
-/// A model of one polygon.
+/// Returns a model of one polygon.
 fn one_polygon(points: &[DVec2]) -> Mesh {
     let mut text: String = points
         .iter()
@@ -227,7 +227,7 @@ fn one_polygon(points: &[DVec2]) -> Mesh {
     good(text)
 }
 
-/// Whether a place is inside a polygon, by the crossings of a ray; nothing where it is next to an edge.
+/// Returns whether a position is inside a polygon, by the crossings of a ray; `None` if it is next to an edge.
 fn is_inside(points: &[DVec2], at: DVec2, near: f64) -> Option<bool> {
     let mut inside = false;
     for (k, &a) in points.iter().enumerate() {
@@ -242,7 +242,7 @@ fn is_inside(points: &[DVec2], at: DVec2, near: f64) -> Option<bool> {
     Some(inside)
 }
 
-/// A bar from x = −1 to 1 with pointed teeth, or with square ones that have a corner in the middle of each straight edge.
+/// Returns a bar from x = −1 to 1 with pointed teeth, or with square ones that have a corner in the middle of each straight edge.
 fn comb(teeth: u32, square: bool) -> Vec<DVec2> {
     let width = 2.0 / f64::from(teeth);
     let mut points = vec![DVec2::new(-1.0, -0.9), DVec2::new(1.0, -0.9)];
@@ -319,7 +319,7 @@ fn a_comb_of_any_number_of_corners_is_filled_as_a_comb() {
     }
 }
 
-/// Twice the areas of the triangles of a face in a plane z = constant.
+/// Returns twice the areas of the triangles of a face in a plane z = constant.
 fn doubled_areas(mesh: &Mesh, f: usize) -> impl Iterator<Item = f64> {
     mesh.face_triangles(f).map(|triangle| {
         let [a, b, c] = triangle.map(|corner| mesh.positions[corner.position as usize].as_dvec3());
@@ -327,7 +327,7 @@ fn doubled_areas(mesh: &Mesh, f: usize) -> impl Iterator<Item = f64> {
     })
 }
 
-/// Polygons that cross themselves have no right cut; they come to an end all the same.
+/// Checks that polygons that cross themselves, which have no correct triangulation, are still read in finite time.
 #[test]
 fn a_tangle_of_many_corners_is_read() {
     let golden = |k: u32, part: f64| (f64::from(k) * part).fract() * 2.0 - 1.0;

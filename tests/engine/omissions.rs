@@ -1,4 +1,4 @@
-//! What the plan leaves out changes no stored pixel.
+//! Steps that the plan leaves out: none would change a stored pixel.
 
 use glam::DVec3;
 use proptest::prelude::*;
@@ -20,7 +20,7 @@ const MODES: [ShadingMode; 5] = [
     ShadingMode::Exact,
 ];
 
-/// The pictures by the plan, and with everything left in.
+/// Draws the picture by the plan, and with everything left in.
 fn both(scene: &Scene) -> (Frame, Frame) {
     let mut renderer = Renderer::default();
     let planned = renderer.render(scene).clone();
@@ -29,7 +29,7 @@ fn both(scene: &Scene) -> (Frame, Frame) {
     (planned, all)
 }
 
-/// Pixels that differ: how many, and the first with both its colours.
+/// Returns how many pixels differ, and the first with both its colours.
 fn difference(scene: &Scene) -> Option<String> {
     let (planned, all) = both(scene);
     let mut pairs = planned
@@ -130,7 +130,7 @@ fn light() -> impl Strategy<Value = Light> {
         )
 }
 
-/// Scenes with much to leave out.
+/// Generates scenes with much to leave out.
 fn scene() -> impl Strategy<Value = Scene> {
     let shapes: Vec<_> = ObjectKind::VALUES
         .iter()
@@ -263,7 +263,7 @@ fn terms(scene: &Scene) -> Vec<Term> {
     renderer.terms()
 }
 
-/// The part of a light, counted from 1, by the key of its name; of the whole picture where it is 0.
+/// Finds a term of a light, counted from 1, by the key of its name; light 0 is the whole picture.
 fn find<'a>(terms: &'a [Term], light: usize, part: &str) -> &'a Term {
     let (light, name) = (light.checked_sub(1), english!(part));
     terms
@@ -330,8 +330,8 @@ fn reasons_and_counts_are_those_of_the_scene() {
 /// Rows of a band of the picture.
 const BAND: u32 = 16;
 
-/// How often another face begins along the rows of the bands, from the faces that the pixels see; bands of a convex solid are
-/// filled face by face.
+/// Counts how often another face begins along the rows of the bands, from the faces that the pixels see; bands of a convex solid
+/// are filled face by face.
 fn faces_begun(renderer: &mut Renderer, scene: &Scene, convex: bool) -> u64 {
     let [width, height] = scene.image.size;
     let mut count = 0;
@@ -418,7 +418,7 @@ fn an_area_light_counts_each_of_its_samples_and_gouraud_its_vertices() {
     );
 }
 
-/// A coefficient is said to be 0 only if it is.
+/// Checks that a coefficient is said to be 0 only if it is.
 #[test]
 fn what_is_left_out_is_not_laid_on_a_coefficient_that_is_not_zero() {
     let mut scene = Scene::default();

@@ -1,4 +1,4 @@
-//! The table of parameters is complete, is what the documentation says, and its limits are those that scenes are held to.
+//! The table of parameters: complete, equal to the documentation, and with the limits that scenes are held to.
 
 use crate::common::program::Folder;
 use shading_lab::scene::parameter::{Kind, Parameter};
@@ -8,7 +8,7 @@ use std::fmt::Write;
 use std::{env, fs};
 use toml::Value;
 
-/// A scene in which every key has a value and is written.
+/// Returns a scene in which every key has a value and is written.
 fn full() -> Scene {
     let mut scene = Scene::default();
     let text = || "text".to_owned();
@@ -42,7 +42,7 @@ fn full() -> Scene {
     scene
 }
 
-/// The file of a scene.
+/// Returns the file of a scene.
 fn written(scene: &Scene) -> Value {
     Value::Table(scene.to_toml().parse().expect("TOML"))
 }
@@ -91,7 +91,7 @@ fn every_key_of_a_full_scene_file_stands_in_the_table_once() {
     assert!(missing.is_empty(), "{missing:?}");
 }
 
-/// The numbers and words in the fields of a scene, by the names of the fields: `light.k` is that of every light.
+/// Returns the numbers and words in the fields of a scene, by the names of the fields: `light.k` stands for every light.
 fn fields(scene: &Scene) -> BTreeMap<String, String> {
     let mut fields = BTreeMap::<String, String>::new();
     let mut path: Vec<String> = vec![];
@@ -276,7 +276,7 @@ fn the_command_lists_every_parameter() {
     );
 }
 
-/// The rows of the sections `names` as the documentation has them.
+/// Returns the rows of the sections `names` as the documentation has them.
 fn table(names: &str) -> String {
     let mut text = "| key | default | range | meaning |\n|---|---|---|---|\n".to_owned();
     let in_section = |parameter: &&Parameter| {
@@ -324,7 +324,7 @@ fn table(names: &str) -> String {
     text
 }
 
-/// With `UPDATE_DOCS=true` the tables are written anew, and the test fails this once.
+/// Compares the tables with the documentation. `UPDATE_DOCS=true` rewrites them, and the test still fails that once.
 #[test]
 fn the_documentation_has_the_table() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/scene-file.md");

@@ -1,4 +1,4 @@
-//! Shadows, transparency, the floor and one bounce of light: pictures against rays worked out apart.
+//! Shadows, transparency, the floor and one bounce of light: pictures against independently computed rays.
 
 mod glass;
 
@@ -13,7 +13,7 @@ use std::time::Instant;
 
 const SIDE: u32 = 160;
 
-/// A sphere over a floor, seen from above.
+/// Returns a sphere over a floor, seen from above.
 fn over_floor() -> Scene {
     let mut scene = Scene::default();
     scene.image.size = [SIDE, SIDE];
@@ -33,7 +33,7 @@ fn over_floor() -> Scene {
     scene
 }
 
-/// The ray through the middle of a pixel.
+/// Returns the ray through the middle of a pixel.
 fn eye_ray(scene: &Scene, x: u32, y: u32) -> (DVec3, DVec3) {
     let camera = &scene.camera;
     let forward = (camera.target - camera.eye).normalize();
@@ -51,7 +51,7 @@ fn eye_ray(scene: &Scene, x: u32, y: u32) -> (DVec3, DVec3) {
     )
 }
 
-/// How near a ray comes to the unit sphere about the origin, and whether ahead.
+/// Returns the distance of a ray from the centre of the unit sphere, or `None` if the sphere is behind it.
 fn nearest_approach(origin: DVec3, direction: DVec3) -> Option<f64> {
     let direction = direction.normalize();
     let t = -origin.dot(direction);
@@ -111,7 +111,8 @@ fn a_spheres_shadow_on_the_floor_is_where_rays_to_the_light_meet_it() {
     }
 }
 
-/// The rounding of a point 10¹⁵ away is as large as the object, so rays between it and the light start at the light.
+/// Checks points at a distance of 10¹⁵, where rounding is as large as the object, so that rays between them and the light start
+/// at the light.
 #[test]
 fn points_extremely_far_away_lie_in_the_shadow_and_cost_no_more_than_near_ones() {
     const SIDE: u32 = 48;
@@ -157,7 +158,7 @@ fn points_extremely_far_away_lie_in_the_shadow_and_cost_no_more_than_near_ones()
     assert!(far < 4 * near, "{far:?} from far away, {near:?} from near");
 }
 
-/// Facets that only stand for a smooth surface cast no shadow on each other, however grazing the light.
+/// Checks that facets that stand for a smooth surface cast no shadow on each other, however grazing the light.
 #[test]
 fn a_convex_solid_is_free_of_its_own_shadow_in_every_mode() {
     let mut renderer = Renderer::default();
@@ -283,8 +284,8 @@ fn shadows_are_kept_while_the_material_changes_and_traced_again_when_a_light_mov
     }
 }
 
-/// A ray that has entered a ball meets its surface from inside at the angle at which it was refracted, and leaves. Under water
-/// it is mirrored beyond the critical angle, and only there.
+/// Checks that a ray inside a ball meets its surface at the angle at which it was refracted, and leaves. Under water it is
+/// reflected beyond the critical angle, and only there.
 #[test]
 fn what_the_scenes_say_of_total_reflection_is_seen_in_them() {
     for (name, critical) in [
@@ -329,7 +330,7 @@ fn what_the_scenes_say_of_total_reflection_is_seen_in_them() {
     }
 }
 
-/// Light from other surfaces takes the place of Ia, so that Ia makes no difference; the ground is hidden by the wall there too.
+/// Checks that Ia makes no difference where light from other surfaces takes its place; the wall hides the ground there too.
 #[test]
 fn a_bounce_does_not_depend_on_the_constant_that_it_takes_the_place_of() {
     let mut renderer = Renderer::default();
@@ -361,7 +362,8 @@ fn a_bounce_does_not_depend_on_the_constant_that_it_takes_the_place_of() {
     }
 }
 
-/// Every way of shading with a pattern, a floor, glass and fading, in a picture whose middle is not a whole vector of pixels.
+/// Returns every shading mode with a pattern, a floor, glass and depth cueing, in a picture whose middle is not a whole SIMD
+/// vector of pixels.
 fn patterned_scenes() -> Vec<Scene> {
     let mut scenes = Vec::new();
     let kinds = [
@@ -466,7 +468,7 @@ fn without_lamps_nothing_bounces() {
     }
 }
 
-/// However near the eye is to its target: it is the direction alone that counts, in every mode, for picture and probe.
+/// Checks that only the direction from the eye to its target counts, however near they are, in every mode, for picture and probe.
 #[test]
 fn an_eye_next_to_its_target_sees_what_one_a_little_farther_sees() {
     let modes = [
@@ -506,9 +508,8 @@ fn an_eye_next_to_its_target_sees_what_one_a_little_farther_sees() {
     }
 }
 
-/// Far above an evenly lit floor, a surface whose normal is tilted by β from straight down sees the floor in the share
-/// (1 + cos β)/2 of what arrives (the view factor of an infinite plane).
-/// The ground is solid, whatever side of the object is lit: a light below it lights none of it, with shadows or without.
+/// Checks that the ground is solid, whichever side of the object is lit: a light below it does not light it, with shadows or
+/// without.
 #[test]
 fn a_light_below_the_floor_does_not_light_it() {
     let mut scene = over_floor();
@@ -531,6 +532,8 @@ fn a_light_below_the_floor_does_not_light_it() {
     }
 }
 
+/// Checks the view factor of an infinite plane: far above an evenly lit floor, a surface whose normal is tilted by β from straight
+/// down receives the fraction (1 + cos β)/2 of its light from the floor.
 #[test]
 fn the_bounce_off_an_infinite_floor_is_its_view_factor() {
     let mut scene = Scene::default();

@@ -1,4 +1,4 @@
-//! Whatever a scene holds: it is refused with a reason, or drawn in finite numbers.
+//! Arbitrary scenes: each is refused with a reason, or drawn in finite numbers.
 
 use crate::common::any_scene::{AnyScene, any_scene, everyday_scene};
 use crate::common::reasons::Judge;
@@ -15,14 +15,14 @@ use shading_lab::scene::{
 };
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// What became of a scene.
+/// The outcome for a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Fate {
     Drawn,
     Refused,
 }
 
-/// Draws the scene of this number, or sees it refused; what is wrong with that.
+/// Draws the scene with this seed, or sees it refused; an error describes what went wrong.
 fn examine(seed: u64) -> Result<Fate, String> {
     let any = any_scene(seed);
     let outcome = catch_unwind(AssertUnwindSafe(|| check_and_draw(&any))).unwrap_or_else(|panic| {
@@ -65,7 +65,7 @@ fn check_and_draw(AnyScene { scene, model }: &AnyScene) -> Result<Fate, String> 
     Ok(Fate::Drawn)
 }
 
-/// Draws a scene in every way that a picture may be displayed, and probes it.
+/// Draws a scene with every display setting, and probes it.
 fn draw(renderer: &mut Renderer, scene: &Scene) -> Result<(), String> {
     renderer.keep_linear(true);
     renderer.render(scene);
@@ -122,7 +122,7 @@ fn finite(renderer: &Renderer, what: &str) -> Result<(), String> {
     }
 }
 
-/// What of a probe is not a finite number.
+/// Returns the name of a value of a probe that is not finite, if there is one.
 fn not_finite(probe: &Probe) -> Option<&'static str> {
     let hit = probe.hit.as_ref()?;
     let mut vectors = vec![
@@ -175,7 +175,7 @@ fn not_finite(probe: &Probe) -> Option<&'static str> {
         .or(number.map(|(name, _)| name))
 }
 
-/// Examines scenes over all threads; says how many of them were drawn.
+/// Examines scenes on all threads; returns how many of them were drawn.
 fn examine_all(seeds: std::ops::Range<u64>) -> u64 {
     let count = seeds.end - seeds.start;
     let fates: Vec<Result<Fate, String>> = seeds
@@ -199,7 +199,7 @@ fn examine_all(seeds: std::ops::Range<u64>) -> u64 {
     drawn
 }
 
-/// A thousand lights, each as bright as lights may be and upon the surface, and a material that multiplies by all it may.
+/// Returns a scene with a thousand lights on the surface, each as bright as allowed, and a material of maximum coefficients.
 fn blinding(model: ReflectionModel, mode: ShadingMode, attenuation: Attenuation) -> Scene {
     let most = Rgb::splat(Material::MAX_COEFFICIENT);
     let mut scene = Scene::default();
@@ -326,15 +326,15 @@ fn a_scene_is_refused_with_a_reason_or_drawn_in_finite_numbers() {
     );
 }
 
-/// The same with a million scenes over all cores, some minutes of work:
-/// `cargo test --test engine robustness -- --ignored --nocapture`. `ROBUSTNESS_SEEDS=FROM..TO` takes others.
+/// Examines a million scenes on all cores, in some minutes: `cargo test --test engine robustness -- --ignored --nocapture`.
+/// `ROBUSTNESS_SEEDS=FROM..TO` selects others.
 #[test]
 #[ignore = "takes minutes"]
 fn a_million_scenes() {
     examine_all(seeds(0..1_000_000));
 }
 
-/// Compares the probe with the stored pixels of an everyday scene: how many were compared, and what is wrong.
+/// Compares the probe with the stored pixels of an everyday scene; returns how many were compared, and the mistakes.
 fn compare(seed: u64) -> (u32, Option<String>) {
     let AnyScene { scene, model } = everyday_scene(seed);
     let Ok(model) = model else { return (0, None) };
@@ -448,7 +448,7 @@ fn compare_profile(seed: u64) -> (u32, Option<String>) {
     (compared, wrong)
 }
 
-/// The pixels compared in the scenes of these numbers, and what is wrong in which.
+/// Compares the scenes with these seeds; returns the number of pixels compared, and the mistakes by scene.
 fn compare_all(
     seeds: std::ops::Range<u64>,
     compare: impl Fn(u64) -> (u32, Option<String>) + Sync + Send,
@@ -463,7 +463,7 @@ fn compare_all(
     )
 }
 
-/// The seeds that the environment names, or these.
+/// Returns the seeds that the environment names, or `usual`.
 fn seeds(usual: std::ops::Range<u64>) -> std::ops::Range<u64> {
     let named = std::env::var("ROBUSTNESS_SEEDS").ok();
     let named = named.as_deref().and_then(|text| text.split_once(".."));
@@ -494,7 +494,7 @@ fn the_profile_passes_through_the_pixels_of_any_scene() {
     );
 }
 
-/// Probes a scene at some pixels and checks why each light adds nothing where it does not: the causes met.
+/// Probes a scene at some pixels and checks the reasons where a light adds nothing; returns the causes met.
 fn check_reasons(seed: u64) -> Result<Vec<ZeroCause>, String> {
     let AnyScene { mut scene, model } = any_scene(seed);
     // What carries intensities along a scan line takes them from other corners than a triangle's.
@@ -532,8 +532,8 @@ fn check_reasons(seed: u64) -> Result<Vec<ZeroCause>, String> {
     Ok(met)
 }
 
-/// Of a thousand random scenes that show their object: every reason that the probe gives for a light that adds nothing is
-/// the real one.
+/// Checks random scenes that show their object: every reason that the probe gives for a light that adds nothing must be the real
+/// one.
 #[test]
 fn every_reason_for_a_light_that_adds_nothing_is_the_real_one() {
     let outcomes: Vec<_> = (0..6000).into_par_iter().map(check_reasons).collect();

@@ -1,4 +1,4 @@
-//! The scene file: what reading it says about mistakes, and that its documentation is true.
+//! The scene file: the errors of its reader, and the accuracy of its documentation.
 
 mod faults;
 
@@ -9,7 +9,7 @@ use shading_lab::scene::{
     materials, nearest, presets,
 };
 
-/// Everything that reading `text` as the file `s.toml` objects to, a line each.
+/// Returns all errors of reading `text` as the file `s.toml`, a line each.
 fn objections(text: &str) -> String {
     Scene::parse(text, "s.toml")
         .expect_err("a mistake")
@@ -240,7 +240,7 @@ fn the_documented_scenes_are_sound() {
     }
 }
 
-/// The words between backquotes.
+/// Returns the words between backquotes.
 fn quoted(cell: &str) -> Vec<&str> {
     cell.split('`').skip(1).step_by(2).collect()
 }

@@ -1,4 +1,4 @@
-//! What a scene says survives its file, whatever it says.
+//! Scenes written to files and read back: nothing is lost, whatever they contain.
 
 use crate::common::properties;
 use glam::{DVec2, DVec3};
@@ -84,7 +84,7 @@ prop_compose! {
     }
 }
 
-/// Fans of convex polygons over the corners of a circle of any place and size, or none.
+/// Generates fans of convex polygons over the corners of a circle of any position and size, or none.
 fn polygons() -> impl Strategy<Value = (Shared<DVec3>, Shared<Shared<u32>>, Shared<DVec3>)> {
     let shape = (
         0usize..6,

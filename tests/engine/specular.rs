@@ -1,8 +1,8 @@
 //! The specular factor in single precision, over all exponents and at every SIMD level, against the plain cosine in double.
 //!
-//! N, L and V are unit vectors rounded to single precision: these are the inputs, and rounding them is no error of the
-//! factor. The reference is the cosine of exactly these directions, in `f64`: for Phong's model `(R·V)^n` with N, L and V
-//! made unit again; for Blinn's `(N·H)^n` with N and H made unit, and H along the sum of L and V as they are.
+//! N, L and V are unit vectors rounded to single precision: these are the inputs, and their rounding is no error of the factor.
+//! The reference is the cosine of exactly these directions, in `f64`: for Phong's model `(R·V)^n` with N, L and V normalised
+//! again; for Blinn's `(N·H)^n` with N and H normalised, and H along the sum of L and V as they are.
 
 use crate::common::dice::Dice;
 use crate::common::simd::levels;
@@ -12,13 +12,13 @@ use shading_lab::illumination::{LANES, Lanes, Lobe, ShadingPoint, SpecularForm, 
 use shading_lab::scene::{Material, ReflectionModel, Scene};
 use std::f64::consts::TAU;
 
-/// Greatest error of the factor.
+/// Maximum error of the factor.
 const WITHIN: f64 = 0.002;
 
 const MODELS: [ReflectionModel; 2] = [ReflectionModel::Phong, ReflectionModel::Blinn];
 
-/// Where a sum of products of unit vectors is not told from 0 in single precision, a power below 0.4 is still above
-/// [`WITHIN`], so that its jump to 0 at the rim of the lobe falls on either side.
+/// Exponent and cosine below which the factor may be on either side of its jump to 0 at the rim of the lobe. Single precision
+/// does not tell such a cosine, a sum of products of unit vectors, from 0, and a power below 0.4 of it is still above [`WITHIN`].
 const RIM: (f64, f64) = (0.4, 1e-6);
 
 /// One evaluation: N, L, V.
@@ -30,7 +30,7 @@ impl Directions {
         Self(vectors.map(|v| v.as_vec3().to_array()))
     }
 
-    /// The cosine that the model raises to the power n.
+    /// Returns the cosine that the model raises to the power n.
     fn cosine(&self, model: ReflectionModel) -> f64 {
         let [n, l, v] = self.0.map(|v| DVec3::from_array(v.map(f64::from)));
         let n = n.normalize();
@@ -44,7 +44,7 @@ impl Directions {
     }
 }
 
-/// A direction `angle` from `axis`.
+/// Returns a direction `angle` from `axis`.
 fn beside(dice: &mut Dice, axis: DVec3, angle: f64) -> DVec3 {
     let (across, along) = axis.any_orthonormal_pair();
     let (sine, cosine) = dice.between(0.0, TAU).sin_cos();
@@ -66,7 +66,8 @@ fn exponent(dice: &mut Dice) -> f64 {
     }
 }
 
-/// Mostly within some widths of the lobe about its axis; L at any angle, at times almost level with the surface.
+/// Returns random directions, mostly within some widths of the lobe about its axis; L at any angle, at times almost level with
+/// the surface.
 fn directions(dice: &mut Dice, model: ReflectionModel, n: f64) -> Directions {
     let normal = if dice.unit() < 0.05 {
         dice.of(&[DVec3::X, DVec3::Y, DVec3::NEG_Z])

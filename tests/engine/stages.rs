@@ -1,4 +1,5 @@
-//! A change re-runs only the stages that read it, and what is kept shows the same picture as what is drawn anew.
+//! Incremental rendering: a change re-runs only the stages that read it, and reused results give the same picture as a new
+//! renderer.
 
 use crate::common::dice::Dice;
 use shading_lab::render::{Renderer, Stage, coarseness, coarser_size};
@@ -72,7 +73,7 @@ fn the_camera_leaves_the_geometry_alone() {
     assert!(ran(&renderer).contains(&Stage::Coverage));
 }
 
-/// Changes of every kind, one after another, against a renderer that has never seen the scene before.
+/// Makes changes of every kind in turn, and compares with a renderer that has never seen the scene before.
 #[test]
 fn what_is_kept_is_what_would_be_drawn() {
     type Change = (&'static str, fn(&mut Scene));
@@ -115,7 +116,7 @@ fn what_is_kept_is_what_would_be_drawn() {
     }
 }
 
-/// Any change after any other, there and back.
+/// Makes any change after any other, there and back.
 #[test]
 fn what_is_kept_is_what_would_be_drawn_on_any_way() {
     const CHANGES: [&[&str]; 23] = [
@@ -210,7 +211,7 @@ fn what_is_kept_is_what_would_be_drawn_on_any_way() {
     }
 }
 
-/// Switches that change neither coverage nor the equation's coefficients.
+/// Switches settings that change neither coverage nor the equation's coefficients.
 #[test]
 fn switches_of_the_shading_are_noticed() {
     let mut renderer = Renderer::default();
@@ -263,7 +264,8 @@ fn an_infinite_viewer_and_far_lights_change_the_picture() {
     assert!(renderer.render(&scene).pixels != infinite.pixels);
 }
 
-/// What is dragged is drawn no coarser than it must be to keep up, and never so coarse that it is not recognised.
+/// Checks that a picture is drawn only as coarsely during a drag as it must be to keep up, and never too coarsely to be
+/// recognised.
 #[test]
 fn a_picture_that_keeps_up_is_drawn_whole() {
     let in_ms = |ms: u64| coarseness(ms * 1_000_000);

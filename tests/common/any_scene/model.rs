@@ -5,7 +5,7 @@ use shading_lab::geometry::{Mesh, read_obj};
 use std::fmt::Write;
 
 impl Author {
-    /// A model as it is read from a file: sound, flat, folded, without area, twice the same, tiny, or huge.
+    /// Reads a random model: valid, flat, folded, without area, duplicated, tiny, or huge. `fit` centres and scales it into the unit sphere.
     pub(super) fn model(&mut self, fit: bool) -> Result<Mesh, String> {
         let text = self.model_text();
         let mesh = read_obj(text.as_bytes(), &mut |_| {}).map_err(|error| error.to_string())?;
@@ -51,13 +51,13 @@ impl Author {
         text
     }
 
-    /// What a file may hold: single precision reaches to 3·10³⁸.
+    /// Returns a coordinate that a file may hold: single precision reaches to 3·10³⁸.
     fn model_coordinate(&mut self) -> f64 {
         let greatest = f64::from(f32::MAX);
         self.length(-1.5..=1.5, -greatest..=greatest)
     }
 
-    /// A closed solid, which may lie far out.
+    /// Appends a closed solid, which may lie far out.
     fn tetrahedron(&mut self, text: &mut String) {
         let [x, y, z] = [(); 3].map(|()| {
             if self.chance(0.8) {

@@ -1,5 +1,5 @@
-//! Every pixel of a picture of polygons, against a rasterizer written apart in double precision. Where a corner lies in the
-//! picture is rounded to 1/256 of a pixel; that and nothing else sets the two apart from a picture that knows no grid.
+//! Every pixel of a picture of polygons against an independent rasterizer in double precision. Corners are rounded to 1/256 of a
+//! pixel in the picture; nothing else distinguishes it from a picture without the grid.
 
 use crate::common::dice::Dice;
 use glam::{DVec2, DVec3};
@@ -11,43 +11,43 @@ use shading_lab::scene::{
 };
 use std::collections::HashMap;
 
-/// Steps of the grid to a pixel.
+/// Grid steps per pixel.
 const STEPS: f64 = 256.0;
-/// Which of two neighbouring steps a place is rounded to is left to single precision where it lies so near the middle between them.
+/// Distance from the middle between two grid steps below which single precision decides to which of them a position is rounded.
 const SINGLE: f64 = 1.0 / (1 << 21) as f64;
-/// Code values that single precision may be off, beyond the half that rounding is.
+/// Error of single precision in code values, in addition to the half that is due to rounding.
 const CODES: f64 = 0.55;
 
 /// A corner in the picture.
 #[derive(Clone, Copy)]
 struct Corner {
-    /// Grid steps, y downwards, as they come.
+    /// Unrounded position in grid steps, y downwards.
     place: DVec2,
     /// 1/depth, or −depth in parallel projection: linear in the picture.
     key: f64,
-    /// Which coordinates single precision may round to the other step.
+    /// For each coordinate, true if single precision may round it to the other step.
     unsure: [bool; 2],
 }
 
-/// What a reference rounds.
+/// The positions of a reference picture: rounded to the grid or not.
 #[derive(Clone, Copy, PartialEq)]
 enum Places {
     Rounded,
     AsTheyCome,
 }
 
-/// A scene drawn apart from the program.
+/// A scene drawn independently of the program.
 struct Reference {
     scene: Scene,
     mesh: VertexMesh,
-    /// Where the corners of the mesh lie in space and in the picture.
+    /// Positions of the mesh's corners in space; `corners` has those in the picture.
     points: Vec<DVec3>,
     corners: Vec<Corner>,
-    /// Unit; the camera's axes.
+    /// The camera's axes, unit vectors.
     right: DVec3,
     up: DVec3,
     forward: DVec3,
-    /// Pixels to a unit across, at depth 1 in perspective.
+    /// Pixels per unit across, at depth 1 in perspective.
     scale: f64,
     culls: bool,
 }
@@ -105,7 +105,8 @@ impl Reference {
         }
     }
 
-    /// The code values of a pixel; nothing where no polygon is seen. `moved` has other steps for some coordinates.
+    /// Returns the code values of a pixel, or `None` where no polygon is visible. `moved` replaces the grid steps of some
+    /// coordinates.
     fn pixel(
         &self,
         at: [u32; 2],
@@ -178,8 +179,9 @@ impl Reference {
         intensity.clamp(DVec3::ZERO, DVec3::ONE) * 255.0
     }
 
-    /// `Ka·Od·Ia + Σ Il·(Kd·Od·(N·L) + Ks·Os·(R·V)ⁿ)` for point lights that do not fade. A light counts from a step of the
-    /// grid over the tangent plane, seen as far away as the camera's target is: a highlight begins with a step there.
+    /// Evaluates `Ka·Od·Ia + Σ Il·(Kd·Od·(N·L) + Ks·Os·(R·V)ⁿ)` for point lights without attenuation. A light counts from one
+    /// grid step above the tangent plane, where a highlight begins abruptly; the step is measured at the distance of the camera's
+    /// target.
     fn equation(&self, p: DVec3, n: DVec3) -> DVec3 {
         let Scene {
             material: m,
@@ -208,8 +210,8 @@ impl Reference {
         sum
     }
 
-    /// The coordinates that single precision may round otherwise, of triangles that come near a pixel's centre, each with its
-    /// two steps.
+    /// Returns the coordinates that single precision may round differently, of triangles near a pixel's centre, each with its two
+    /// steps.
     fn unsure_near(&self, at: [u32; 2]) -> Vec<((u32, usize), [f64; 2])> {
         let centre = (DVec2::from_array(at.map(f64::from)) + 0.5) * STEPS;
         let mut found = Vec::new();
@@ -229,7 +231,7 @@ impl Reference {
         found
     }
 
-    /// Whether a stored pixel is the reference's, whichever way single precision rounds.
+    /// Returns whether a stored pixel is the reference's for some way in which single precision may round.
     fn agrees(&self, at: [u32; 2], stored: Option<DVec3>) -> bool {
         let same = |moved: &HashMap<_, _>| match (self.pixel(at, Places::Rounded, moved), stored) {
             (Some(expected), Some(stored)) => (expected - stored).abs().max_element() <= CODES,
@@ -252,7 +254,7 @@ impl Reference {
     }
 }
 
-/// The weights of a triangle's corners at a place that it covers; a place on its left or top edges is covered.
+/// Returns the weights of a triangle's corners at a position that it covers; its left and top edges are part of it.
 fn weights([a, b, c]: [DVec2; 3], at: DVec2, culls: bool) -> Option<[f64; 3]> {
     let area = (b - a).perp_dot(c - a);
     if area == 0.0 || (culls && area > 0.0) {
@@ -271,7 +273,7 @@ fn weights([a, b, c]: [DVec2; 3], at: DVec2, culls: bool) -> Option<[f64; 3]> {
     Some([weight(b, c)?, weight(c, a)?, weight(a, b)?])
 }
 
-/// A scene of polygons before a background that no shade has.
+/// Returns a scene of polygons over a background that no shade has.
 fn scene(dice: &mut Dice, size: [u32; 2]) -> Scene {
     let mut scene = Scene::default();
     scene.image.size = size;
@@ -311,7 +313,8 @@ fn scene(dice: &mut Dice, size: [u32; 2]) -> Scene {
     scene
 }
 
-/// Draws scenes of these sizes; returns the pixels compared, and those that differ from a picture without the grid.
+/// Draws scenes of these sizes; returns how many pixels were compared, and how many of them differ from a picture without the
+/// grid.
 fn compare(seed: u64, cases: u64, mut size: impl FnMut(&mut Dice) -> [u32; 2]) -> [u32; 2] {
     let mut dice = Dice(seed);
     let mut renderer = Renderer::default();

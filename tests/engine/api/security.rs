@@ -1,4 +1,4 @@
-//! What `docs/security.md` promises: each promise names a test that is there, and those that no other test is about are here.
+//! The promises of `docs/security.md`: each names an existing test; those without a test elsewhere are tested here.
 
 use crate::common::program::Folder;
 use shading_lab::lesson::{Answer, Answered, Grade, Lesson, Record, hand_in_bytes};
@@ -15,7 +15,7 @@ fn read(path: &str) -> String {
     fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// The items of the page's list and the rows of its table, each in one line.
+/// Returns the items of the page's list and the rows of its table, each in one line.
 fn promises(page: &str) -> Vec<String> {
     let mut all: Vec<String> = Vec::new();
     let mut open = false;
@@ -35,7 +35,7 @@ fn promises(page: &str) -> Vec<String> {
     all
 }
 
-/// The tests that a promise names: `file: name`.
+/// Returns the tests that a promise names: `file: name`.
 fn named(promise: &str) -> Vec<(String, String)> {
     let spans = promise.split('`').skip(1).step_by(2);
     let named = spans.filter_map(|span| span.split_once(": "));
@@ -49,7 +49,7 @@ fn is_test(attribute: &Attribute) -> bool {
     attribute.path().is_ident("test")
 }
 
-/// Whether a file has a test of that name, in a module or at its top.
+/// Returns whether a file has a test with that name, in a module or at its top level.
 fn has_test(items: &[Item], name: &str) -> bool {
     items.iter().any(|item| match item {
         Item::Fn(function) => function.sig.ident == name && function.attrs.iter().any(is_test),
@@ -123,7 +123,7 @@ fn the_program_has_no_unsafe_code_and_opens_no_connection() {
     assert!(files > 200);
 }
 
-/// The sources that a page allows for a kind of content, by its policy.
+/// Returns the sources that a page's policy allows for a kind of content.
 fn allowed<'p>(page: &'p str, directive: &str) -> Option<&'p str> {
     let (_, policy) = page.split_once("<meta http-equiv=\"Content-Security-Policy\" content=\"")?;
     let (policy, _) = policy.split_once('"')?;
@@ -172,7 +172,7 @@ fn the_pages_run_no_script_that_is_written_in_them() {
     }
 }
 
-/// Runs a command that must come to its end: opening a pipe that nobody writes to would not.
+/// Runs a command that must terminate: opening a pipe that nobody writes to would block it.
 fn ends(mut command: Command) -> Output {
     let begun = Instant::now();
     let mut child = command
@@ -194,7 +194,7 @@ const LESSON: &str = "+++\nlesson = 1\nname = \"own\"\ntitle = \"![t](pipe)\"\n+
     ```step\nscene = \"sphere\"\nset = [\"image.size=[16,16]\"]\n```\n\n\
     ```question\nkind = \"choice\"\nask = \"![p](pipe)\"\n[[option]]\ntext = \"a\"\nright = true\n[[option]]\ntext = \"b\"\nright = false\n```\n";
 
-/// Answers to the lesson, handed in with the scene that its step has.
+/// Returns a hand-in with answers to the lesson, whose step shows `scene`.
 fn answers(scene: &str) -> Vec<u8> {
     let source = LESSON.replace("\"sphere\"", &format!("\"{scene}\""));
     let lesson = Lesson::read(&source, None).expect("a lesson");

@@ -1,4 +1,4 @@
-//! What is exported compiles, runs, and draws the same picture.
+//! Exported programs compile, run, and draw the same picture.
 
 use super::{program, scene, snippet};
 use glam::DVec3;
@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::OnceLock;
 
-/// Where the pictures' programs are built.
+/// Returns the folder where the programs are built.
 fn folder() -> PathBuf {
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("export");
     fs::create_dir_all(&path).expect("a folder");
@@ -36,7 +36,7 @@ fn run(program: &Path) -> Command {
     command
 }
 
-/// Whether pictures can be drawn here at all; says so where they cannot.
+/// Returns whether pictures can be drawn on this machine; prints a message if not.
 fn mesa() -> bool {
     static FOUND: OnceLock<bool> = OnceLock::new();
     let found = *FOUND.get_or_init(|| {
@@ -60,7 +60,7 @@ fn succeeded(output: std::io::Result<Output>, what: &str) {
     assert!(output.status.success() && said.is_empty(), "{what}: {said}");
 }
 
-/// The pixels of a binary PPM picture of `frame`'s size.
+/// Reads the pixels of a binary PPM picture of `frame`'s size.
 fn read_ppm(path: &Path, frame: &Frame) -> Vec<[u8; 3]> {
     let bytes = fs::read(path).expect("a picture");
     let head = format!("P6\n{} {}\n255\n", frame.width, frame.height);
@@ -70,10 +70,10 @@ fn read_ppm(path: &Path, frame: &Frame) -> Vec<[u8; 3]> {
     pixels.chunks_exact(3).map(|p| [p[0], p[1], p[2]]).collect()
 }
 
-/// Seldom a colour of the object.
+/// A background that is seldom a colour of the object.
 const BACKGROUND: [u8; 3] = [32, 40, 48];
 
-/// A scene for a small picture on that background.
+/// Returns a scene for a small picture on [`BACKGROUND`].
 fn small(name: &str, overrides: &[&str]) -> Scene {
     let mut scene = scene(name, overrides);
     scene.image.size = [144, 128];
@@ -87,7 +87,7 @@ fn small(name: &str, overrides: &[&str]) -> Scene {
     scene
 }
 
-/// At least 99 % of the pixels that either covers agree within 2 of 255, and there are enough of them to tell.
+/// Checks that at least 99 % of the pixels that either picture covers agree within 2 of 255, and that there are enough of them.
 #[track_caller]
 fn agree(name: &str, scene: &Scene, theirs: &Path) {
     let mut renderer = Renderer::default();
@@ -128,7 +128,7 @@ fn compare_c(name: &str, scene: &Scene) {
     agree(name, scene, &picture);
 }
 
-/// What fixed-function OpenGL can say.
+/// Settings that fixed-function OpenGL can express.
 const FIXED: [&str; 5] = [
     "shading.mode=gouraud",
     "reflection.model=blinn",
@@ -263,7 +263,7 @@ fn the_calls_alone_compile() {
     }
 }
 
-/// The fan of a face about its first vertex, the triangles first that turn as the face does, and the number of these.
+/// Returns the fan of a face about its first vertex, triangles with the face's orientation first, and the number of these.
 fn fan(mesh: &VertexMesh, f: usize) -> (Vec<[u32; 3]>, u32) {
     let at = |v: u32| mesh.positions[v as usize].as_dvec3();
     let face = mesh.face(f);
@@ -279,7 +279,7 @@ fn fan(mesh: &VertexMesh, f: usize) -> (Vec<[u32; 3]>, u32) {
     (along, first)
 }
 
-/// A mesh as the host program reads it. Where each polygon has one shade, concave ones are fans apart.
+/// Serializes a mesh for the host program. If each polygon has one shade, concave ones are separate fans.
 fn bytes(mesh: &VertexMesh, flat: bool) -> Vec<u8> {
     let is_concave = |f: &usize| flat && mesh.cut.iter().any(|(face, _)| *face as usize == *f);
     let (concave, plain): (Vec<usize>, Vec<usize>) = (0..mesh.face_count()).partition(is_concave);
@@ -313,7 +313,7 @@ fn bytes(mesh: &VertexMesh, flat: bool) -> Vec<u8> {
     bytes
 }
 
-/// Draws `scene` by its shaders and compares the picture with ours.
+/// Draws `scene` with its shaders and compares the picture with ours.
 #[track_caller]
 fn compare_glsl(host: &Path, name: &str, scene: &Scene) {
     let path = |ending: &str| folder().join(format!("glsl-{name}.{ending}"));
@@ -332,7 +332,7 @@ fn compare_glsl(host: &Path, name: &str, scene: &Scene) {
     agree(name, scene, &path("ppm"));
 }
 
-/// A prism over a U, of which no corner sees all, and a comb behind it.
+/// A prism over a U, none of whose corners sees all of it, and a comb behind it.
 const CONCAVE: &str = "object={kind=\"polygons\", vertices=[\
     [-0.8,0.7,0],[-0.8,-0.7,0],[0.8,-0.7,0],[0.8,0.7,0],[0.3,0.7,0],[0.3,-0.2,0],[-0.3,-0.2,0],[-0.3,0.7,0],\
     [-0.8,0.7,-1],[-0.8,-0.7,-1],[0.8,-0.7,-1],[0.8,0.7,-1],[0.3,0.7,-1],[0.3,-0.2,-1],[-0.3,-0.2,-1],[-0.3,0.7,-1],\

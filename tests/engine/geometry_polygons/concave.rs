@@ -1,7 +1,7 @@
 //! Concave polygons of random outlines: each stays one polygon, whatever triangles cover it.
 //!
-//! An outline lies on the grid of the picture's places, off the rows and columns of the pixels' centres, so that what is worked out
-//! here in double precision decides for every pixel.
+//! An outline lies on the picture's position grid, off the rows and columns of the pixels' centres, so that the double-precision
+//! results here hold for every pixel.
 
 use crate::common::dice::Dice;
 use glam::{DVec2, DVec3};
@@ -18,18 +18,18 @@ use std::collections::HashMap;
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-/// Pixels to a side of the picture, and world units.
+/// Side of the picture in pixels, and in world units.
 const SIDE: u32 = 96;
-/// Single precision of what is between 0 and 1.
+/// Error of single precision for values between 0 and 1.
 const SINGLE: f64 = 2e-5;
 
-/// How many polygons a test draws.
+/// Returns the number of polygons that a test draws.
 fn count(usual: u64) -> u64 {
     let cases = std::env::var("PROPTEST_CASES").ok();
     cases.and_then(|cases| cases.parse().ok()).unwrap_or(usual)
 }
 
-/// A concave outline of `corners` corners, in pixels from the picture's middle, y upwards, counter-clockwise.
+/// Returns a concave outline of `corners` corners, in pixels from the picture's middle, y upwards, counter-clockwise.
 fn outline(dice: &mut Dice, corners: u32) -> Vec<DVec2> {
     let angle = |k: u32| TAU * f64::from(k) / f64::from(corners);
     let mut points: Vec<DVec2> = match dice.of(&[0, 1, 2, 3]) {
@@ -56,7 +56,7 @@ fn outline(dice: &mut Dice, corners: u32) -> Vec<DVec2> {
     points.into_iter().map(on_grid).collect()
 }
 
-/// Teeth of random lengths upon a bar; where corners are left over, they lie on the straight lower edge.
+/// Returns teeth of random lengths on a bar; surplus corners lie on its straight lower edge.
 fn comb(dice: &mut Dice, corners: u32) -> Vec<DVec2> {
     if corners < 8 {
         let arrow = [[-40.0, -40.0], [0.0, -10.0], [40.0, -40.0], [0.0, 40.0]];
@@ -81,7 +81,7 @@ fn comb(dice: &mut Dice, corners: u32) -> Vec<DVec2> {
     points
 }
 
-/// A band that winds inwards.
+/// Returns a band that winds inwards.
 fn spiral(corners: u32) -> Vec<DVec2> {
     let along = (corners / 2).max(4);
     let turns = (f64::from(along) / 14.0).clamp(0.4, 4.0);
@@ -99,24 +99,25 @@ fn spiral(corners: u32) -> Vec<DVec2> {
 
 /// A polygon in a random plane over an outline.
 struct Polygon {
-    /// In pixels of the picture, y downwards.
+    /// Positions in pixels of the picture, y downwards.
     places: Vec<DVec2>,
     corners: Vec<DVec3>,
-    /// Unit.
+    /// The unit normal of the plane.
     normal: DVec3,
-    /// I at the corners, where shading takes it from the normals in the file.
+    /// I at the corners, for shading with the normals in the file.
     intensities: Vec<f64>,
 }
 
 impl Polygon {
-    /// One of 4 to 300 corners.
+    /// Returns a polygon of 4 to 300 corners.
     fn random(dice: &mut Dice) -> Self {
         let corners = dice.between(2.0, 300_f64.ln()).exp().clamp(4.0, 300.0) as u32;
         let outline = outline(dice, corners);
         Self::over(dice, outline)
     }
 
-    /// The same, now and then a frame as models have it: it touches itself along the way to its hole and back.
+    /// Returns a random polygon, or in one case of ten a frame as models have it, which touches itself along the way to its hole
+    /// and back.
     fn random_or_frame(dice: &mut Dice, case: u64) -> Self {
         if case % 10 != 3 {
             return Self::random(dice);
@@ -127,7 +128,7 @@ impl Polygon {
         Self::over(dice, vec![a, b, c, d, a, e, h, g, f, e])
     }
 
-    /// The polygon over an outline, that turns its front or its back to the eye.
+    /// Returns the polygon over an outline, with its front or its back towards the eye.
     fn over(dice: &mut Dice, mut outline: Vec<DVec2>) -> Self {
         let (a, b) = (dice.between(-1.5, 1.5), dice.between(-1.5, 1.5));
         let mut normal = DVec3::new(-a, -b, 1.0).normalize();
@@ -155,13 +156,13 @@ impl Polygon {
         }
     }
 
-    /// Whether a scene may have it: its corners are few, and none comes again.
+    /// Returns whether a scene may hold the polygon: it has few enough corners, none of them repeated.
     fn fits_a_scene(&self) -> bool {
         let again = |k: usize| self.places[..k].contains(&self.places[k]);
         self.places.len() <= Object::MAX_CORNERS && !(0..self.places.len()).any(again)
     }
 
-    /// The polygon as a scene, or as a model where a scene may not have it, and one that draws it.
+    /// Returns a scene with the polygon, as a model if a scene may not hold it, and a renderer for it.
     fn scene(&self) -> (Scene, Renderer) {
         let mut scene = Scene::default();
         (scene.image.size, scene.image.background) = ([SIDE; 2], Rgb::splat(9.0));
@@ -190,7 +191,7 @@ impl Polygon {
         (scene, renderer)
     }
 
-    /// Whether the centre of each pixel is inside, row by row.
+    /// Returns whether the centre of each pixel is inside, row by row.
     fn coverage(&self) -> Vec<bool> {
         let centres =
             (0..SIDE * SIDE).map(|k| DVec2::new(f64::from(k % SIDE), f64::from(k / SIDE)) + 0.5);
@@ -204,7 +205,7 @@ impl Polygon {
         inside.collect()
     }
 
-    /// Where the line at height `y` crosses edges, from the left, with I there: `(1−α)·I₁ + α·I₂`.
+    /// Returns the crossings of the line at height `y` with the edges, from the left, each with I there: `(1−α)·I₁ + α·I₂`.
     fn crossings(&self, y: f64) -> Vec<(f64, f64)> {
         let count = self.places.len();
         let edges = (0..count).map(|k| (k, (k + 1) % count));
@@ -223,7 +224,7 @@ impl Polygon {
         found
     }
 
-    /// I by the scan line: between P and Q, the crossings on either side of the place.
+    /// Returns I by the scan line: between P and Q, the crossings on either side of the position.
     fn by_scan_line(&self, at: DVec2) -> f64 {
         let crossings = self.crossings(at.y);
         let pairs = crossings.as_chunks::<2>().0;
@@ -235,7 +236,7 @@ impl Polygon {
     }
 }
 
-/// A model of these polygons, each with its corners and the normals there.
+/// Returns a model of these polygons, each with its corners and the normals there.
 fn model(polygons: &[(&[DVec3], &[DVec3])]) -> Mesh {
     let (mut points, mut faces, mut number) = (String::new(), String::new(), 0);
     for (corners, normals) in polygons {
@@ -364,7 +365,7 @@ fn the_scan_line_runs_over_the_whole_polygon() {
     }
 }
 
-/// The sides of triangles and how often each is met, in its direction.
+/// Counts the sides of triangles, each in its own direction.
 fn sides(mesh: &Mesh) -> HashMap<(u32, u32), i32> {
     let mut sides = HashMap::new();
     for f in 0..mesh.face_count() {
@@ -446,7 +447,7 @@ fn what_is_convex_stays_a_fan() {
     );
 }
 
-/// A U, counter-clockwise seen from +z; from none of its corners is all of it seen.
+/// A U, counter-clockwise seen from +z; none of its corners sees all of it.
 const U: [[f64; 2]; 8] = [
     [-0.8, 0.7],
     [-0.8, -0.7],
@@ -485,7 +486,7 @@ fn a_u_is_one_shade_at_the_mean_of_its_corners() {
     assert_eq!(shades, [[163, 55, 37]]);
 }
 
-/// The U from z = 0 to `height`: face 0 is its front, face 1 its back, face 2 + k the side from corner k.
+/// Returns the U extruded from z = 0 to `height`: face 0 is its front, face 1 its back, face 2 + k the side from corner k.
 fn prism(height: f64) -> Object {
     let at = |z: f64| U.iter().map(move |[x, y]| DVec3::new(*x, *y, z));
     let side = |k: u32| vec![k + 8, (k + 1) % 8 + 8, (k + 1) % 8, k];
@@ -585,7 +586,7 @@ fn a_model_of_concave_polygons_has_the_files_numbers() {
     }
 }
 
-/// Where the plane of the polygon is met by the ray through a pixel, in the plane's own coordinates, and the depth.
+/// Intersects the ray through a pixel with the polygon's plane; returns the point in the plane's own coordinates, and its depth.
 fn met(view: &View, pixel: DVec2, [origin, right, up]: [DVec3; 3]) -> (DVec2, f64) {
     let (from, along) = view.ray(pixel);
     let normal = right.cross(up);

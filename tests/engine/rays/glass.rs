@@ -1,4 +1,4 @@
-//! What is seen through glass and on the walls around it.
+//! The view through glass and of the walls around it.
 
 use super::{SIDE, eye_ray};
 use glam::DVec3;
@@ -25,7 +25,7 @@ fn before_wall(eta: f64, through: Through) -> Scene {
     scene
 }
 
-/// The colour of the wall where a ray meets it.
+/// Returns the colour of the wall where a ray meets it.
 fn wall(scene: &Scene, origin: DVec3, direction: DVec3) -> Option<Rgb> {
     let p = origin + direction * ((-scene.backdrop.distance - origin.z) / direction.z);
     let cell = |x: f64| (x / scene.backdrop.scale).round() as i64;
@@ -152,7 +152,7 @@ fn what_passes_and_what_is_reflected_are_mixed_by_kt() {
     }
 }
 
-/// What a ray meets first of the ground, the wall and nothing, each of a colour of its own; none where that is a close thing.
+/// Returns the colour of the first of ground, wall and nothing that a ray meets; `None` if the difference is too small to decide.
 fn nearest(scene: &Scene, origin: DVec3, direction: DVec3) -> Option<Rgb> {
     let forward = (scene.camera.target - scene.camera.eye).normalize();
     let right = forward.cross(scene.camera.up).normalize();
@@ -186,7 +186,7 @@ fn nearest(scene: &Scene, origin: DVec3, direction: DVec3) -> Option<Rgb> {
     (!near_edge(x) && !near_edge(y)).then_some(color)
 }
 
-/// A pane in the plane z = 0, through or at which every third picture looks.
+/// Checks a pane in the plane z = 0: every third picture looks through it or at it.
 #[test]
 fn of_the_ground_and_the_wall_a_ray_sees_the_nearer() {
     let mut renderer = Renderer::default();

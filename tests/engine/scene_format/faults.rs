@@ -1,4 +1,4 @@
-//! What is wrong with a scene file is named with its line and what was expected.
+//! Errors in scene files: each is reported with its line and what was expected.
 
 use super::{assert_objections, objections};
 use shading_lab::scene::{Light, LightKind, Scene};
