@@ -1,5 +1,5 @@
-//! What the window holds: the largest scenes, meshes and windows leave nothing behind, nor do letters of other sizes and
-//! pictures of a dialog that is closed.
+//! The window's memory: the largest scenes, meshes and windows leave nothing behind, nor do letters of other sizes and pictures
+//! of a closed dialog.
 
 #[path = "common/fixtures.rs"]
 #[allow(dead_code, reason = "each program takes what it needs")]
@@ -18,7 +18,8 @@ use std::time::Duration;
 #[global_allocator]
 static HEAP: PeakAlloc = PeakAlloc;
 
-/// Scenes that need the most: fading, rays to the floor, through glass and from other surfaces, panes, and a fine mesh.
+/// Scenes that need the most memory: depth cueing, rays to the floor, through glass and from other surfaces, panes, and a fine
+/// mesh.
 const LARGE: [&str; 6] = [
     "depth-cueing",
     "shadows",
@@ -27,14 +28,14 @@ const LARGE: [&str; 6] = [
     "sphere&pane=shading.mode=flat&pane=shading.mode=exact&pane=material.n=4",
     "sphere&set=object.segments=1000&set=object.rings=500",
 ];
-/// Tests take turns: each counts every byte.
+/// A lock by which the tests take turns: each counts every byte.
 static TURN: Mutex<()> = Mutex::new(());
 
 fn turn() -> MutexGuard<'static, ()> {
     TURN.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// What may be left of them: fonts that were first used there, steps of undo.
+/// Bytes that may remain: fonts first used meanwhile, undo steps.
 const LEFT: usize = 4_000_000;
 
 fn open(harness: &mut Harness<'_, App>, scene: &str) {
@@ -76,7 +77,7 @@ fn large_scenes_leave_nothing_behind() {
     assert!(over, "{} of {before}", HEAP.current_usage());
 }
 
-/// At projector size the letters grow with the window: each height has letters of its own.
+/// Checks projector size, where letters grow with the window: each height has letters of its own.
 #[test]
 fn letters_of_other_sizes_leave_nothing_behind() {
     let _turn = turn();

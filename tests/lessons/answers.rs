@@ -1,5 +1,5 @@
-//! Questions answered by the engine: each kind against closed forms or what the commands print, full marks for the right
-//! answer and none for wrong ones.
+//! Questions answered by the engine: each kind against closed forms or the output of commands, full marks for the right answer
+//! and none for wrong ones.
 
 use crate::common::lessons::EVERY_KIND;
 use glam::DVec2;
@@ -26,7 +26,7 @@ impl Room {
         }
     }
 
-    /// A sphere of radius 1 seen from (0, 0, 4), lit by one light.
+    /// Stages a sphere of radius 1 seen from (0, 0, 4), lit by one light.
     fn new(step: &str, question: &str) -> Self {
         let source = format!(
             "+++\nlesson = 1\nname = \"a\"\ntitle = \"A\"\n+++\n## A\n```step\nscene = \"sphere\"\nset = [\"camera.eye=[0,0,4]\", \"image.size=[192,192]\", \
@@ -53,7 +53,7 @@ impl Room {
         grade.unwrap_or_else(|| panic!("{answer:?} cannot be graded"))
     }
 
-    /// The right answer counts in full, the wrong ones do not.
+    /// Checks that the right answer gets full marks and the wrong ones do not.
     fn marks(&self, wrong: &[Answer]) {
         let right = Answer::right(&self.solve());
         assert!(right.fits(&self.question.kind), "{right:?}");

@@ -1,5 +1,5 @@
-//! The lessons of the course: everything in them is evaluated by the engine, in both languages, and `docs/course.md` leads to steps
-//! that there are.
+//! The lessons of the course: the engine evaluates everything in them, in both languages, and `docs/course.md` links only to
+//! existing steps.
 
 use rayon::prelude::*;
 use shading_lab::expression::Expression;
@@ -32,7 +32,7 @@ fn every_scene_number_and_question_of_every_lesson_is_sound() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// What a worksheet draws of a step: four samples a pixel of each pane.
+/// Returns the drawing work of a step in a worksheet: four samples per pixel of each pane.
 fn work_of_pictures(step: &Step, staged: &Staged) -> u64 {
     let lab = Lab::new(staged);
     let pixels = Expression::read("picture.pixels").expect("an expression");
@@ -82,7 +82,7 @@ fn no_lesson_takes_a_tenth_of_the_work_that_it_may() {
     );
 }
 
-/// Answers that are wrong.
+/// Returns answers that are wrong.
 fn wrong_answers(question: &Question, solution: &Solution, staged: &Staged) -> Vec<Answer> {
     match (&question.kind, solution) {
         (Kind::Choice(kind), Solution::Choice(right)) => (0..kind.options.len())
@@ -184,7 +184,7 @@ fn the_right_answer_scores_full_marks_and_a_wrong_one_does_not() {
     );
 }
 
-/// What is asked for is what counts as right: the place on the scan line, not any of the same intensity.
+/// Checks that the question asks for what counts as right: the position on the scan line, not any of the same intensity.
 #[test]
 fn half_of_the_change_along_the_scan_line_is_in_its_middle() {
     let lesson = shading_lab::lesson::find("scan-line").expect("a lesson");
@@ -215,7 +215,7 @@ fn half_of_the_change_along_the_scan_line_is_in_its_middle() {
     }
 }
 
-/// A step without its words and without its place in the file.
+/// Formats a step without its words and its position in the file.
 fn without_words(step: &Step) -> String {
     let mut stage = step.stage.clone();
     stage.line_number = 0;

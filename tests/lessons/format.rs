@@ -1,5 +1,4 @@
-//! Lessons as files: what is read of every kind of question, every error with its line, and that no file and no expression
-//! takes the reader down.
+//! Lessons as files: every kind of question is read, every error has its line, and no file and no expression crashes the reader.
 
 use crate::common::dice::Dice;
 use crate::common::lessons::EVERY_KIND;
@@ -105,7 +104,7 @@ fn every_kind_of_question_is_read() {
     ));
 }
 
-/// The problems of the lesson with one text replaced by another.
+/// Returns the problems of the lesson with one text replaced by another.
 fn problems(from: &str, to: &str) -> LessonError {
     assert!(EVERY_KIND.contains(from), "{from}");
     let changed = EVERY_KIND.replacen(from, to, 1);
@@ -303,7 +302,7 @@ fn below(dice: &mut Dice, count: usize) -> usize {
     (dice.between(0.0, count as f64) as usize).min(count - 1)
 }
 
-/// How many lessons are tried: `LESSONS=100000` for more.
+/// Returns the number of lessons to try: `LESSONS=100000` for more.
 fn tried() -> usize {
     let count = env::var("LESSONS")
         .ok()
@@ -311,7 +310,7 @@ fn tried() -> usize {
     count.unwrap_or(10_000)
 }
 
-/// What mutations put in.
+/// Pieces that mutations insert.
 const PIECES: [&str; 40] = [
     "```",
     "```step\n",
@@ -413,7 +412,7 @@ fn mutated_lessons_are_read_or_refused_with_a_line() {
     );
 }
 
-/// Everything is a number but what is not.
+/// Quantities for expressions under test: fixed numbers and lists, a truth value, a NaN, and one that fails.
 struct Stub;
 
 impl Quantities for Stub {
@@ -536,7 +535,7 @@ fn the_longest_and_deepest_expressions_are_read_or_refused() {
     assert_eq!(arithmetic("max(-0 == 0, 0)"), Some(1.0));
 }
 
-/// An expression and what Rust makes of it.
+/// Returns a random expression and its value as Rust computes it.
 fn random(dice: &mut Dice, depth: usize) -> (String, f64) {
     if depth == 0 {
         let number = below(dice, 2000) as f64 / 100.0;

@@ -1,5 +1,5 @@
-//! What other people send: scenes, models, pictures, links, lessons and handed-in answers, changed at random in ways that know
-//! their structure. Each is read or refused, in bounded time and memory, and what is read survives being written.
+//! Input from other people: scenes, models, pictures, links, lessons and handed-in answers, mutated at random with knowledge of
+//! their structure. Each is read or refused, in bounded time and memory, and whatever is read survives being written.
 
 use crate::common::fuzz::{Format, is_small, lessons_of_every_kind, text};
 use shading_lab::geometry::read_obj;
@@ -47,7 +47,7 @@ fn scenes() {
     format.fuzz();
 }
 
-/// Draws a small picture of the scene, with less of whatever there is much of.
+/// Draws a small picture of the scene, with large numbers reduced.
 fn draw(mut scene: Scene) {
     if scene.object.kind == ObjectKind::Obj {
         return;
@@ -237,7 +237,7 @@ fn lessons_through_to_their_pages() {
     format.fuzz();
 }
 
-/// Has the right answers to a lesson, as far as there are any, handed in, collected and written.
+/// Hands in the right answers to a lesson, as far as there are any, then collects and writes them.
 fn collected(lesson: &Lesson) {
     let mut record = Record::new(&lesson.name, SHEET.seed);
     for (index, step) in lesson.steps.iter().enumerate() {

@@ -1,5 +1,5 @@
-//! Answers handed in as a picture: they come back as they were given, what was changed, damaged or forged is noticed, and a
-//! class is graded by the engine.
+//! Answers handed in as a picture: they are read back unchanged, changes, damage and forgery are detected, and the engine grades
+//! a class.
 
 mod heavy;
 
@@ -177,7 +177,7 @@ fn a_change_is_noticed() {
     assert!(matches!(read(none), Err(HandInError::NoAnswers)));
 }
 
-/// A folder of a test's own.
+/// Creates a folder of a test's own.
 fn folder(name: &str) -> PathBuf {
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("hand-in-{name}"));
     let _ = fs::remove_dir_all(&path);
@@ -193,7 +193,7 @@ fn run(folder: &Path, arguments: &[&str]) -> Output {
 
 const STUDENTS: usize = 200;
 
-/// Which of the four questions a student answers right.
+/// Returns which of the four questions a student answers correctly.
 fn knows(student: usize) -> [bool; 4] {
     [0, 1, 2, 3].map(|question| student.is_multiple_of(question + 2))
 }
@@ -225,7 +225,7 @@ fn name(student: usize) -> String {
     }
 }
 
-/// Twenty files that do not count.
+/// Returns twenty files that do not count.
 fn spoiled(sound: &[u8]) -> Vec<Vec<u8>> {
     let mut spoiled: Vec<Vec<u8>> = (1..9)
         .map(|part| sound[..sound.len() * part / 20].to_vec())
@@ -271,7 +271,7 @@ fn spoiled(sound: &[u8]) -> Vec<Vec<u8>> {
     spoiled
 }
 
-/// FNV-1a of texts with their lengths, as hand-ins have it.
+/// Returns the FNV-1a hash of texts with their lengths, as in hand-ins.
 fn digest(texts: &[&str]) -> String {
     let lengths = |text: &&str| [text.as_bytes(), &(text.len() as u64).to_le_bytes()].concat();
     let hash = texts
@@ -283,7 +283,7 @@ fn digest(texts: &[&str]) -> String {
     format!("{hash:016x}")
 }
 
-/// A hand-in whose lesson is another one, with the digests that belong to it.
+/// Returns a hand-in whose lesson is replaced, with matching digests.
 fn forged(sound: &[u8], from: &str, to: &str) -> Vec<u8> {
     let texts = [(ANSWERS_KEYWORD, 1 << 20), (SCENE_KEYWORD, 1 << 20)];
     let [answers, scene] = read_texts(Cursor::new(sound), texts).expect("texts");
@@ -303,7 +303,7 @@ fn forged(sound: &[u8], from: &str, to: &str) -> Vec<u8> {
     bytes
 }
 
-/// CRC-32 as PNG has it.
+/// Returns the CRC-32 as PNG defines it.
 fn checksum(bytes: &[u8]) -> u32 {
     let step = |sum: u32, byte: &u8| {
         (0..8).fold(sum ^ u32::from(*byte), |sum, _| {

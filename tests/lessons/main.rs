@@ -1,4 +1,4 @@
-//! Lessons, hand-ins and worksheets, and what other people send.
+//! Lessons, hand-ins and worksheets, and input from other people.
 
 #[path = "../common/fixtures.rs"]
 #[allow(dead_code, reason = "each program takes what it needs")]

@@ -1,5 +1,4 @@
-//! Worksheets: every lesson becomes a page that is well formed and stands alone, and nothing of a lecturer's text gets into it
-//! as markup.
+//! Worksheets: every lesson becomes a page that is well formed and self-contained, and no text of a lecturer becomes markup.
 
 use shading_lab::document::load_with;
 use shading_lab::lesson::{LESSONS, Lesson, Worksheet, check, in_words, worksheet};
@@ -26,7 +25,7 @@ fn written(lesson: &Lesson, sheet: Worksheet) -> String {
     worksheet(lesson, sheet, &mut || ()).unwrap_or_else(|error| panic!("{}: {error}", lesson.name))
 }
 
-/// Every element is closed where it was opened, every `&` begins an entity, and nothing is loaded.
+/// Checks that every element is closed where it was opened, every `&` begins an entity, and nothing is loaded.
 fn check_page(page: &str, name: &str) {
     let (_, body) = page.split_once("<html").expect("a page");
     let mut open: Vec<&str> = Vec::new();
@@ -80,7 +79,7 @@ fn check_page(page: &str, name: &str) {
     );
 }
 
-/// The line under each step, given to a command, is the step's scene bit by bit, its lights and panes included.
+/// Checks that the line under each step, given to a command, yields the step's scene bit by bit, its lights and panes included.
 fn check_scene_lines(lesson: &Lesson, words: &str, name: &str) {
     let lines: Vec<&str> = words
         .lines()
@@ -108,7 +107,7 @@ fn check_scene_lines(lesson: &Lesson, words: &str, name: &str) {
     }
 }
 
-/// The words of a command line, as a POSIX shell takes it apart.
+/// Splits a command line into words as a POSIX shell does.
 fn shell_words(line: &str) -> Vec<String> {
     let (mut words, mut word, mut quoted) = (Vec::new(), String::new(), false);
     let mut characters = line.chars();
@@ -171,7 +170,7 @@ fn every_lesson_has_a_worksheet_in_both_languages() {
     }
 }
 
-/// Every kind of question, and texts that try to be markup.
+/// A lesson with every kind of question, and texts that try to be markup.
 const HOSTILE: &str = r#"+++
 lesson = 1
 name = "hostile"

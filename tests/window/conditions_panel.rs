@@ -1,4 +1,4 @@
-//! The conditions for flat shading in the window: each has a button that meets it, and goes back.
+//! The conditions for flat shading in the window: each has a button that meets it and a way back.
 
 use crate::common::hands::{named, open_view, press, scene, wait, window};
 use egui_kittest::Harness;
@@ -6,7 +6,7 @@ use egui_kittest::kittest::Queryable;
 use shading_lab::app::App;
 use shading_lab::scene::{LightKind, ObjectKind, Viewer};
 
-/// Presses a button when it is there.
+/// Presses a button once it is there.
 fn press_when_there(harness: &mut Harness<'_, App>, name: &str) {
     assert!(
         wait(harness, |harness| harness

@@ -1,4 +1,4 @@
-//! The window's controls: each is found by role and name, changes the picture, and undo takes that back.
+//! The window's controls: each is found by role and name, changes the picture, and can be undone.
 
 mod lights;
 mod materials;
@@ -18,7 +18,7 @@ use shading_lab::geometry::tessellate;
 use shading_lab::scene::{Choice, CompareView, Pane, Rgb, ShadingMode, View};
 use std::sync::Arc;
 
-/// Sets a slider by the key of its parameter, sees the picture change, and takes it back.
+/// Sets a slider by the key of its parameter, checks that the picture changes, and undoes it.
 fn slider_changes_the_picture(scene: &str, name: &str, value: f64) {
     let mut harness = window(scene);
     let before = picture(&harness);
@@ -161,7 +161,7 @@ fn a_file_that_cannot_be_opened_says_so_and_changes_nothing() {
     assert!(*scene(&harness) == before, "the scene is left alone");
 }
 
-/// Makes a choice, sees the picture change, and takes it back.
+/// Makes a choice, checks that the picture changes, and undoes it.
 fn choice_changes_the_picture(scene: &str, prepare: &[Key], list: &str, entry: &str) {
     let mut harness = window(scene);
     for key in prepare {
@@ -498,7 +498,7 @@ fn pointing_at_a_vertex_lights_up_its_faces() {
     );
 }
 
-/// The look of a window that finds this one stored.
+/// Returns the appearance of a window that starts with a stored one.
 fn look_from(stored: &Appearance) -> Appearance {
     let harness = window_looking(built_in("teapot"), [900.0, 600.0], stored, |app| app);
     harness.state().state().window.appearance.clone()

@@ -1,4 +1,4 @@
-//! The course in the window: a lesson with each kind of question, gone through by mouse and by keyboard alone.
+//! The course in the window: a lesson with each kind of question, completed by mouse and by keyboard alone.
 
 mod handed_in;
 mod left;
@@ -19,7 +19,7 @@ fn lesson() -> Lesson {
     Lesson::open_checked(&path).expect("a lesson")
 }
 
-/// A window with the lesson.
+/// Opens a window with the lesson.
 fn window() -> Harness<'static, App> {
     window_with(lesson())
 }
@@ -79,7 +79,7 @@ fn answered(harness: &Harness<'_, App>) -> Option<Answered> {
     harness.state().state().course.answered().cloned()
 }
 
-/// Returns the answer that is being made, once it is whole.
+/// Returns the answer being made, once it is complete.
 fn draft(harness: &Harness<'_, App>) -> Option<Answer> {
     let open = harness.state().state().course.open.as_ref()?;
     open.answer(scene(harness))
@@ -89,7 +89,7 @@ fn revealed(harness: &Harness<'_, App>) -> bool {
     harness.state().state().course.revealed()
 }
 
-/// Presses a key as often as it takes to come to what is called so.
+/// Presses Tab until the widget with this role and name has the focus.
 fn tab_to(harness: &mut Harness<'_, App>, role: Role, name: &str) {
     let name = named(name);
     for _ in 0..120 {
@@ -308,7 +308,7 @@ fn every_question_is_answered_by_mouse() {
     );
 }
 
-/// Draws a curve of heights from 0 to 1 over the share of the width.
+/// Draws a curve of heights from 0 to 1 over the fraction of the width.
 fn draw(harness: &mut Harness<'_, App>, height: impl Fn(f32) -> f32) {
     let area = harness.get_by_role(Role::Canvas).rect();
     // The axes stand at the left and below; that of y reaches beyond 1.
@@ -451,7 +451,7 @@ fn answers_are_handed_in_as_a_picture() {
     assert_eq!(answers, [&Answer::Value(0.9)]);
 }
 
-/// Makes the scene the target of a match, and finds its Kd again.
+/// Makes a scene of Kd 0.9 the target of a match, and meets it.
 fn meet_target(harness: &mut Harness<'_, App>) {
     hands::enter(harness, "material.kd", 0.9);
     press(harness, "controls-group-file");
@@ -505,7 +505,7 @@ fn a_question_out_of_sight_has_a_way_down_to_it() {
     assert!(!seen(&low));
 }
 
-/// The addresses that the desktop is asked to open in the next frames.
+/// Returns the addresses that the desktop is asked to open in the next frames.
 fn addresses(harness: &mut Harness<'_, App>) -> Vec<String> {
     let mut all = Vec::new();
     for _ in 0..4 {

@@ -1,5 +1,5 @@
-//! The real program in a real window, under Xvfb: it draws, takes a dragged slider, exports a picture that opens again,
-//! and then rests. Skipped, with a message, where Xvfb, xdotool or ImageMagick is not installed.
+//! The real program in a real window, under Xvfb: it draws, takes a dragged slider, exports a picture that opens again, and then
+//! becomes idle. Skipped, with a message, where Xvfb, xdotool or ImageMagick is not installed.
 
 use shading_lab::document::load_scene;
 use shading_lab::render::Renderer;
@@ -9,7 +9,7 @@ use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-/// A process that ends with the test.
+/// A process that is killed when dropped.
 struct Running(Child);
 
 impl Drop for Running {
@@ -51,7 +51,7 @@ fn wait(what: &str, mut condition: impl FnMut() -> bool) {
     }
 }
 
-/// A screen on a display that is free, and the name of that display.
+/// Starts a screen on a free display, and returns it with the display's name.
 fn screen() -> (Running, String) {
     // Without -noreset the server starts anew when its last client leaves, and refuses whoever comes meanwhile.
     let mut server = Command::new("Xvfb")
@@ -147,7 +147,7 @@ impl Desktop {
         String::from_utf8_lossy(&output.stdout).trim().to_owned()
     }
 
-    /// The screen's pixels: 1280 × 800, red, green, blue.
+    /// Returns the screen's pixels: 1280 × 800, red, green, blue.
     fn screen(&self) -> Vec<[u8; 3]> {
         let file = self.folder.join("screen.rgb");
         self.run(
@@ -189,7 +189,7 @@ impl Desktop {
     }
 }
 
-/// Pixels of the area between the panels that are clearly red, as the sphere is.
+/// Counts the pixels between the panels that are clearly red, as the sphere is.
 fn red(screen: &[[u8; 3]]) -> usize {
     let inside = |i: usize| (300..965).contains(&(i % 1280)) && (150..755).contains(&(i / 1280));
     screen
@@ -199,7 +199,7 @@ fn red(screen: &[[u8; 3]]) -> usize {
         .count()
 }
 
-/// The sum of the red channel over the picture's area, in millions.
+/// Returns the sum of the red channel over the picture's area, in millions.
 fn light(screen: &[[u8; 3]]) -> f64 {
     let inside = |i: usize| (300..965).contains(&(i % 1280)) && (150..755).contains(&(i / 1280));
     let red = |(i, pixel): (usize, &[u8; 3])| if inside(i) { u64::from(pixel[0]) } else { 0 };
@@ -265,7 +265,7 @@ fn the_window_draws_takes_a_drag_exports_and_rests() {
     assert!(rests, "an idle window uses no processor time");
 }
 
-/// Exports by keyboard; what is written opens as the same scene, which draws the same picture.
+/// Exports by keyboard; the written file must open as the same scene, which draws the same picture.
 fn export_and_compare(desktop: &Desktop) {
     let target = desktop.folder.join("exported.png");
     desktop.run("xdotool", &["key", "ctrl+e"]);

@@ -1,4 +1,4 @@
-//! The window's export of an animation: what the form offers, what it refuses, and what is written.
+//! The window's export of an animation: the form's choices, its refusals, and the written files.
 
 use crate::common::hands;
 use crate::common::hands::{choose, enter, named, press, wait, window};
@@ -12,7 +12,7 @@ use std::path::Path;
 
 type Window = Harness<'static, App>;
 
-/// Opens the form for an animation of a small picture, into a file.
+/// Opens the form for an animation of a small picture, to be written to a file.
 fn open_form(window: &mut Window, path: &Path) {
     window.key_press_modifiers(Modifiers::COMMAND, Key::E);
     window.run();

@@ -1,4 +1,4 @@
-//! The window by keys alone: Tab, fields, the probe and the export; and what a field takes.
+//! The window operated by keys alone: Tab, fields, the probe and the export; and the input that a field accepts.
 
 use crate::common::hands;
 use crate::common::hands::{TITLES, folded, named, picture, press, scene, window};
@@ -9,7 +9,7 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use shading_lab::app::App;
 use shading_lab::scene::Rgb;
 
-/// Presses keys as a keyboard does: each with the letter that it types.
+/// Presses keys as a keyboard does, each with the letter that it types.
 fn type_text(harness: &mut Harness<'_, App>, text: &str) {
     for letter in text.chars() {
         if let Some(key) = Key::from_name(&letter.to_string()) {
@@ -31,7 +31,7 @@ fn key(harness: &mut Harness<'_, App>, key: Key) {
     harness.run();
 }
 
-/// The name of what has the focus.
+/// Returns the name of the focused widget.
 fn focused(harness: &Harness<'_, App>) -> Option<String> {
     harness
         .query_by(|node| node.is_focused())

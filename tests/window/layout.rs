@@ -1,5 +1,5 @@
-//! Every view and every dialog at the sizes that people have, in both languages: no text is cut off or has a letter that no font
-//! has, captions in the picture keep apart, and the picture keeps its room.
+//! Every view and every dialog at common window sizes, in both languages: no text is cut off or has a letter without a glyph,
+//! captions in the picture do not overlap, and the picture keeps its minimum size.
 
 use crate::common::hands;
 use eframe::egui::accesskit::Role;
@@ -16,7 +16,7 @@ use std::fs;
 use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// Width and height of the window, points at a scale of 1; whether it is shown to a room.
+/// Width and height of the window in points at a scale of 1, and whether it is at projector size.
 const SIZES: [([f32; 2], bool); 6] = [
     ([1280.0, 800.0], false),
     ([1024.0, 768.0], false),
@@ -26,16 +26,16 @@ const SIZES: [([f32; 2], bool); 6] = [
     ([844.0, 390.0], false),
 ];
 
-/// The language is the process's: the tests take turns.
+/// A lock for the language, which belongs to the process: the tests take turns.
 static TURN: Mutex<()> = Mutex::new(());
 
 fn turn() -> MutexGuard<'static, ()> {
     TURN.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// The least that the picture has of a narrow window, points.
+/// Minimum width of the picture in a narrow window, points.
 const LEAST: f32 = 300.0;
-/// The same beside a lesson, which needs room of its own.
+/// Minimum width of the picture beside a lesson, which takes space of its own, in a narrow window, points.
 const LEAST_WITH_LESSON: f32 = 200.0;
 
 /// A link whose error has a long word to wrap.
@@ -60,7 +60,7 @@ const SECTIONS: [&str; 8] = [
     "controls-display",
 ];
 
-/// The texts of a frame with what of them may be seen.
+/// Returns the texts of a frame with their clip rectangles.
 fn texts(shapes: &[ClippedShape]) -> Vec<(Rect, &TextShape)> {
     fn gather<'s>(shape: &'s Shape, clip: Rect, found: &mut Vec<(Rect, &'s TextShape)>) {
         match shape {
@@ -80,17 +80,17 @@ fn place(text: &TextShape) -> Rect {
     text.galley.rect.translate(text.pos.to_vec2())
 }
 
-/// What a frame shows.
+/// The content of a frame.
 #[derive(Clone, Copy, PartialEq)]
 enum Shown {
     View,
     /// A view in place of the picture.
     Enlarged,
-    /// A dialog with text that was typed, which may be longer than its field.
+    /// A dialog with typed text, which may be longer than its field.
     Typed,
 }
 
-/// A folder with work that a window has left behind, of a file with a long name.
+/// Creates a folder with a window's unsaved work, of a file with a long name.
 fn left_behind(name: &str) -> std::path::PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("layout-{name}"));
     let _ = fs::remove_dir_all(&folder);
@@ -103,7 +103,7 @@ fn left_behind(name: &str) -> std::path::PathBuf {
     folder
 }
 
-/// What is wrong in the frame that was drawn last.
+/// Returns the faults in the frame drawn last.
 fn faults(harness: &Harness<'_, App>, shown: Shown) -> Vec<String> {
     let screen = harness.ctx.content_rect();
     let mut faults = Vec::new();
@@ -361,13 +361,13 @@ fn what_scrolls_is_not_cut_off_at_the_side() {
     assert!(found.is_empty(), "{found:#?}");
 }
 
-/// A lesson with each kind of question.
+/// Returns a lesson with each kind of question.
 fn lesson() -> Lesson {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/lessons/kinds.md");
     Lesson::open(&path).expect("a lesson")
 }
 
-/// Answers to all of its questions, of which none is right and each was looked up.
+/// Returns wrong answers to all of its questions, each of which was looked up.
 fn looked_up(lesson: &Lesson) -> SavedProgress {
     let mut record = Record::new(&lesson.name, 1);
     for (step, question) in lesson.steps.iter().enumerate() {

@@ -10,7 +10,7 @@ use shading_lab::app::App;
 use shading_lab::geometry::tessellate;
 use shading_lab::scene::{Camera, Projection, View};
 
-/// Where a point of the world is seen in the window.
+/// Returns the position in the window at which a point of the world appears.
 fn seen(harness: &Harness<'_, App>, at: DVec3) -> Pos2 {
     let frame = harness.state().frame();
     let size = [frame.width, frame.height];
@@ -78,7 +78,8 @@ fn the_camera_comes_back_and_shows_another_shape_whole() {
     }
 }
 
-/// The number beside a light's handle stands away from the object's middle, which may be seen farther out than `f32` reaches.
+/// Checks a handle while the object's middle appears farther out than `f32` reaches: the light's number is placed on the side
+/// away from that middle.
 #[test]
 fn lights_have_handles_where_the_object_is_seen_extremely_far_out() {
     let mut loaded = built_in("sphere");

@@ -19,12 +19,12 @@ use std::path::Path;
 
 const PAGE: &str = "https://example.org/lab/";
 
-/// A window whose links begin with a page.
+/// Opens a window whose links begin with a page.
 fn with_page(scene: &str) -> Harness<'static, App> {
     window_with(scene, |app| app.with_page(Some(PAGE.to_owned())))
 }
 
-/// The text that was put on the clipboard by a key.
+/// Returns the text that a key copied to the clipboard.
 fn copied(harness: &mut Harness<'_, App>) -> String {
     // A step for each event, and what is copied leaves the window in its own.
     harness.event(Event::Key {
@@ -127,7 +127,7 @@ fn a_window_opens_on_a_link_with_its_view_probe_and_line() {
     }
 }
 
-/// What a reader of QR codes sees in the window: the black squares that are painted over white.
+/// Decodes the QR code in the window: the black squares that are painted over white.
 fn decoded(harness: &Harness<'_, App>) -> String {
     let shapes = harness.output().shapes.iter();
     let mesh = shapes.filter_map(|clipped| match &clipped.shape {
@@ -283,7 +283,7 @@ fn a_notice_goes_with_what_it_speaks_of() {
     );
 }
 
-/// At projector size there is no bar at the bottom that says what was done.
+/// Checks the notice at projector size, where no bar at the bottom reports what was done.
 #[test]
 fn a_notice_is_told_for_a_while_where_there_is_no_bar_for_it() {
     let mut harness = with_page("gold");
@@ -314,7 +314,7 @@ fn a_link_leads_to_a_step_of_a_lesson_and_back() {
     assert!(harness.state().state().dialog.is_some());
 }
 
-/// Memory can be short for a whole process only, so that the test runs once more in one of its own.
+/// Runs the test once more in a process of its own: memory can be limited for a whole process only.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_scene_that_memory_is_too_short_for_is_refused_with_the_figure() {

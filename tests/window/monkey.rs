@@ -1,17 +1,17 @@
 //! A monkey at the window: random clicks, drags, turns of the wheel, keys and typed text, on every view and every dialog.
 //!
-//! It looks for panics on any thread, frames that do not end, memory without a bound, and drawings that are no numbers or
-//! reach far out of sight. An episode is a window on a random scene and some hundred steps; its number is the seed of all of
-//! it. The same seed takes the same steps, except where work beside the window is done sooner or later.
+//! It looks for panics on any thread, frames that do not end, unbounded memory, and drawings that are not finite or reach far out
+//! of sight. An episode is a window on a random scene and some hundred steps; its number is the seed of all of it. The same seed
+//! takes the same steps, unless background work finishes sooner or later.
 //!
 //! The monkey runs in a process of its own, in an empty folder that is also its home, without a display and without a message
-//! bus: what it saves by chance falls there, and the desktop's file dialog cannot open.
+//! bus: files that it saves by chance land there, and the desktop's file dialog cannot open.
 //!
-//! `cargo test --test window monkey` runs a fixed number of episodes, about a minute. For longer, and for one episode again:
+//! `cargo test --test window monkey` runs a fixed number of episodes, about a minute. For longer, or to repeat one episode:
 //!
 //! ```sh
 //! MONKEY_MINUTES=60 MONKEY_SEED=1000 cargo test --test window monkey -- --nocapture   # episodes 1000, 1001, … for an hour
-//! MONKEY_MINUTES=0 MONKEY_SEED=1234 cargo test --test window monkey -- --nocapture    # episode 1234, every step told
+//! MONKEY_MINUTES=0 MONKEY_SEED=1234 cargo test --test window monkey -- --nocapture    # episode 1234, every step printed
 //! ```
 
 use crate::common::any_scene::any_scene;
@@ -33,17 +33,17 @@ use std::time::{Duration, Instant};
 const EPISODES: u64 = 36;
 /// Steps of an episode.
 const STEPS: u32 = 120;
-/// A frame that takes longer does not end. Far more than the slowest frame needs on the slowest machine.
+/// Time after which a frame counts as endless: far more than the slowest frame needs on the slowest machine.
 const LONGEST_FRAME: Duration = Duration::from_secs(120);
-/// The resident set may grow to so many bytes.
+/// Maximum size of the resident set, bytes.
 const MOST_MEMORY: u64 = 4 << 30;
-/// A drawing has at most so many vertices.
+/// Maximum number of vertices of a drawing.
 const MOST_VERTICES: usize = 4_000_000;
-/// No line or area is wider or higher, points.
+/// Maximum width and height of a line or an area, points.
 const WIDEST: f32 = 20_000.0;
-/// Polygons round an object that make every frame slow by right.
+/// Number of polygons round an object above which slow frames are expected.
 const FINE: u32 = 512;
-/// Variables of the environment by which a program finds a display or a message bus.
+/// Environment variables by which a program finds a display or a message bus.
 const DESKTOP: [&str; 4] = [
     "DISPLAY",
     "WAYLAND_DISPLAY",
@@ -102,7 +102,7 @@ fn the_monkey() {
     }
 }
 
-/// What the monkey is at, for when it finds something.
+/// The progress of the current episode, to be reported with a finding.
 struct Diary {
     seed: u64,
     steps: Vec<String>,
@@ -122,7 +122,7 @@ fn diary<T>(write: impl FnOnce(&mut Diary) -> T) -> T {
     }))
 }
 
-/// Says what was found and how it came to that, and ends the process: its threads may be in no state to go on.
+/// Prints a finding and the steps that led to it, and aborts the process: its threads may be unable to go on.
 fn found(what: &str) {
     diary(|Diary { seed, steps, .. }| {
         eprintln!("episode {seed}, step {}: {what}", steps.len());
@@ -137,7 +137,7 @@ fn found(what: &str) {
     abort();
 }
 
-/// Ends the process when a frame does not end or memory runs out.
+/// Aborts the process when a frame does not end or memory runs out.
 fn watch() {
     loop {
         std::thread::sleep(Duration::from_millis(20));
@@ -153,13 +153,13 @@ fn watch() {
     }
 }
 
-/// Bytes of the resident set, where the system tells.
+/// Returns the bytes of the resident set, where the system reports them.
 fn resident() -> Option<u64> {
     let pages = std::fs::read_to_string("/proc/self/statm").ok()?;
     Some(pages.split(' ').nth(1)?.parse::<u64>().ok()? * 4096)
 }
 
-/// The scene that an episode begins with: one that comes with the program, or any that may be opened.
+/// Returns the scene that an episode begins with: a built-in one, or any that may be opened.
 fn beginning(dice: &mut Dice, seed: u64) -> Loaded {
     let any = any_scene(seed);
     if dice.unit() < 0.3 && any.scene.validate().is_ok() && any.model.is_ok() {
@@ -176,7 +176,7 @@ fn beginning(dice: &mut Dice, seed: u64) -> Loaded {
     load_scene(Path::new(preset.name)).expect("a built-in scene")
 }
 
-/// Whether drawing a scene is slow by right, so that little else would be tried.
+/// Returns whether drawing a scene is expected to be so slow that little else would be tried.
 fn slow(scene: &Scene) -> bool {
     let samples: u64 = scene
         .lights
@@ -249,7 +249,7 @@ fn episode(seed: u64, told: bool) {
     );
 }
 
-/// What would be sent to the graphics card is finite, of a size, and not too much.
+/// Checks that the data for the graphics card are finite, within sight, and not too large.
 fn check(harness: &Harness<'_, App>) {
     let shapes = &harness.output().shapes;
     for clipped in shapes {
@@ -272,7 +272,7 @@ fn check(harness: &Harness<'_, App>) {
     }
 }
 
-/// A part of a shape that is no number or reaches far out of sight. Text may be long, and is cut by whoever draws it.
+/// Returns a part of a shape that is not finite or reaches far out of sight. Text may be long: it is clipped when drawn.
 fn stray(shape: &Shape) -> Option<&Shape> {
     match shape {
         Shape::Vec(shapes) => shapes.iter().find_map(stray),

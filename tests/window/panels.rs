@@ -1,4 +1,4 @@
-//! What the window says beside the picture: the equation filled in, the curves, the profile, the scene as code.
+//! The panels beside the picture: the equation filled in, the curves, the profile, the scene as code.
 
 mod equation;
 mod keys;
@@ -105,7 +105,7 @@ fn a_curve_is_read_under_the_pointer_without_a_missing_letter() {
     }
 }
 
-/// The text in the dialog.
+/// Returns the text in the dialog.
 fn code(harness: &Harness<'_, App>) -> String {
     let view = harness.query_by_role_and_label(Role::MultilineTextInput, english!("code-text"));
     view.and_then(|view| view.accesskit_node().value())
@@ -150,7 +150,7 @@ fn the_plan_has_a_tab_that_the_bar_opens() {
     );
 }
 
-/// What was put on the clipboard since the window was last run.
+/// Returns the text copied to the clipboard since the window was last run.
 fn copied(harness: &Harness<'_, App>) -> Option<String> {
     let text = |command: &OutputCommand| match command {
         OutputCommand::CopyText(text) => Some(text.clone()),
@@ -272,7 +272,7 @@ fn code_is_saved_and_a_path_that_cannot_be_written_is_named() {
     assert!(!code(&harness).is_empty(), "the dialog stays");
 }
 
-/// The probe of the window, worked out apart from it.
+/// Probes at the window's probe, independently of the window.
 fn probed(harness: &Harness<'_, App>) -> ProbeHit {
     let frame = harness.state().frame();
     let mut scene = scene(harness).clone();
@@ -283,7 +283,7 @@ fn probed(harness: &Harness<'_, App>) -> ProbeHit {
         .expect("the probe stands on the object")
 }
 
-/// Whether a plot is in sight, by its title.
+/// Returns whether a plot is in sight, by its title.
 fn plot(harness: &Harness<'_, App>, title: &str) -> bool {
     let mut plots = harness.query_all_by(|node| {
         node.label()
@@ -292,7 +292,7 @@ fn plot(harness: &Harness<'_, App>, title: &str) -> bool {
     plots.next().is_some()
 }
 
-/// The modes whose profiles were taken last.
+/// Returns the modes whose profiles were taken last.
 fn modes_taken(harness: &Harness<'_, App>) -> Vec<ShadingMode> {
     let profiles: Option<&Profiles> = harness.state().state().window.own.get();
     let profile = profiles.and_then(Profiles::profile);

@@ -1,4 +1,4 @@
-//! The vectors at the probed point: how R and H come from N, L and V, in numbers, in the drawing and in the window.
+//! The vectors at the probed point: the construction of R and H from N, L and V, in numbers, in the drawing and in the window.
 
 use crate::common::hands::{press, window};
 use eframe::egui::accesskit::Role;
@@ -10,7 +10,7 @@ use shading_lab::figure::{Paper, PlotStyle};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{Backfacing, Scene, presets};
 
-/// Some pixels of built-in scenes with all kinds of lights, materials and normals.
+/// Calls `check` for some pixels of built-in scenes with all kinds of lights, materials and normals.
 fn each_point(mut check: impl FnMut(Here<'_>, &str)) {
     let mut renderer = Renderer::default();
     for name in [

@@ -1,5 +1,5 @@
-//! What is saved and what is not lost: questions before files are replaced and before a changed scene is closed, and work
-//! that is kept for the next start.
+//! Saving without loss: questions before files are replaced and before a changed scene is closed, and work that is kept for the
+//! next start.
 
 use crate::common::hands;
 use crate::common::hands::{
@@ -16,7 +16,7 @@ use std::path::{Path, PathBuf};
 
 type Window = Harness<'static, App>;
 
-/// A folder of a test's own, removed at its end.
+/// A test's own folder, removed when dropped.
 struct Folder(PathBuf);
 
 impl Folder {
@@ -222,7 +222,7 @@ fn no_shortcut_acts_while_a_file_is_opened() {
     assert_eq!(scene(&window), &before);
 }
 
-/// What the window does when its close button is pressed: whether it stays.
+/// Presses the window's close button; returns whether the window stays open.
 fn stays_when_closed(window: &mut Window) -> bool {
     let viewport = window
         .input_mut()
@@ -249,7 +249,7 @@ fn commands(window: &Window) -> Vec<ViewportCommand> {
         .clone()
 }
 
-/// Presses a button and looks whether the window closes for it.
+/// Presses a button; returns whether the window closes.
 fn closes_by(window: &mut Window, button: &str) -> bool {
     window
         .get_by_role_and_label(Role::Button, named(button))
@@ -304,12 +304,12 @@ fn a_changed_scene_can_be_closed_without_saving() {
     assert!(!stays_when_closed(&mut window));
 }
 
-/// A window that keeps its work in `folder`.
+/// Opens a window that keeps its work in `folder`.
 fn keeping(source: &str, folder: &Path) -> Window {
     window_with(source, |app| app.with_recovery(folder))
 }
 
-/// The kept scenes, once none is being written.
+/// Returns the kept scenes, once none is being written.
 fn kept(window: &mut Window, folder: &Folder) -> Vec<String> {
     // Five seconds of the window's time.
     window.run_steps(20);
@@ -516,11 +516,11 @@ fn the_form_of_an_export_has_usual_sizes_and_keeps_proportions() {
     assert_eq!([width, height], window.state().state().window.room);
 }
 
-/// Set for the run of this program without a desktop.
+/// Environment variable that is set for the run of this program without a desktop.
 #[cfg(target_os = "linux")]
 const ALONE: &str = "SHADING_LAB_WITHOUT_DESKTOP";
 
-/// The desktop is found by the environment, so that the test runs once more in one without any.
+/// Runs the test once more in a process without a desktop, since the desktop is found by the environment.
 #[cfg(target_os = "linux")]
 #[test]
 fn browsing_without_a_desktop_says_what_is_missing_and_a_path_can_be_typed() {

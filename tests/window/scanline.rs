@@ -1,4 +1,4 @@
-//! The scan line in slow motion, in the window: buttons, keys, playing, and what it shows.
+//! The scan line in slow motion, in the window: buttons, keys, playback, and display.
 
 use crate::common::hands::{enter, open_view, press, scene, window};
 use eframe::egui::accesskit::Role;
@@ -10,7 +10,7 @@ use shading_lab::app::{App, ScanView, ViewName};
 use shading_lab::render::Renderer;
 use shading_lab::scene::ShadingMode;
 
-/// The window with the tab open, Gouraud shading.
+/// Opens a window with the tab open, Gouraud shading.
 fn opened(name: &str) -> Harness<'static, App> {
     let mut harness = window(name);
     harness.key_press(Key::Num3);

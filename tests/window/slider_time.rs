@@ -1,5 +1,5 @@
-//! What the window's frame adds to the engine's when a slider has moved, without the painting by the graphics card:
-//! `cargo test --release --test window slider_time -- --ignored --nocapture`.
+//! Time that the window's frame adds to the engine's after a slider has moved, without the painting by the graphics card: `cargo
+//! test --release --test window slider_time -- --ignored --nocapture`.
 
 use crate::common::hands::{named, picture, scene, unfold_all, window_looking};
 use eframe::egui::accesskit::Role;
@@ -10,8 +10,7 @@ use shading_lab::render::Renderer;
 use std::path::Path;
 use std::time::Instant;
 
-/// Drags that are measured, each of so many frames, of which the first does not count: it still shows the numbers of a
-/// picture at rest.
+/// Measured drags of [`FRAMES`] frames each. The first frame does not count: it still shows the numbers of an unchanged picture.
 const DRAGS: usize = 40;
 const FRAMES: usize = 6;
 

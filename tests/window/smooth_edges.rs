@@ -1,4 +1,4 @@
-//! A picture that rests gets smooth edges, and loses them with the first change.
+//! Smooth edges: a picture gets them when nothing changes, and loses them with the first change.
 
 use crate::common::hands::{picture, wait, window};
 use eframe::egui::{Key, vec2};

@@ -1,4 +1,4 @@
-//! The picture that the window hands to the graphics card is the renderer's, whatever has changed since the last one.
+//! The picture that the window uploads to the graphics card: the renderer's, whatever has changed since the last one.
 
 use crate::common::hands::{named, picture, undo, window_on};
 use eframe::egui::accesskit::Role;
@@ -11,7 +11,7 @@ use std::collections::HashMap;
 use std::rc::Rc;
 use std::sync::Arc;
 
-/// A graphics card that remembers textures: by copies, or by keeping those that it was given.
+/// A graphics card that remembers textures: by copying them, or by keeping the images that it was given.
 #[derive(Clone, Default)]
 struct Card {
     textures: Rc<RefCell<HashMap<TextureId, Arc<ColorImage>>>>,
@@ -35,7 +35,7 @@ impl TestRenderer for Card {
     }
 }
 
-/// Runs frames until one has drawn a picture, and compares that with what is on the card.
+/// Runs frames until one has drawn a picture, and compares that with the one on the card.
 #[track_caller]
 fn assert_shown(harness: &mut Harness<'_, App>, card: &Card, what: &str) {
     let before = picture(harness);

@@ -1,4 +1,4 @@
-//! The picture in the hand: one finger turns it, two zoom and shift it, a long press sets the probe.
+//! The picture on a touch screen: one finger turns it, two zoom and shift it, a long press sets the probe.
 
 use crate::common::hands::{folded, named, picture_place, press, scene, window};
 use eframe::egui::accesskit::Role;
@@ -9,7 +9,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use shading_lab::app::App;
 
-/// A finger goes down, moves or is lifted, told as a browser tells it: the first is the pointer as well.
+/// Puts a finger down, moves or lifts it, reported as by a browser: the first finger is the pointer as well.
 fn touch(harness: &mut Harness<'_, App>, finger: u64, phase: TouchPhase, pos: Pos2) {
     let first = finger == 0;
     let button = |pressed| Event::PointerButton {

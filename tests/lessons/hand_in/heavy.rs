@@ -1,5 +1,4 @@
-//! Hand-ins whose lessons would take more work, more memory or more files than they may: each is a row of its own, and the others are
-//! graded.
+//! Hand-ins whose lessons exceed the limit of work, memory or files: each gets a row of its own, and the others are graded.
 
 use super::{answered, folder, handed_in, picture, record, run};
 use serde_json::Value;
@@ -8,7 +7,7 @@ use shading_lab::scene::Scene;
 use std::fs;
 use std::path::Path;
 
-/// What is said of too much work, and of too large a mesh.
+/// Returns the messages about too much work and about too large a mesh.
 fn too_much() -> [String; 2] {
     let triangles = english!("lesson-many-triangles", most = 4_194_304, triangles = "|");
     [
@@ -17,7 +16,7 @@ fn too_much() -> [String; 2] {
     ]
 }
 
-/// A lesson of one question in one step.
+/// Returns a lesson of one question in one step.
 fn lesson_of(step: &str, question: &str) -> String {
     format!(
         "+++\nlesson = 1\nname = \"a\"\ntitle = \"A\"\n+++\n## A\n```step\n{step}\n```\n```question\nask = \"?\"\n{question}\n```\n"
@@ -28,14 +27,14 @@ fn value(answer: &str) -> String {
     format!("kind = \"value\"\nanswer = '{answer}'\ntolerance = 1\nfrom = -9\nto = 9")
 }
 
-/// A sum of `of` in many scenes.
+/// Returns an expression that sums `of` in many scenes.
 fn in_many_scenes(of: &str) -> String {
     let scenes = (1..60).map(|n| format!("with(\"material.n={n}\", {of})"));
     scenes.collect::<Vec<_>>().join("+")
 }
 
-/// Lessons that each would take half a minute and more, with an answer to the question. `HEAVY_LESSONS=1` adds those that take some
-/// seconds until they are stopped.
+/// Returns lessons that would each take half a minute or more, with an answer to the question. `HEAVY_LESSONS=1` adds those that
+/// take some seconds until they are stopped.
 fn heavy() -> Vec<(&'static str, String, Answer)> {
     let many = (1..4000).map(|n| format!("{{{{ with(\"material.n={n}\", probe.sum[0]) }}}} "));
     let lamp = "{kind = \"area\", samples = 1024, position = [0, 3, 0], direction = [0, -1, 0]}";
@@ -93,7 +92,7 @@ fn hand_in_of(source: &str, answer: &Answer) -> Vec<u8> {
     hand_in_bytes(&picture(), &Scene::default(), &lesson, &record, "Mallory").expect("a picture")
 }
 
-/// Collects the files of a folder; the object that is printed, and the errors.
+/// Collects the files of a folder; returns the printed JSON object, and the errors.
 fn collected(folder: &Path, files: &[&str]) -> (Value, String) {
     let output = run(
         folder,

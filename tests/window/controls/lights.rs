@@ -257,7 +257,7 @@ fn a_light_from_afar_is_doubled_to_another_direction() {
     );
 }
 
-/// Buttons whose names begin so, by their numbers.
+/// Returns the numbers of the buttons whose names begin with this message.
 fn numbered(harness: &Harness<'_, App>, key: &str) -> Vec<usize> {
     let name = &english!(key, number = "");
     let numbers = harness.query_all_by_role(Role::Button).filter_map(|node| {
@@ -270,7 +270,7 @@ fn numbered(harness: &Harness<'_, App>, key: &str) -> Vec<usize> {
     numbers.collect()
 }
 
-/// What the window says of its lights, beside those that the scene has.
+/// Checks the window's lists of lights against the scene's lights.
 fn check_lights(harness: &Harness<'_, App>, done: &[&str]) {
     let count = scene(harness).lights.len();
     let all: Vec<usize> = (1..=count).collect();

@@ -1,4 +1,4 @@
-//! The material, the pattern and what surrounds the object, in the window.
+//! The material, the pattern and the object's surroundings, in the window.
 
 use super::choice_changes_the_picture;
 use crate::common::hands::{

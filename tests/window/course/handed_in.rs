@@ -1,4 +1,4 @@
-//! A picture that was handed in, opened in the window: by whom, to which lesson, each answer with its mark.
+//! A handed-in picture opened in the window: its author, its lesson, each answer with its mark.
 
 use super::lesson;
 use crate::common::hands::{self, press, scene, wait};
@@ -26,7 +26,7 @@ fn answered(step: usize, prediction: Answer, answer: Answer) -> Answered {
     }
 }
 
-/// A choice that is wrong, a number that is right in the end, and an order that is right.
+/// Returns a record of a wrong choice, a number that is correct finally, and a correct order.
 fn record() -> Record {
     let mut record = Record::new("kinds", 5);
     record.put(answered(1, Answer::Choice(0), Answer::Choice(0)));
@@ -72,12 +72,12 @@ fn show_course(harness: &mut Harness<'_, App>) {
     }
 }
 
-/// What the window says of so many right answers.
+/// Returns the window's message about the number of right answers.
 fn right(right: usize, count: usize) -> String {
     english!("course-answers-right", right = right, count = count)
 }
 
-/// How often a message stands in the window.
+/// Counts the occurrences of a message in the window.
 fn count(harness: &Harness<'_, App>, key: &str) -> usize {
     harness.query_all_by_label(english!(key)).count()
 }
@@ -170,7 +170,7 @@ fn answers_that_were_changed_do_not_count() {
     assert!(harness.state().state().course.shown_hand_in().is_none());
 }
 
-/// The same picture with another name in it.
+/// Changes the name in a picture.
 fn changed(bytes: &[u8]) -> Vec<u8> {
     let wanted = [(ANSWERS_KEYWORD, 1 << 20), (SCENE_KEYWORD, 1 << 20)];
     let [answers, scene] = read_texts(std::io::Cursor::new(bytes), wanted).expect("texts");

@@ -1,4 +1,4 @@
-//! A lesson whose step is not what is shown: what it hides, locks and draws holds for its own scenes alone.
+//! A lesson that was left for another scene: its hiding, locking and drawing apply to its own scenes only.
 
 use super::{go, ready, step, window};
 use crate::common::hands::{self, press, scene};
@@ -12,10 +12,10 @@ use std::path::Path;
 
 const BACK: &str = "course-return";
 
-/// Leads to another scene.
+/// A way to another scene.
 type Way<'w> = dyn Fn(&mut Harness<'_, App>) + 'w;
 
-/// Whether the lesson's locks hold, which must be the same everywhere.
+/// Returns whether the lesson's locks hold, which must be the same everywhere.
 fn hides(harness: &mut Harness<'_, App>) -> bool {
     hands::open_view(harness, "view-equation");
     let said = harness.query_by_label(english!("course-hidden")).is_some();
@@ -56,7 +56,7 @@ fn open(harness: &mut Harness<'_, App>, path: &Path) {
     harness.run_ok();
 }
 
-/// The steps from 1 on hide numbers until their question is answered.
+/// Opens step 1, from which on numbers are hidden until the question is answered.
 fn at_the_choice() -> Harness<'static, App> {
     let mut harness = window();
     go(&mut harness, 1);

@@ -8,7 +8,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{AccessKitNode, NodeT, Queryable};
 use shading_lab::app::App;
 
-/// A line of the filled-in equation that begins with `name`, without it.
+/// Returns the rest of a line of the filled-in equation that begins with `name`.
 fn line_of(harness: &Harness<'_, App>, name: &str) -> String {
     // A screen reader has the words of a label as its value.
     let text = |node: &AccessKitNode<'_>| node.label().or_else(|| node.value()).unwrap_or_default();
@@ -31,7 +31,7 @@ fn transparency(channel: usize) -> String {
     format!("{transparency} {}", named(CHANNELS[channel]))
 }
 
-/// The beginning of the line that unfolds to the parts of a term.
+/// Returns the beginning of the line that unfolds to the parts of a term.
 fn at_probe(name: &str) -> String {
     english!("point-line-at-probe", name = name, value = "")
 }

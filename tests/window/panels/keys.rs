@@ -1,4 +1,4 @@
-//! Which keys reach which control.
+//! Keys and the controls that they reach.
 
 use crate::common::hands::{enter, named, press, scene, window};
 use eframe::egui::accesskit::Role;
@@ -8,7 +8,7 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use shading_lab::app::{App, Appearance};
 use shading_lab::scene::Rgb;
 
-/// Presses keys as a keyboard does: each with the letter that it types.
+/// Presses keys as a keyboard does, each with the letter that it types.
 fn type_keys(harness: &mut Harness<'_, App>, text: &str) {
     for letter in text.chars() {
         let key = Key::from_name(&letter.to_string()).expect("a key");

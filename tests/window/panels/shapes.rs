@@ -10,7 +10,7 @@ use shading_lab::app::App;
 use shading_lab::geometry::tessellate;
 use shading_lab::scene::{ObjectKind, View};
 
-/// Where a point of the scene is on the screen.
+/// Returns the position on the screen of a point of the scene.
 fn on_screen(harness: &Harness<'_, App>, world: DVec3) -> Pos2 {
     let rect = picture_place(harness);
     let size = [
