@@ -212,8 +212,8 @@ impl<'a> Judge<'a> {
         vec![material.kd * material.color, material.kd * other]
     }
 
-    /// Returns R·V for Phong's model, N·H for Blinn's, and for Cook and Torrance's the smaller of N·H and N·V + ¼. If rounding decides
-    /// which side a grazing light is on, returns the minimum over both.
+    /// Returns R·V for Phong's model, N·H for Blinn's, and for Cook and Torrance's the smaller of N·H and N·V + ¼. If
+    /// rounding decides which side a grazing light is on, returns the minimum over both.
     fn lobe_cosine(&self, (p, n): ShadingPoint, l: DVec3) -> f64 {
         let camera = &self.scene.camera;
         let from = if camera.viewer == Viewer::Infinite {

@@ -5,7 +5,8 @@ use shading_lab::geometry::{Mesh, read_obj};
 use std::fmt::Write;
 
 impl Author {
-    /// Reads a random model: valid, flat, folded, without area, duplicated, tiny, or huge. `fit` centres and scales it into the unit sphere.
+    /// Reads a random model: valid, flat, folded, without area, duplicated, tiny, or huge. `fit` centres and scales it into
+    /// the unit sphere.
     pub(super) fn model(&mut self, fit: bool) -> Result<Mesh, String> {
         let text = self.model_text();
         let mesh = read_obj(text.as_bytes(), &mut |_| {}).map_err(|error| error.to_string())?;
