@@ -47,7 +47,7 @@ fn open(harness: &mut Harness<'_, App>, scene: &str) {
 fn at_rest(harness: &mut Harness<'_, App>, most: usize) -> usize {
     let smooth = |harness: &Harness<'_, App>| harness.state().samples() > 1;
     assert!(wait(harness, smooth), "the cube's edges get smooth");
-    // The work beside the window is over a little later than its picture comes.
+    // The background job ends slightly after its picture arrives.
     assert!(wait(harness, |_| HEAP.current_usage() < most));
     let held = (0..25).map(|_| {
         harness.run_ok();
@@ -106,7 +106,7 @@ fn letters_of_other_sizes_leave_nothing_behind() {
 fn pictures_of_scenes_leave_nothing_behind() {
     let _turn = turn();
     let mut harness = window("cube");
-    // Where rays meet the teapot is worked out once, and stays.
+    // The teapot's intersection data are computed once, and stay.
     open(&mut harness, "teapot&set=shading.mode=exact");
     open(&mut harness, "cube");
     let before = at_rest(&mut harness, 25_000_000);
@@ -125,7 +125,7 @@ fn pictures_of_scenes_leave_nothing_behind() {
         assert!(wait(&mut harness, |harness| textures(harness) >= come));
         harness.key_press(Key::Escape);
         screen(&mut harness, 1.0);
-        // Buffers that were larger go with the next scene.
+        // Larger buffers are freed with the next scene.
         open(&mut harness, "sphere");
         open(&mut harness, "cube");
         let over = wait(&mut harness, |_| HEAP.current_usage() < before + LEFT);

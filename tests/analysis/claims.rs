@@ -408,7 +408,7 @@ fn cosine(scene: &Scene, light: LightHere<'_>) -> f64 {
 /// Checks the claims about a random scene and counts them.
 fn examine(seed: u64) -> Result<Met, String> {
     let AnyScene { mut scene, model } = any_scene(seed);
-    // What carries intensities along a scan line takes them from other corners than a triangle's.
+    // Interpolation along scan lines takes intensities from corners other than a triangle's.
     scene.shading.interpolation = Interpolation::Perspective;
     scene.shading.shadows |= seed.is_multiple_of(2);
     let Ok(model) = model else {

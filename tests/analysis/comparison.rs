@@ -282,7 +282,7 @@ fn panes_stand_where_they_are_seen_largest() {
     assert_eq!(sizes(3, [1204, 400]), [[400, 400]; 3]);
     let four = pane_areas(4, [802, 602]);
     assert_eq!(four[3].min, [402, 302]);
-    // Rather in one row than beside an empty quarter.
+    // Prefers one row to an empty quarter.
     assert_eq!(sizes(3, [802, 602]), [[266, 602]; 3]);
     let five = pane_areas(5, [614, 740]);
     assert_eq!(five[1].min, [308, 0]);
@@ -540,7 +540,7 @@ fn any_pane_is_the_reference_and_a_pane_that_moves_shows_what_it_showed() {
             let pane = expected.remove(from);
             expected.insert(to, pane);
             assert_eq!(panes(&moved), expected, "{from} to {to}");
-            // Names that were given go with their panes; one without a name is called by what is different in it.
+            // Given names move with their panes; a pane without a name is labelled by its differences.
             let mut given = names(&scene);
             let name = given.remove(from);
             given.insert(to, name);

@@ -17,7 +17,7 @@ fn scene(kind: ObjectKind) -> Scene {
     scene.object.kind = kind;
     scene.camera.eye = glam::DVec3::new(1.3, 1.7, 3.1);
     scene.camera.viewer = Viewer::Infinite;
-    // A highlight wide enough to be seen on a cube.
+    // A highlight wide enough to show on a cube.
     (scene.material.ks, scene.material.n) = (Rgb::splat(0.4), 2.0);
     scene.shading.mode = ShadingMode::Flat;
     scene.lights = vec![Light {
@@ -37,7 +37,7 @@ fn hold(found: &Conditions) -> [bool; 3] {
 
 #[test]
 fn where_all_three_hold_the_flat_picture_is_the_exact_one() {
-    // In the last two sizes a pixel's centre lies so near an edge that the picture's grid takes it to the other polygon.
+    // In the last two sizes a pixel's centre lies so near an edge that the picture's grid assigns it to the other polygon.
     for size in [[120, 100], [150, 150], [160, 160]] {
         let mut scene = scene(ObjectKind::Cube);
         scene.image.size = size;
@@ -85,7 +85,7 @@ fn polygons_lean_from_a_round_surface_by_half_a_segment() {
         let angle = found(&cylinder).surface;
         assert!((angle - expected).abs() < 0.01, "{segments}: {angle}");
     }
-    // Of a sphere next to the equator, which lies between two rings: the normal of the polygon above it is tilted by t.
+    // A sphere next to its equator, which lies between two rings: the normal of the polygon above it is tilted by t.
     let mut sphere = scene(ObjectKind::Sphere);
     (sphere.object.segments, sphere.object.rings) = (16, 8);
     let [half, ring] = [180.0_f64 / 16.0, 180.0 / 8.0].map(f64::to_radians);
@@ -115,7 +115,7 @@ fn the_direction_to_a_point_turns_as_seen_from_a_polygon() {
     );
     let far = 2.0 * (2.0_f64.sqrt() / 2.0).atan().to_degrees();
     assert!((seen.viewer.degrees - far).abs() < 1e-6, "{seen:?}");
-    // In parallel projection a local viewer's V points to the eye all the same; a light that is off does not count.
+    // A local viewer's V points to the eye even in parallel projection; a light that is off does not count.
     plane.camera.projection = Projection::Orthographic;
     plane.lights[0].mute = true;
     let parallel = found(&plane);

@@ -291,7 +291,7 @@ fn the_distances_are_those_of_what_is_seen() {
         distances.nearest.expect("something"),
         distances.farthest.expect("something"),
     );
-    // The lamp stands 0.55 before the middle of a square of side 2, and 0.15 above it.
+    // The lamp is 0.55 in front of the middle of a square of side 2, and 0.15 above it.
     assert!((0.55..0.58).contains(&nearest), "{nearest}");
     let corner = (1.0f64 + 1.15 * 1.15 + 0.55 * 0.55).sqrt();
     assert!((corner - 0.1..=corner).contains(&farthest), "{farthest}");

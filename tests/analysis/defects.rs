@@ -129,7 +129,7 @@ fn measuring_tells_how_far_it_is_and_can_be_stopped() {
 /// Checks many edges with many vertices on them: each vertex is found, and an evenly spaced selection is measured.
 #[test]
 fn many_unshared_vertices_are_measured_in_bounded_time() {
-    // Triangles that each have the same long edge for themselves, and triangles with a corner on it.
+    // Triangles that each have their own copy of the same long edge, and triangles with a corner on it.
     let count = 100;
     let mut vertices = Vec::new();
     let mut faces = Vec::new();
@@ -269,13 +269,13 @@ fn the_jump_at_an_unshared_vertex_is_that_of_the_two_interpolations() {
         .shared_vertices
         .expect("a vertex on an edge");
     assert_eq!(shared.edges, 1);
-    // The edge runs away from the eye: its middle appears beside the middle.
+    // The edge recedes from the eye, so that its middle does not appear half-way.
     assert!(
         (0.4..0.6).contains(&shared.vertex) && (shared.vertex - 0.5).abs() > 0.01,
         "{}",
         shared.vertex
     );
-    // Without the vertex the edge is linear between its ends, with it it peaks there: the jump is greatest at the vertex.
+    // Without the vertex the edge is linear between its ends; with it the edge peaks there, so the jump is largest at the vertex.
     let at = |s: f64| {
         shared
             .samples

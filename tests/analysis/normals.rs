@@ -111,7 +111,7 @@ fn at_a_cubes_corner_three_faces_count_a_third_each() {
     let raw = |weighting| vertex(&cube, weighting, 7).faces[0].weight;
     assert_eq!([Weighting::Equal, Weighting::Area].map(raw), [1.0, 1.0]);
     close(raw(Weighting::Angle), 90.0);
-    // A unit cube of n-gons: more corners on an edge change nothing by angle.
+    // A unit cube of n-gons: with angle weighting, further corners on an edge change nothing.
     let built_in = tessellate(&Object {
         kind: ObjectKind::Cube,
         segments: 4,
@@ -135,7 +135,7 @@ fn angles_do_not_see_how_a_side_is_cut_and_counting_does() {
             .iter()
             .for_each(|side| close(share_towards(&by_angle, side * outwards), 1.0 / 3.0));
     }
-    // Corner 4 begins one fan: two triangles on one side, one on either other.
+    // Corner 4 is where one fan begins: it has two triangles on that side, one on either other.
     let counted = vertex(&cut, Weighting::Equal, 4);
     assert_eq!(counted.faces.len(), 4);
     counted
@@ -339,7 +339,7 @@ fn needles_stand_where_their_points_and_ends_appear() {
             assert!(needle.foot.distance(at(point)) < 1e-9);
             assert!(needle.tip.distance(at(point + normal * laid.length)) < 1e-9);
         }
-        // Half a median edge, and the edge is between that of the equator and that of a meridian.
+        // Half a median edge, whose length is between an edge of the equator and one of a meridian.
         assert!(
             (0.5 * field.median_edge - laid.length).abs() < 1e-9
                 || laid.length < 0.5 * field.median_edge
@@ -370,7 +370,7 @@ fn back_faces_and_what_is_hidden_have_no_needles() {
             "{needle:?}: {towards}"
         );
     }
-    // Two squares, one behind the other: of eight vertices the four before are seen.
+    // Two squares, one behind the other: of eight vertices the front four are visible.
     let mut scene = sphere(3, 3);
     let square = |z: f64, side: f64| {
         [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]
@@ -393,7 +393,7 @@ fn back_faces_and_what_is_hidden_have_no_needles() {
         let view = View::new(&scene.camera, scene.image.size);
         let seen = field.facing(&view, scene.image.size);
         assert_eq!(seen.vertices.len(), 8);
-        // The hidden one is nearer to this place, and yet not meant.
+        // The hidden vertex is nearer to this position, and yet not selected.
         let (pixel, _) = view
             .project(DVec3::new(0.5, 0.5, -2.0))
             .expect("before the eye");

@@ -194,7 +194,7 @@ fn the_slope_jumps_at_the_edges_of_a_cylinder_by_the_theory() {
                     corner.step
                 );
                 if mode == ShadingMode::Phong {
-                    // Its slope changes within the facets as well.
+                    // With Phong shading the slope changes within the facets as well.
                     continue;
                 }
                 // The same jump is in the profile itself, between the samples beside the edge.
@@ -292,7 +292,7 @@ fn a_flat_picture_is_constant_from_border_to_border() {
 fn phong_shading_weakens_mach_bands_and_does_not_abolish_them() {
     let scene = cylinder(24);
     let profile = taken(&scene, [560.0, 50.5], [800.0, 50.5]);
-    // What the eye adds at the borders, by which bands are seen.
+    // The contrast that the eye adds at the borders, which makes bands visible.
     let band = |mode| {
         let trace = trace(&profile, mode);
         let added = |x: f64| {

@@ -483,7 +483,7 @@ fn what_the_scalar_text_cannot_draw_is_said() {
             .clone()
             .with_overrides(&[change])
             .expect("a sound scene");
-        // At a perspective interpolation without perspective, equal angles are as good as any.
+        // If interpolation ignores perspective, equal angles are as good as any.
         changed.shading.interpolation = Interpolation::Affine;
         assert_eq!(omitted(&changed), left_out, "{change}");
     }

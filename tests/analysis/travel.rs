@@ -51,7 +51,7 @@ fn questions_and_answers_travel_whole() {
     travels(line, &scene);
     let defects = travels(DefectsQuestion::default(), &scene).defects;
     assert!(defects.silhouette.is_ok(), "something is measured");
-    // What is not measured names its reason by a key.
+    // A value that was not measured has the key of its reason.
     let mut flat = scene.clone();
     flat.shading.mode = ShadingMode::Flat;
     let defects = travels(DefectsQuestion::default(), &flat).defects;

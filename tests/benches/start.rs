@@ -68,7 +68,7 @@ struct Start {
 
 fn measure() {
     let folder = std::env::temp_dir().join(format!("shading-lab-start-{}", std::process::id()));
-    // What is timed is the first picture, not the smoother one that follows it at rest.
+    // Times the first picture, without the smoother one that follows it.
     let stored = folder.join("shading-lab");
     std::fs::create_dir_all(&stored).expect("a folder for the test");
     std::fs::write(

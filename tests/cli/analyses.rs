@@ -495,7 +495,7 @@ fn a_vertex_normal_is_told_with_the_faces_that_it_comes_from() {
         )) && text.contains("of length 0.5774"),
         "{text}"
     );
-    // Next to the place where it appears, and in the same words.
+    // Next to its position in the picture, and in the same words.
     let nearest = folder.json(&normals(&["--pixel", "400,310", "--json"]));
     let number = nearest["vertex"]["vertex"]
         .as_u64()
@@ -574,7 +574,7 @@ fn a_vertex_normal_is_told_with_the_faces_that_it_comes_from() {
         2,
         &without,
     );
-    // An object of which nothing is seen has no needles, and that is no error.
+    // An object of which nothing is visible has no needles, and that is no error.
     folder.prints(&refused(&[
         "--overlay",
         "vertex-normals",

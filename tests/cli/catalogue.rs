@@ -87,7 +87,8 @@ fn uses(source: &str) -> Vec<(String, BTreeSet<String>)> {
         let Some((key, rest)) = quoted.split_once('"') else {
             continue;
         };
-        // The arguments up to the parenthesis that closes the macro; a name stands right after a comma outside all others.
+        // The arguments up to the parenthesis that closes the macro; a name follows directly after a comma outside nested
+        // parentheses.
         let (mut depth, mut names, mut after_comma, mut in_text) =
             (0, BTreeSet::new(), false, false);
         let mut characters = rest.char_indices().peekable();
@@ -399,7 +400,7 @@ fn no_text_that_people_read_is_left_in_the_sources() {
 
 /// Names that are the same in every language, keys of the keyboard aside: [`is_keys`] recognises those.
 const KEPT: [&str; 36] = [
-    // What the standard input is called.
+    // The name of the standard input.
     "<stdin>",
     // Names of people, of letters and of this program.
     "Phong",
@@ -408,7 +409,7 @@ const KEPT: [&str; 36] = [
     "Itrans",
     "Idc",
     "{}{mark} — shading-lab",
-    // What programs read.
+    // Text that programs read.
     "# A scene of shading-lab\nversion = {}\n",
     "# Unsaved work of shading-lab, from ",
     "light = []\n",

@@ -102,7 +102,7 @@ fn named_materials_are_listed_and_applied() {
     );
     assert_eq!(json["materials"][10]["name"], "gold");
     assert_eq!(json["materials"][10]["kd"][1], 0.60648);
-    // A key beside it goes over it, on either side of the command.
+    // A separate key overrides the link's, on either side of the command.
     for arguments in [
         &[
             "render",
@@ -310,7 +310,7 @@ fn what_is_wrong_with_a_file_is_named_with_its_line() {
     ] {
         folder.fails(&["check", file], 2, &[&error]);
     }
-    // The rest of these lines is the words of the readers of those formats.
+    // The rest of these lines comes from the readers of those formats.
     for (file, beginning) in [
         ("plain.png", "plain.png: "),
         ("bad.obj", "bad.obj:3: "),
@@ -619,7 +619,7 @@ fn overlays_are_drawn_where_they_can_be() {
     );
     let lights = render("lights.png", &["--overlay", "lights"]);
     assert!(plain != vectors && plain != lights && vectors != elsewhere);
-    // The scene inside knows nothing of them.
+    // The embedded scene does not contain the overlays.
     assert_eq!(render("again.png", &["--set", "version=1"]), plain);
     folder.prints(&["render", "vectors.png", "-o", "restored.png"]);
     assert_eq!(pixels_of(&folder.0.join("restored.png")), plain);

@@ -102,7 +102,7 @@ fn a_misspelt_command_is_answered_with_the_right_one() {
         2,
         &[&english!("cli-no-command", name = "zzz", meant = "")],
     );
-    // A scene is no misspelt command, and neither is one that is misspelt itself.
+    // A scene is not a misspelt command, and neither is a misspelt scene.
     folder.refuses(&["sphere", "torus"], "'torus'");
     folder.refuses(&["sphere", "--pixel", "1,1"], "'--pixel'");
     folder.refuses(
@@ -210,7 +210,7 @@ fn manual_pages_are_sound() {
             String::from_utf8_lossy(&shown.stderr),
         );
         assert!(shown.status.success() && warnings.is_empty(), "{warnings}");
-        // Where manual pages are left out of a system, `man` is a script that says so.
+        // On systems without manual pages, `man` is a script that says so.
         assert!(
             text.contains(english!("cli-manual-examples")) || text.contains("minimized"),
             "{text}"
@@ -415,7 +415,7 @@ fn nothing_of_others_acts_on_the_terminal() {
     }
     let shown = folder.prints(&["lesson", "a.md"]);
     assert!(shown.starts_with("\\u{1b}[31m\\u{1b}]0;x\\u{7}"), "{shown}");
-    // In JSON the text is what it was.
+    // In JSON the text is unchanged.
     let title = &folder.json(&["lesson", "a.md", "--json"])["title"];
     assert_eq!(title, "\u{1b}[31m\u{1b}]0;x\u{7}\u{9b}31m\u{7f}\u{202e}");
 }
@@ -478,7 +478,7 @@ fn the_standard_input_is_read_as_far_as_a_scene_may_go() {
     let mut stdin = child.stdin.take().expect("a pipe");
     let piece = [b'#'; 1 << 16];
     let taken = (0..256).take_while(|_| stdin.write_all(&piece).is_ok());
-    // A pipe holds some of it.
+    // A pipe buffers some of it.
     let taken = taken.count() << 16;
     assert!(taken < 6 << 20, "{taken} bytes were taken");
     drop(stdin);
@@ -550,7 +550,7 @@ fn a_terminal_has_colours_unless_it_wants_none() {
         refused.contains(english!("cli-picture-on-terminal")),
         "{refused}"
     );
-    // Progress is for terminals, and for work that one waits for.
+    // Progress is shown on terminals only, and only for long work.
     let shown = on_terminal("bench sphere --size 800x800 --frames 100", None);
     assert!(shown.contains(english!("cli-working")), "{shown}");
     assert!(folder.names().is_empty());

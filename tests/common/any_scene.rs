@@ -262,7 +262,7 @@ impl Author {
             ]),
             fov_y: self.number(10.0..=120.0, Camera::FOV_Y),
             height: self.length(0.5..=6.0, LEAST_LENGTH..=GREATEST_LENGTH),
-            // Without a throw of the dice, which would change all that is thrown after it.
+            // Without drawing a random number, which would change all later ones.
             framing: if eye.x > target.x {
                 Framing::Whole
             } else {

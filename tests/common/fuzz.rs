@@ -104,7 +104,7 @@ impl Format {
             self.name,
             grown >> 20
         );
-        // Inputs that are all refused at once would test nothing but that.
+        // If all inputs were refused at once, nothing else would be tested.
         assert!(
             tried < 1000 || sound > 0 && sound < tried,
             "{}: {sound} of {tried} are sound",
@@ -147,7 +147,7 @@ impl Format {
             3 => splice(input, at, dice.of(&PIECES).as_bytes()),
             4 => splice(input, at, dice.of(self.words).as_bytes()),
             5 => {
-                // A number gives way to another.
+                // Replaces a number by another.
                 let digit = |byte: &u8| byte.is_ascii_digit();
                 if let Some(start) = input[at..].iter().position(digit).map(|step| at + step) {
                     let length = input[start..].iter().take_while(|byte| digit(byte)).count();
@@ -163,7 +163,7 @@ impl Format {
             }
             7 => input.truncate(at),
             _ => {
-                // Two lines change places.
+                // Swaps two lines.
                 let mut lines: Vec<&[u8]> = input.split(|byte| *byte == b'\n').collect();
                 let (a, b) = (below(dice, lines.len()), below(dice, lines.len()));
                 lines.swap(a, b);

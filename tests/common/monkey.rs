@@ -440,7 +440,7 @@ fn key(dice: &mut Dice) -> (String, Vec<Event>) {
 
 fn resize(harness: &mut Harness<'_, App>, dice: &mut Dice) -> (String, Vec<Event>) {
     let [width, height, scale] = dice.of(&WINDOWS);
-    // Of a screen's size, however large the interface is: a window in the size for a room would grow with every resize.
+    // A screen's size, whatever the zoom: at projector size a window would otherwise grow with every resize.
     harness.set_size(vec2(width, height) / harness.ctx.zoom_factor());
     for viewport in harness.input_mut().viewports.values_mut() {
         viewport.native_pixels_per_point = Some(scale);

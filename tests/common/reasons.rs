@@ -170,7 +170,7 @@ impl<'a> Judge<'a> {
                 let cosine = self.lobe_cosine((p, n), l).clamp(0.0, 1.0);
                 let faint = scene.reflection.model == ReflectionModel::CookTorrance
                     || cosine.powf(scene.material.n) < 1e-9;
-                // With the greatest and the least that attenuation and a cone leave.
+                // For the maximum and the minimum that attenuation and a cone leave.
                 (specular && faint)
                     || strongest.fold(0.0, f64::max) < 1e-200
                     || light.kind == LightKind::Spot
@@ -187,7 +187,7 @@ impl<'a> Judge<'a> {
         }
         let (far, near) = ((point - camera.eye).length(), (point - p).length());
         if far > 1e9 * camera.distance() {
-            // So far away for the camera that its rays count as parallel.
+            // So far from the camera that its rays count as parallel.
             return (unit(point - camera.eye), 1e-9);
         }
         let spread =
@@ -199,7 +199,7 @@ impl<'a> Judge<'a> {
     fn coefficients(&self, specular: bool) -> Vec<Rgb> {
         let material = &self.scene.material;
         if specular {
-            // At no angle is W 0 where it is not at any other: it is 0 for an index of 1 alone.
+            // W is 0 either at all angles or at none: only an index of 1 makes it 0.
             let w = Index::of(material).map_or(Rgb::ONE, |index| index.reflectance(0.5));
             return vec![material.ks * material.specular_color * w];
         }
@@ -226,7 +226,7 @@ impl<'a> Judge<'a> {
             n.dot(l).abs() < 1e-9,
             self.scene.reflection.backfacing == Backfacing::Flip,
         );
-        // On which side a grazing light lies is a matter of rounding.
+        // Rounding decides on which side a grazing light is.
         let sides = if flips && grazes {
             vec![n, -n]
         } else {
@@ -283,7 +283,7 @@ impl<'a> Judge<'a> {
     #[allow(dead_code, reason = "each test takes what it needs of it")]
     /// Returns whether something blocks the light of a point with its normal, whatever offset is added to the point.
     pub fn is_clearly_blocked(&self, light: &Light, (p, n): (DVec3, DVec3)) -> bool {
-        // In steps of the object's radius, whose millionth is_met takes for nothing.
+        // In units of the object's radius, a millionth of which `is_met` ignores.
         let unit = |v: DVec3| (v / v.abs().max_element()).normalize_or_zero();
         let radius = self.vertices.radius();
         let (way, end) = match light.kind {

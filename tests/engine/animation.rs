@@ -141,7 +141,7 @@ fn what_cannot_be_swept_is_named() {
         ),
         ("material.n=5", "material.n=-9", STEPS, "`material.n`"),
         ("material.m=5", "material.m=9", STEPS, "`material.m`"),
-        // Half way the camera stands where it looks.
+        // Half-way, the eye is at its target.
         (
             "camera.eye=[0,0,4]",
             "camera.eye=[0,0,-4]",
@@ -340,7 +340,7 @@ fn through_a_gif(name: &str, size: [u32; 2]) -> Vec<(Frame, Vec<u8>)> {
 
 #[test]
 fn a_gif_uses_all_of_its_palette_and_is_off_by_a_few_codes() {
-    // What the pictures' own colours allow: many lights have more than a palette can come near.
+    // Bounds that depend on the pictures' colours: many lights have more colours than a palette can approximate.
     for (name, size, most, rms) in [
         ("sphere", [48, 48], 2, 0.3),
         ("gold", [64, 64], 4, 0.6),

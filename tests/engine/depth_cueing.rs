@@ -149,8 +149,8 @@ fn an_affine_ramp_is_linear_in_the_picture() {
         (scene.shading.mode, scene.shading.interpolation) = (mode, rule);
         let [near, far] = edges(&scene);
         let s0 = |z: f64| (5.0 - z) / 3.5;
-        // Rows are linear in 1/z on a plane whose far edge is level. Affine interpolation is it on each of two triangles,
-        // so only the scan line's ramp has one slope over the square.
+        // On a plane whose far edge is level, rows are linear in 1/z. Affine interpolation is linear on each of two triangles, so
+        // only the scan line's ramp has one slope over the square.
         let part = |z: f64| (1.0 / z - 1.0 / far) / (1.0 / near - 1.0 / far);
         let linear = |z: f64| s0(far) + part(z) * (s0(near) - s0(far));
         if rule == Interpolation::Scanline {
@@ -247,7 +247,7 @@ fn the_probe_adds_up_to_the_stored_pixel() {
             "{:?} {:?} {:?}",
             scene.object.kind, scene.shading, scene.depth_cueing.by
         );
-        // A polygon that is clipped is interpolated by its pieces, and a bent one has no one depth along its scan lines.
+        // A clipped polygon is interpolated piecewise, and a bent one has no single depth along its scan lines.
         let approximate = scene.shading.interpolation == Interpolation::Scanline;
         let (mut seen, mut off) = (0, 0);
         for (x, y) in (0..64)

@@ -207,7 +207,7 @@ fn what_fits_is_no_limit() {
         ),
         1
     );
-    // The program makes OpenGL keep intensities above 1; who copies the calls has to be told.
+    // The program makes OpenGL keep intensities above 1; whoever copies the calls must be told so.
     assert_eq!(
         count(
             &snippet(&scene("sphere", &plain)),

@@ -73,7 +73,7 @@ fn what_is_kept_is_what_would_be_drawn() {
     for level in levels() {
         for kind in [ObjectKind::Sphere, ObjectKind::Torus] {
             for (view, appearance) in VIEWS {
-                // One renderer for all shadings, so that each finds what another has kept.
+                // One renderer for all shading modes, so that each finds another's cached results.
                 let mut renderer = Renderer::default().with_level(level);
                 for (shading, shade) in SHADINGS {
                     let mut scene = fine(kind);

@@ -46,7 +46,7 @@ fn vertices_are_shared_by_their_number_only() {
     );
     assert_eq!(mesh.positions.len(), 8);
     assert!(!mesh.closed);
-    // A straight corner is one: the same wall without a gap.
+    // A straight corner counts as a corner: the same wall without a gap.
     let joined = polygons(
         &T_JUNCTION,
         &[&[0, 1, 6, 2, 3], &[1, 4, 7, 6], &[6, 7, 5, 2]],
@@ -56,7 +56,7 @@ fn vertices_are_shared_by_their_number_only() {
         ..Scene::default()
     };
     assert_eq!(scene.validate(), Ok(()));
-    // Two vertices in one place are two, and each averages its own polygons.
+    // Two vertices at the same position stay two, and each averages its own polygons.
     let mut tilted = T_JUNCTION.to_vec();
     tilted.extend([
         [0.0, -1.0, 0.0],
@@ -281,7 +281,7 @@ fn undivided_slopes_average_to_one_normal_and_divided_ones_do_not() {
         .filter(|normal| normal.x.abs() > 0.5)
         .count();
     assert_eq!(leaning, 16, "the middle of each slope has its own normal");
-    // At a ridge each slope keeps its own.
+    // At a ridge each slope keeps its own normal.
     let exact = tessellate(&sheet(8, 1)).with_vertex_normals(NormalSource::Exact, Weighting::Equal);
     assert_eq!(exact.positions.len(), 2 * 2 * 8);
     for f in 0..8 {
@@ -329,7 +329,7 @@ proptest! {
         });
         let hit = surface.intersect(&ray, 0.0).filter(|hit| hit.t < 3.0);
         if let (Some([low, high]), Some(hit)) = (change, hit) {
-            // A search in steps may miss two meetings at a ridge.
+            // A search in steps may miss two intersections at a ridge.
             prop_assert!(hit.t <= high + 1e-9);
             if hit.t < low {
                 let (_, inside) = at(hit.t);

@@ -175,7 +175,7 @@ fn points_lie_on_the_surface_and_normals_are_its_gradient() {
                 let n = mesh.normals[corner.normal as usize].as_dvec3();
                 assert!(implicit(kind, p).abs() < 1e-7, "{kind:?} {p}");
                 assert!((n.length() - 1.0).abs() < 1e-6);
-                // The gradient a little way into the face, where no crease is in the way.
+                // The gradient slightly inside the face, away from creases.
                 let q = p.lerp(centre, 1e-3);
                 let step = 1e-6;
                 let along =

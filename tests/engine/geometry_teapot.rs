@@ -291,7 +291,7 @@ fn hits_agree_with_a_fine_mesh() {
             _ => one += 1,
         }
     }
-    // Only a ray by an outline can tell the mesh from the surface.
+    // Only a ray near an outline can tell the mesh from the surface.
     assert!(both > 200 && one <= 2, "{both} agree, {one} do not");
 }
 
@@ -328,7 +328,7 @@ fn normals_are_those_of_the_points_hit() {
             continue;
         }
         let difference = (r - l).cross(u - b).normalize();
-        // A crease or an outline between the five rays bends the difference, not the normal.
+        // A crease or an outline between the five rays falsifies the difference quotient, not the normal.
         let bent = r.distance(l).max(u.distance(b)) > 20.0 * h;
         if !bent {
             checked += 1;

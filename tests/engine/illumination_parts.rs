@@ -167,7 +167,7 @@ fn at_the_half_width_the_lobe_is_half_as_high() {
         let cosine = -2.0 * (0.5 * half_width(n)).sin().powi(2);
         assert!(((n * cosine.ln_1p()).exp() - 0.5).abs() < 1e-9, "n = {n}");
     }
-    // The course's exponents, worked out apart: arccos 2^(−1/n).
+    // The course's exponents, computed independently: arccos 2^(−1/n).
     for (n, degrees) in [
         (5.0, 29.477_318),
         (15.0, 17.284_424),

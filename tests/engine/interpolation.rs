@@ -119,7 +119,7 @@ fn bilinear(corners: &[(DVec2, f64)], at: DVec2) -> f64 {
     }
     assert_eq!(cuts.len(), 2, "a convex outline is cut twice at {at}");
     let [p, q] = [cuts[0], cuts[1]];
-    // The picture's grid may show a pixel just beside the outline: it has the outline's value.
+    // The picture's grid may show a pixel just outside the outline: it has the outline's value.
     let t = ((at.x - p.0) / (q.0 - p.0)).clamp(0.0, 1.0);
     (1.0 - t) * p.1 + t * q.1
 }
@@ -148,8 +148,8 @@ fn quadrilateral() -> impl Strategy<Value = Vec<(DVec3, f64)>> {
 }
 
 proptest! {
-    // The same polygons in every run: beside a corner that a row all but grazes the vertices' grid moves a pixel by more than
-    // the picture is compared by.
+    // Uses the same polygons in every run: next to a corner that a row nearly grazes, the vertices' grid moves a pixel by more
+    // than the tolerance of the comparison.
     #![proptest_config(ProptestConfig { cases: 24, rng_seed: RngSeed::Fixed(1971), ..properties::config(file!()) })]
 
     /// Checks that the scan line on a triangle is barycentric: both are the one linear function that has the corners' values.
@@ -234,7 +234,7 @@ fn a_turned_square_changes_its_shade_and_a_triangle_does_not() {
         (Interpolation::Affine, &corners),
         (Interpolation::Perspective, &corners),
     ] {
-        // The middle of the picture lies on the diagonal of the square, and so in the triangle moved by a little.
+        // The middle of the picture lies on the square's diagonal, hence inside a triangle once the square is moved slightly.
         let moved: Vec<_> = corners
             .iter()
             .map(|(place, i)| (place + DVec3::new(-5.0, 3.0, 0.0), *i))

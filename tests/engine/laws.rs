@@ -173,7 +173,7 @@ fn attenuation_has_its_forms_and_nothing_divides_by_zero() {
                 at.attenuation
             );
         }
-        // The light on the surface, and at no distance on the plotted curve.
+        // The light on the surface itself, and at distance 0 of the plotted curve.
         scene.lights = vec![Light {
             attenuation,
             position: DVec3::ZERO,
@@ -231,7 +231,7 @@ fn a_spot_shines_along_its_axis_and_not_beyond_its_cone() {
             let ray = DVec3::new(angle.sin(), 0.0, -angle.cos());
             let at = equation.respond_world(0, light.position + ray * 0.7, DVec3::Z, None);
             let expected = spot_part(&light, ray);
-            // A hard edge falls within a millionth of the cone.
+            // A hard edge falls off within a millionth of the cone.
             let at_edge = (99..=101).contains(&step) && softness == 0.0;
             assert!(
                 at_edge || (at.spot - expected).abs() < 1e-6,
@@ -267,7 +267,7 @@ fn fresnel_is_the_closed_form_of_the_cited_indices() {
             "grazing light is all reflected"
         );
     }
-    // Worked out by hand: 4.2 % for glass, and gold's red above its blue.
+    // Computed by hand: 4.2 % for glass, and gold's red above its blue.
     assert!((Index::GLASS.reflectance(1.0).y - 0.042_4).abs() < 2e-4);
     let gold = Index::GOLD.reflectance(1.0);
     assert!(
@@ -289,7 +289,7 @@ fn fresnel_at_its_limits() {
             "equal indices reflect nothing"
         );
     }
-    // From glass into air: all is reflected beyond the critical angle, 41.8°.
+    // From glass into air: all light is reflected beyond the critical angle, 41.8°.
     let out = Index {
         eta: Rgb::splat(1.0 / 1.5),
         k: Rgb::ZERO,
@@ -339,7 +339,7 @@ fn microfacets_are_the_closed_form_and_reciprocal() {
                     (at - expected).abs() < 1e-9 * (1.0 + expected),
                     "{distribution:?} {m}: {at} {expected}"
                 );
-                // Helmholtz: f(l, v) = f(v, l), where π·f·(N·L) is what is reflected.
+                // Helmholtz: f(l, v) = f(v, l), where π·f·(N·L) is the reflected part.
                 let back = respond(&scene, from(v), l).specular_factor;
                 assert!(
                     (at / l.z - back / v.z).abs() < 1e-9 * (1.0 + at / l.z),

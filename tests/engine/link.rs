@@ -186,7 +186,7 @@ fn what_does_not_fit_is_compressed() {
         200
     ];
     assert!(round_trip(&scene, None).contains("/?view=profile"));
-    // A link that ends as a sentence does would lose its end in a message.
+    // A link that ends with a full stop would lose it in a message.
     let mut scene = presets::default_scene();
     scene.lights[0].name = "Sun.".to_owned();
     assert!(plain(&scene, None).ends_with("set=light.0.name=Sun%2E"));
@@ -214,7 +214,7 @@ fn a_model_stays_and_its_path_is_not_told() {
         (back.material.n, back.object.kind),
         (7.0, ObjectKind::Teapot)
     );
-    // One that is not shown is not missed.
+    // A model that is not shown does not count as left out.
     scene.object.kind = ObjectKind::Cone;
     let written = write("", &scene, None, &Shown::default()).expect("a link");
     assert_eq!(written.left_out, None);
@@ -528,7 +528,7 @@ fn the_command_prints_links_and_every_command_reads_them() {
         ]),
         link
     );
-    // A link can be changed, and keeps what is shown.
+    // A changed link keeps the view.
     let changed = folder.prints(&[
         "link",
         &format!("{}&view=plan", link.trim()),
@@ -589,7 +589,7 @@ fn the_command_prints_links_and_every_command_reads_them() {
     );
     folder.prints(&["render", scene, "-o", "picture.png"]);
     assert_eq!(program::size_of(&folder.0.join("picture.png")), (32, 32));
-    // A model stays behind.
+    // A model is left out.
     folder.write(
         "tetra.obj",
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 4 2\n",

@@ -150,7 +150,7 @@ fn the_account_is_true() {
 #[ignore = "needs the process to itself: run by the_account_is_true"]
 fn the_account_is_what_the_process_grows_by() {
     for mode in [ShadingMode::Phong, ShadingMode::Gouraud] {
-        // Code, threads and their scratch are there before.
+        // Allocates code, threads and their scratch buffers first.
         Renderer::default().render(&sphere(mode, 1024, 1536));
         let before = resident();
         let mut renderer = Renderer::default();

@@ -78,7 +78,7 @@ fn every_key_of_a_full_scene_file_stands_in_the_table_once() {
     );
     let mut expected = BTreeSet::new();
     keys(&written(&full()), "", &mut expected);
-    // Of a light only the keys that it reads are written; `tests/engine/scene_round_trip.rs` has the others.
+    // Only the keys that a light's kind reads are written; `tests/engine/scene_round_trip.rs` covers the others.
     assert!(
         expected.is_subset(&listed),
         "{:?}",
@@ -135,7 +135,7 @@ fn its_access_reaches_the_field_of_its_key() {
             Kind::Switch(at) => *(at.get_mut)(&mut other, 0).expect("a value") ^= true,
             Kind::Text(at, _) => (at.get_mut)(&mut other, 0).expect("a value").push('x'),
             Kind::Other(..) => parameter.copy(&Scene::default(), &mut other, 0),
-            // Every word of a choice is one that `--set` takes, and leads to that option.
+            // `--set` accepts every word of a choice, and the word selects its option.
             Kind::Choice(choice) => {
                 let before = choice.chosen(&scene, 0).expect("a value");
                 for (place, option) in parameter.options().iter().enumerate() {

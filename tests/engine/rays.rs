@@ -137,7 +137,7 @@ fn points_extremely_far_away_lie_in_the_shadow_and_cost_no_more_than_near_ones()
     for (x, y) in (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| (x, y))) {
         let (origin, direction) = eye_ray(&scene, x, y);
         let p = origin + direction * ((scene.ground.height - origin.y) / direction.y);
-        // From the light: from the point nothing would be left of the object's size.
+        // Starts at the light: seen from the point, rounding would leave nothing of the object's size.
         let approach = nearest_approach(lamp, p - lamp).unwrap_or(9.0);
         if (approach - 1.0).abs() < 5e-3 {
             continue;
@@ -179,7 +179,7 @@ fn a_convex_solid_is_free_of_its_own_shadow_in_every_mode() {
             let mut scene = over_floor();
             scene.object.kind = kind;
             (scene.object.segments, scene.object.rings) = (24, 12);
-            // A cube's averaged normals stand for no solid.
+            // A cube's averaged normals describe no solid.
             let averaged = kind != ObjectKind::Cube;
             scene.object.normals = if averaged {
                 NormalSource::Averaged
@@ -352,7 +352,7 @@ fn a_bounce_does_not_depend_on_the_constant_that_it_takes_the_place_of() {
                 "{mode:?} {ia}"
             );
         }
-        // Beside the brightest constant the bounce is the same, too.
+        // The bounce stays the same even beside the brightest constant.
         scene.ambient.source = AmbientSource::Split;
         assert_eq!(scene.validate(), Ok(()));
         let halves = renderer.render(&scene).clone();
@@ -569,7 +569,7 @@ fn the_bounce_off_an_infinite_floor_is_its_view_factor() {
         sum += error;
         count += 1.0;
     }
-    // 64 directions a point and a few points a pixel: a hundredth of the share, and nothing on the whole.
+    // 64 directions per point and a few points per pixel: an error of a hundredth of the fraction each, and none in the mean.
     assert!(
         most < 0.025 && (sum / count).abs() < 0.004,
         "the greatest error is {most}, the mean {}",

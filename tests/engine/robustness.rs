@@ -348,13 +348,13 @@ fn compare(seed: u64) -> (u32, Option<String>) {
         let Some(hit) = probe(&mut renderer, &scene, x, y).hit else {
             continue;
         };
-        // A hair beside the border between two fields any rounding changes the colour.
+        // Right next to the border between two fields any rounding changes the colour.
         if field_edge(&scene, hit.position, 2e-3) {
             continue;
         }
         compared += 1;
         let shown = hit.sum / hit.divisor;
-        // What is marked has colours of its own.
+        // Marked pixels have colours of their own.
         if scene.display.overflow == Overflow::Mark && shown.max_element() > 1.0 - 1e-4 {
             continue;
         }
@@ -497,7 +497,7 @@ fn the_profile_passes_through_the_pixels_of_any_scene() {
 /// Probes a scene at some pixels and checks the reasons where a light adds nothing; returns the causes met.
 fn check_reasons(seed: u64) -> Result<Vec<ZeroCause>, String> {
     let AnyScene { mut scene, model } = any_scene(seed);
-    // What carries intensities along a scan line takes them from other corners than a triangle's.
+    // Interpolation along scan lines takes intensities from corners other than a triangle's.
     scene.shading.interpolation = Interpolation::Perspective;
     scene.shading.shadows |= seed.is_multiple_of(2);
     let Ok(model) = model else {

@@ -128,7 +128,7 @@ fn the_factor_is_right_at_every_exponent_and_level() {
     let mut dice = Dice(0x5eed_1977);
     let levels = levels();
     let mut scene = Scene::default();
-    // The greatest error in each decade of n, the first that of n < 10⁻², the last that of n = 10⁷.
+    // The maximum error in each decade of n, the first that of n < 10⁻², the last that of n = 10⁷.
     let mut worst = [[0.0_f64; 11]; 2];
     for index in 0..EXPONENTS {
         let n = exponent(&mut dice);

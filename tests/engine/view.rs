@@ -79,7 +79,7 @@ fn a_roll_turns_what_is_seen_counter_clockwise() {
             SIZE,
         );
         let (pixel, _) = view.project(world).expect("in front of the eye");
-        // Upwards, from the middle.
+        // Relative to the middle, y upwards.
         (pixel - view.centre) * DVec2::new(1.0, -1.0)
     };
     let across = at(0.0, DVec3::X).x;
@@ -155,7 +155,7 @@ proptest! {
     #[test]
     fn unprojecting_what_was_projected_returns_the_point(camera in camera(), point in vector(10.0)) {
         let view = View::new(&camera, SIZE);
-        // Beside the eye the pixel lies far outside and its digits no longer hold the point's.
+        // Near the eye's plane the pixel lies far outside, and its digits no longer hold the point's.
         if let Some((pixel, depth)) = view.project(point).filter(|(_, depth)| *depth > 0.01) {
             prop_assert!((view.unproject(pixel, depth) - point).length() < 1e-8);
             let (origin, along) = view.ray(pixel);
@@ -163,7 +163,7 @@ proptest! {
             prop_assert!((point - origin).cross(along).length() < 1e-8);
             let beside = point + view.right * view.world_per_pixel(depth);
             let (next, _) = view.project(beside).expect("as deep as the point");
-            // Each projection rounds the depth, which may be a thousandth of what it is the difference of.
+            // Each projection rounds the depth, and the difference may be a thousandth of it.
             let rounding = 1e-14 / depth * (pixel - view.centre).length();
             prop_assert!((next - pixel - DVec2::X).length() < 1e-9 + 10.0 * rounding);
         }

@@ -234,7 +234,7 @@ fn a_place_is_where_the_closed_form_has_it() {
     }
     room.marks(&[Answer::Point([0.1, 0.0]), Answer::Point([0.0, 0.49])]);
 
-    // Light from the eye: no terminator in sight.
+    // Light from the eye: no visible terminator.
     let room = Room::new(
         "\"light.0.direction=[0,0,-1]\"]",
         &question.replace("n_dot_l", "n_dot_l + 1"),
@@ -261,7 +261,7 @@ fn a_curve_is_compared_point_by_point() {
         Answer::Curve(vec![Some(1.0); CURVE_POINTS]),
     ]);
     assert!(room.grade(&moved(0.09)).right);
-    // Small gaps are forgiven, a curve that is half there is not.
+    // Small gaps are accepted; half a curve is not.
     let drawn = |count: usize| {
         let values = curve
             .iter()
@@ -330,7 +330,7 @@ fn a_setting_is_found_where_the_closed_form_has_it() {
     room.marks(&[Answer::Settings(20.0), Answer::Settings(100.0)]);
     assert!(room.grade(&Answer::Settings(45.0)).right);
 
-    // x − x² is greatest at one half.
+    // x − x² has its maximum at one half.
     let question = "kind = \"settings\"\ncontrol = \"material.kd\"\nreach = \"scene.material.kd - scene.material.kd^2\"\nmost = true\ntolerance = 0.05";
     let room = Room::new("\"material.kd=0.1\"]", question);
     let Solution::Settings(kd) = room.solve() else {

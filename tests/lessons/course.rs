@@ -74,7 +74,7 @@ fn no_lesson_takes_a_tenth_of_the_work_that_it_may() {
         }
     }
     assert!(over.is_empty(), "{over:?}");
-    // Nothing would be within any bounds.
+    // Work of 0 would satisfy any bound.
     assert!(
         work.iter()
             .flat_map(|(_, steps)| steps)
@@ -282,7 +282,7 @@ fn every_lesson_asks_before_it_tells() {
             questions.len()
         );
         assert!((5..=15).contains(&lesson.minutes), "{}", lesson.name);
-        // The last step, or the one before a match that is gone on with.
+        // The last step, or the one before a match that continues it.
         let last = &lesson.steps[lesson.steps.len() - 2..];
         assert!(
             last.iter().any(|step| {

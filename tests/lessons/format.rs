@@ -36,7 +36,7 @@ fn every_kind_of_question_is_read() {
         first.question.as_ref().map(|question| question.term),
         Some(Some(Term::Specular))
     );
-    // What a step leaves open it takes over, settings are added.
+    // A step inherits what it leaves open, and its settings are added.
     let second = &lesson.steps[1];
     assert_eq!(second.stage.scene, "sphere");
     assert_eq!(
@@ -405,7 +405,7 @@ fn mutated_lessons_are_read_or_refused_with_a_line() {
             }
         }
     }
-    // Both happen often, or the mutations test nothing.
+    // Both must happen often, or the mutations test nothing.
     assert!(
         10 * read > tried() / 10 && 10 * refused > tried(),
         "{read} read, {refused} refused"

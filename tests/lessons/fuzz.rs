@@ -221,7 +221,7 @@ fn lessons_through_to_their_pages() {
         if !is_small(&lesson) {
             return true;
         }
-        // Whether each is sound or not, it ends; and what is sound for `check` is so for all.
+        // Each call returns, whether the lesson is valid or not; a lesson valid for `check` is valid for the others.
         let checked = check(&lesson).is_ok();
         let page = worksheet(&lesson, SHEET, &mut || {});
         let words = in_words(&lesson, SHEET.seed, true);

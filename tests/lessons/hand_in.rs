@@ -117,7 +117,7 @@ fn handed_in(record: &Record, name: &str) -> Vec<u8> {
 #[test]
 fn answers_name_lesson_and_scene_come_back() {
     let mut given = record(0.5, 1);
-    // What fits no question does not go out.
+    // Answers that fit no question are not written.
     let bytes = handed_in(&given, "王小明");
     given.put(answered(1, Answer::Value(1.0)));
     given.put(answered(7, Answer::Choice(0)));
@@ -232,7 +232,7 @@ fn spoiled(sound: &[u8]) -> Vec<Vec<u8>> {
         .collect();
     spoiled.push(Vec::new());
     spoiled.push(b"no picture".to_vec());
-    // A header that claims gigabytes; its checksum is made good.
+    // A header that claims gigabytes, with a matching checksum.
     let mut huge = sound.to_vec();
     huge[16..24].copy_from_slice(&[0, 0, 0xff, 0xff, 0, 0, 0xff, 0xff]);
     let sum = checksum(&huge[12..29]);
@@ -330,7 +330,7 @@ fn a_class_is_graded_and_nothing_stops_at_a_bad_file() {
     for (index, bytes) in spoiled.iter().enumerate() {
         let file = format!("bad-{index:02}.png");
         fs::write(folder.join(&file), bytes).expect("a file");
-        // Among the others, so that something could stop.
+        // Among the others, so that it could stop the run.
         files.insert(10 * index, file);
     }
     let mut arguments = vec![
@@ -423,7 +423,7 @@ fn the_table_says_who_is_right() {
         "{table}"
     );
 
-    // The lecturer's own text goes before what came with the picture.
+    // The lecturer's own text takes precedence over the picture's.
     let own = run(
         &folder,
         &[&["collect", "--lesson", "own.md"], &files[..]].concat(),
@@ -479,7 +479,7 @@ fn what_is_wrong_with_a_lesson_inside_is_told_with_the_picture() {
     assert!(inside("set.png") >= 2, "{errors}");
     let told = inside("two.png") + inside("none.png") + inside("set.png");
     assert_eq!(told, errors.lines().count(), "{errors}");
-    // A lesson of one's own is told by its path.
+    // A lesson of one's own is identified by its path.
     fs::write(folder.join("own.md"), LESSON.replace("cos(60)", "cos(x)")).expect("a file");
     let output = run(&folder, &["collect", "--lesson", "own.md", "none.png"]);
     let errors = String::from_utf8_lossy(&output.stderr).into_owned();

@@ -72,7 +72,7 @@ fn check_page(page: &str, name: &str) {
     }
     assert!(open.is_empty(), "{name}: {open:?}");
     assert!(!page.contains("{{") && !page.contains("}}"), "{name}");
-    // Nor a message that the catalogue does not have.
+    // Nor a message key that the catalogue lacks.
     assert!(
         !page.contains("class-topic") && !page.contains(">class-"),
         "{name}"
@@ -335,7 +335,7 @@ fn a_lecturers_text_stays_text() {
     let page = written(&lesson, WITHOUT);
     check_page(&page, "hostile");
     assert!(!page.contains("A secret.") && !page.contains("<div class=\"answer\">"));
-    // Nor does a browser run or load what had got past.
+    // A browser would neither run nor load anything that got through.
     let policy = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'";
     assert!(page.contains(policy));
     let words = in_words(&lesson, 1, true).expect("words");
@@ -388,7 +388,7 @@ fn the_command_lists_prints_and_writes() {
         words.contains("number 20.0") && words.contains("Because *one*"),
         "{words}"
     );
-    // A scene file of the lecturer's, from another folder, with all that a shell could take apart.
+    // A lecturer's scene file in another folder, with a path full of characters that a shell treats specially.
     let [text, folder_of_scene] = [HOSTILE, "the lecturer's $HOME"];
     let inner = folder.join(folder_of_scene);
     fs::create_dir_all(&inner).expect("a folder");

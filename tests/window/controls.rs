@@ -308,7 +308,7 @@ fn panes_are_compared_by_key_and_a_change_reaches_all_but_what_they_have_of_thei
         picture(&harness) != phong,
         "the active pane is the exact one"
     );
-    // The mode is this pane's own; Kd is everyone's.
+    // The mode belongs to this pane; Kd is shared.
     harness.key_press(Key::Num3);
     harness.run();
     assert_eq!(
@@ -400,7 +400,7 @@ fn depth_cueing_unfolds_and_keeps_its_depths_in_order() {
     enter(&mut harness, "depth_cueing.back_scale", 0.25);
     enter(&mut harness, "depth_cueing.color.blue", 0.5);
     assert_eq!(scene(&harness).validate(), Ok(()));
-    // The probe says what is left.
+    // The probe shows the attenuated value.
     let cueing = english!("point-depth-cueing");
     let cueing = english!("point-line-at-probe", name = cueing, value = "");
     assert!(harness.query_by_label_contains(&cueing).is_some());
@@ -425,7 +425,7 @@ fn pointing_at_a_vertex_lights_up_its_faces() {
     let mut harness = window("vertex-normals");
     // The tab that the scene opens has pictures of its own.
     open_view(&mut harness, "view-equation");
-    // From its panes by way of wipe and difference to one picture.
+    // The key leads from panes through wipe and difference to one picture.
     for _ in 0..3 {
         harness.key_press(Key::K);
         harness.run();
@@ -471,7 +471,7 @@ fn pointing_at_a_vertex_lights_up_its_faces() {
     harness.hover_at(centre + vec2(0.0, 0.12 * rect.height()));
     harness.run();
     assert_eq!(lit(&harness), None, "no vertex is near");
-    // A click keeps it, while the weighting is changed and even other vertices are made.
+    // A click keeps the selection while the weighting changes, and even when other vertices are made.
     harness.hover_at(place);
     harness.run();
     harness.drag_at(place);

@@ -123,7 +123,7 @@ fn a_step_shows_its_scene_its_text_and_its_controls() {
     );
     harness.get_by_role_and_label(Role::SpinButton, named("material.n"));
     assert!(!harness.state().state().window.appearance.controls);
-    // What is changed can be put back.
+    // Changes can be reset.
     hands::enter(&mut harness, "material.n", 55.0);
     assert_eq!(scene(&harness).material.n, 55.0);
     harness
@@ -155,7 +155,7 @@ fn the_picture_moves_on_to_the_next_step() {
     while harness.state().state().course.gliding.is_some() {
         harness.step();
         seen.push(n(&harness));
-        // It is neither a change that could be lost nor a step of undo.
+        // The animation counts neither as unsaved changes nor as a step of undo.
         assert!(!harness.state().state().session.modified());
     }
     ready(&mut harness);
@@ -178,7 +178,7 @@ fn a_lesson_alone_says_what_its_scenes_show() {
         harness.query_by_label(&document.title()).is_some()
     };
     assert!(!titled(&harness));
-    // The probe is marked where numbers of the step are taken at it.
+    // The probe is marked in steps that take numbers at it.
     let probe = |harness: &Harness<'_, App>| harness.state().state().course.shows_probe();
     assert!(probe(&harness));
     next(&mut harness);
@@ -259,7 +259,7 @@ fn every_question_is_answered_by_mouse() {
     draw(&mut harness, |_| 0.05);
     press(&mut harness, "course-check");
     assert!(!revealed(&harness));
-    // A setting. What was said of one is not said of another.
+    // A setting. The verdict on one value is not shown for another.
     next(&mut harness);
     press(&mut harness, "course-check");
     assert!(!revealed(&harness));
@@ -311,7 +311,7 @@ fn every_question_is_answered_by_mouse() {
 /// Draws a curve of heights from 0 to 1 over the fraction of the width.
 fn draw(harness: &mut Harness<'_, App>, height: impl Fn(f32) -> f32) {
     let area = harness.get_by_role(Role::Canvas).rect();
-    // The axes stand at the left and below; that of y reaches beyond 1.
+    // The axes are at the left and at the bottom; the y axis reaches beyond 1.
     let (left, right) = (area.min.x + 25.0, area.max.x - 11.0);
     let (top, bottom) = (area.min.y + 23.0, area.max.y - 38.0);
     let at = |share: f32| {
@@ -352,7 +352,7 @@ fn the_keyboard_alone_is_enough() {
     harness.key_press(Key::Enter);
     harness.run_ok();
     assert!(!revealed(&harness));
-    // The next try goes on in the field.
+    // The next try continues in the field.
     harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
     type_text(&mut harness, "1/2");
     harness.key_press(Key::Enter);
@@ -384,7 +384,7 @@ fn the_keyboard_alone_is_enough() {
     for column in 0..17 {
         let wanted = (column as f64 * 180.0 / 16.0).to_radians().cos().max(0.0);
         loop {
-            // The first key draws the whole curve level.
+            // The first key makes the whole curve level.
             let value = match draft(&harness) {
                 Some(Answer::Curve(drawn)) => drawn[column * (drawn.len() - 1) / 16],
                 _ => None,
@@ -540,7 +540,7 @@ fn a_lesson_opens_pages_and_letters_and_nothing_else() {
          ```step\nscene = \"sphere\"\n```\n"
     );
     let mut harness = window_with(Lesson::read(&text, None).expect("a lesson"));
-    // One in the status bar leads to a view.
+    // A link in the status bar leads to a view.
     let shown = harness.get_all_by_role(Role::Link);
     let shown = shown.filter_map(|node| node.accesskit_node().label());
     let shown: Vec<_> = shown
@@ -560,7 +560,7 @@ fn a_lesson_opens_pages_and_letters_and_nothing_else() {
             .click_accesskit();
         assert_eq!(addresses(&mut harness), [address]);
     }
-    // Nor does anything else in the window get past.
+    // No other request to open an address gets through, either.
     for (_, address) in closed {
         harness.ctx.open_url(OpenUrl::same_tab(address));
         assert_eq!(addresses(&mut harness), [""; 0], "{address}");

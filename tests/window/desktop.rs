@@ -53,7 +53,7 @@ fn wait(what: &str, mut condition: impl FnMut() -> bool) {
 
 /// Starts a screen on a free display, and returns it with the display's name.
 fn screen() -> (Running, String) {
-    // Without -noreset the server starts anew when its last client leaves, and refuses whoever comes meanwhile.
+    // Without -noreset the server restarts when its last client leaves, and meanwhile refuses new ones.
     let mut server = Command::new("Xvfb")
         .args([
             "-displayfd",
@@ -256,7 +256,7 @@ fn the_window_draws_takes_a_drag_exports_and_rests() {
     export_and_compare(&desktop);
 
     desktop.settle();
-    // Every half minute the window's look is saved, which may fall into a stretch but not into all.
+    // The window's state is saved every half minute, which may fall into one interval but not into all.
     let rests = (0..5).any(|_| {
         let before = desktop.ticks();
         sleep(Duration::from_secs(5));
@@ -270,7 +270,7 @@ fn export_and_compare(desktop: &Desktop) {
     let target = desktop.folder.join("exported.png");
     desktop.run("xdotool", &["key", "ctrl+e"]);
     desktop.settle();
-    // The window's own size, the first of those to choose from; then the path, which goes.
+    // Chooses the window's own size, the first in the list; then replaces the path.
     desktop.run("xdotool", &["mousemove", "434", "305", "click", "1"]);
     desktop.settle();
     desktop.run("xdotool", &["mousemove", "560", "505", "click", "1"]);
@@ -307,7 +307,7 @@ fn export_and_compare(desktop: &Desktop) {
         let total = places.clone().count();
         places.filter(same).count() as f64 / total as f64
     };
-    // The vectors, the handles and the ring of the probe lie over a few hundredths of it, and the dialog until it has closed.
+    // The vectors, the handles and the ring of the probe cover a few hundredths of it, as does the dialog until it has closed.
     wait("the window to show the picture that is exported", || {
         let screen = desktop.screen();
         let places = (286..298).flat_map(|dx| (140..154).map(move |dy| (dx, dy)));

@@ -9,7 +9,7 @@ use shading_lab::link::read;
 
 fn figure(name: &str, size: [f32; 2], controls: &[&str]) -> Harness<'static, App> {
     let controls: Vec<String> = controls.iter().map(|&word| word.to_owned()).collect();
-    // What is remembered of the window itself does not reach the figure.
+    // The window's own stored state does not affect the figure.
     let appearance = Appearance {
         projector: true,
         controls: false,

@@ -51,7 +51,7 @@ fn an_animation_is_exported_as_the_form_says() {
     fs::create_dir_all(&folder).expect("a folder");
     let mut window = window("sphere");
     open_form(&mut window, &folder.join("a.png"));
-    // What goes where is there from the start.
+    // The form starts with the scene's present values.
     let n = hands::scene(&window).material.n;
     assert_eq!(value(&window, "animation-from"), n.to_string());
     fill_in(&mut window, "animation-from", "5");
@@ -74,7 +74,7 @@ fn an_animation_is_exported_as_the_form_says() {
     }
     assert_eq!(pictures.len(), 3);
     assert_ne!(pictures[0], pictures[2]);
-    // A value that does not change is refused, and the form stays for another try.
+    // A value that does not change is refused, and the form stays open for another try.
     open_form(&mut window, &folder.join("b.png"));
     choose(&mut window, "animation-key", "camera.fov_y");
     let to = value(&window, "animation-from");

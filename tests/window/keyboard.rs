@@ -61,7 +61,7 @@ fn from_the_start_keys_alone_change_n_move_the_probe_and_export() {
     key(&mut harness, Key::F3);
     let probe = |harness: &Harness<'_, App>| harness.state().state().window.probe;
     key(&mut harness, Key::ArrowRight);
-    // Now it stands on a pixel's centre.
+    // Now it is at a pixel's centre.
     let start = probe(&harness).0;
     harness.key_press_modifiers(Modifiers::SHIFT, Key::ArrowLeft);
     harness.run();

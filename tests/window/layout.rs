@@ -117,7 +117,7 @@ fn faults(harness: &Harness<'_, App>, shown: Shown) -> Vec<String> {
         if words.trim().is_empty() || text.angle != 0.0 {
             continue;
         }
-        // What does not scroll has to be on the screen.
+        // Items outside a scroll area must be on the screen.
         let fixed = clip.contains_rect(screen);
         if fixed && (rect.min.y < screen.min.y - 1.0 || rect.max.y > screen.max.y + 1.0) {
             faults.push(format!("“{words}” is outside the window: {rect:?}"));
@@ -130,7 +130,7 @@ fn faults(harness: &Harness<'_, App>, shown: Shown) -> Vec<String> {
         if cut && shown != Shown::Typed {
             faults.push(format!("“{words}” is cut off: {rect:?} in {seen:?}"));
         }
-        // The name of the scene gives way to the menus.
+        // The name of the scene may be shortened in favour of the menus.
         let gives_way = rect.center().y < MENUS;
         if text.galley.elided && shown != Shown::Typed && !gives_way {
             faults.push(format!("“{words}” is shortened"));
@@ -265,7 +265,7 @@ fn every_view_and_dialog_fits_at_every_size_in_both_languages() {
                 harness.key_press(Key::Escape);
                 harness.run_ok();
             }
-            // Closed again, or the next would not open.
+            // Closes the menu again, or the next would not open.
             let mut dialog = |what: &str, open: &dyn Fn(&mut Harness<'_, App>)| {
                 open(&mut harness);
                 harness.run_ok();
@@ -285,7 +285,7 @@ fn every_view_and_dialog_fits_at_every_size_in_both_languages() {
             dialog("about", &|harness| {
                 for key in ["menu", "controls-group-help", "controls-command-about"] {
                     let name = in_language(language, || text!(key));
-                    // The menus are one menu in a narrow window alone.
+                    // Only in a narrow window are the menus combined into one.
                     if let Some(button) = harness.query_by_role_and_label(Role::Button, name) {
                         button.click_accesskit();
                         harness.run_ok();
@@ -330,7 +330,7 @@ fn what_scrolls_is_not_cut_off_at_the_side() {
     let _turn = turn();
     let mut found = BTreeSet::new();
     for language in Language::ALL {
-        // So high that nothing has to scroll.
+        // High enough that nothing has to scroll.
         for (scene, size) in [
             ("silhouette", [1280.0, 2400.0]),
             ("glass-ball", [390.0, 3200.0]),

@@ -26,7 +26,7 @@ fn with_page(scene: &str) -> Harness<'static, App> {
 
 /// Returns the text that a key copied to the clipboard.
 fn copied(harness: &mut Harness<'_, App>) -> String {
-    // A step for each event, and what is copied leaves the window in its own.
+    // A frame for each event; a copied text leaves the window in a frame of its own.
     harness.event(Event::Key {
         key: Key::L,
         physical_key: None,
@@ -228,7 +228,7 @@ fn without_a_page_its_address_is_asked_for() {
 
 #[test]
 fn a_notice_goes_after_four_seconds_and_no_frame_is_drawn_for_it_after_that() {
-    // Edges that get smooth in the background would be drawn anew.
+    // Without smooth edges, which would draw frames in the background.
     let appearance = Appearance {
         smooth_edges: false,
         ..Appearance::default()
@@ -269,7 +269,7 @@ fn a_notice_goes_with_what_it_speaks_of() {
     harness.run();
     press(&mut harness, "scenes-next");
     assert_eq!(harness.state().state().session.notice, None);
-    // The one of a link that was opened is about what is open now.
+    // The notice about an opened link refers to the open scene.
     paste(&mut harness, "?scene=torus");
     assert_eq!(
         harness.state().state().session.notice.as_deref(),

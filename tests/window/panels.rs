@@ -347,7 +347,7 @@ fn the_profile_has_a_tab_whose_line_is_dragged_in_the_picture() {
     assert!(until(&mut harness, &[ShadingMode::Gouraud]));
     harness.key_press(Key::Num1);
     harness.run_ok();
-    // Flat shading has no slope but jumps.
+    // Flat shading has jumps instead of a slope.
     harness
         .get_by_label(english!("line-plot-slope"))
         .click_accesskit();
@@ -355,7 +355,7 @@ fn the_profile_has_a_tab_whose_line_is_dragged_in_the_picture() {
         harness,
         "line-jumps-title"
     )));
-    // The end of the line, where the picture and the state have it.
+    // The position of the line's end, in the picture and in the state.
     let before = harness.state().state().window.line;
     let scene_before = scene(&harness).clone();
     let (width, height) = (
@@ -394,7 +394,7 @@ fn the_defects_are_measured_and_the_picture_is_turned_about_the_probe() {
             .is_some()
     );
     let picture = picture_place(&harness);
-    // The first of two panes; its knob stands at the scene's 30 degrees.
+    // The first of two panes; its knob is at the scene's 30 degrees.
     let [width, height] = pane_areas(2, [picture.width() as u32, picture.height() as u32])[0].size;
     let pane = eframe::egui::Rect::from_min_size(picture.min, vec2(width as f32, height as f32));
     let radius = 0.46 * pane.width().min(pane.height());
@@ -523,7 +523,7 @@ fn every_analysis_is_exported_from_its_tab() {
             let any = (0..2000).any(|_| {
                 std::thread::sleep(std::time::Duration::from_millis(10));
                 harness.run_ok();
-                // A menu closes by a click, also before there is an answer.
+                // A click closes a menu, even before there is an answer.
                 if harness
                     .query_all_by_label(english!("report-copy"))
                     .next()

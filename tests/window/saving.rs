@@ -64,7 +64,7 @@ fn save_as(window: &mut Window, (modifiers, key): (Modifiers, Key), path: &str, 
 }
 
 fn fill_in(window: &mut Window, path: &str, button: &str) {
-    // What the field suggests goes.
+    // Clears the suggestion in the field.
     window.key_press_modifiers(Modifiers::COMMAND, Key::A);
     window.run();
     window
@@ -129,7 +129,7 @@ fn no_file_is_replaced_without_a_question() {
     press(&mut window, "back");
     fill_in(&mut window, &folder.path("new.toml"), "save");
     assert!(old("old.toml") && folder.0.join("new.toml").is_file());
-    // The document's own file is no other one's.
+    // Saving to the document's own file replaces no other one.
     save_as(&mut window, SAVE_AS, &folder.path("new.toml"), "save");
     assert!(!asks(&window, "replace-file"));
     save_as(&mut window, EXPORT, &folder.path("old.png"), "export");
@@ -144,7 +144,7 @@ fn no_file_is_replaced_without_a_question() {
     save_as(&mut window, SAVE_AS, &folder.path("old"), "save");
     press(&mut window, "replace");
     assert!(!old("old.toml"));
-    // Shaders go to two files; either may be there already.
+    // Shaders are written to two files; either may exist already.
     fs::write(folder.0.join("old.frag"), "old").expect("a file");
     window.key_press_modifiers(Modifiers::COMMAND, Key::U);
     window.run();
@@ -273,7 +273,7 @@ fn a_changed_scene_is_not_closed_without_a_question() {
     window.key_press_modifiers(Modifiers::COMMAND, Key::Q);
     window.run();
     assert!(asks(&window, unsaved));
-    // Saving asks for a name; leaving that question stays, too.
+    // Saving asks for a name; cancelling that dialog keeps the window open, too.
     press(&mut window, "save");
     press(&mut window, "cancel");
     save_as(&mut window, SAVE_AS, &folder.path("first"), "save");
@@ -329,7 +329,7 @@ fn work_is_offered_again_after_a_window_that_was_not_closed() {
     assert!(kept(&mut first, &folder).is_empty(), "nothing has changed");
     change(&mut first, 7.0);
     open_view(&mut first, "view-profile");
-    // Where the probe stands and which pane is worked on are kept with it.
+    // The probe's position and the active pane are kept with the scene.
     first.key_press_modifiers(Modifiers::SHIFT, Key::ArrowLeft);
     first.key_press(Key::K);
     first.run();
@@ -408,7 +408,7 @@ fn a_model_is_restored_from_its_place_or_named_as_missing() {
     let mut first = keeping(&folder.path("triangle.obj"), &folder.0);
     change(&mut first, 7.0);
     open_view(&mut first, "view-profile");
-    // Where the probe stands and which pane is worked on are kept with it.
+    // The probe's position and the active pane are kept with the scene.
     first.key_press_modifiers(Modifiers::SHIFT, Key::ArrowLeft);
     first.key_press(Key::K);
     first.run();
@@ -562,7 +562,7 @@ fn browse_without_a_desktop() {
     assert!(wait(&mut window, |window| {
         window.state().state().session.document().origin == opened
     }));
-    // Wherever a path is asked for.
+    // The same holds for every dialog that asks for a path.
     window.key_press_modifiers(SAVE_AS.0, SAVE_AS.1);
     window.run();
     assert!(asks(&window, none));

@@ -195,7 +195,7 @@ fn what_is_shown_is_the_scan_of_the_polygon_under_the_probe() {
         has(&harness, english!("line-scan-edge-table"))
             && has(&harness, &english!("found-corners", count = 4))
     );
-    // Another polygon, another scan; another view of the same one, the same place in it.
+    // Another polygon starts another scan; another view of the same polygon keeps the position in it.
     for _ in 0..9 {
         harness.key_press_modifiers(Modifiers::SHIFT, Key::ArrowDown);
         harness.run();

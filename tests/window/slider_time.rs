@@ -43,7 +43,7 @@ fn measure(built_in: &str, settings: &[&str]) {
     let settings: Vec<_> = settings.iter().map(|&setting| setting.to_owned()).collect();
     let mut loaded = load_scene(Path::new(built_in)).expect("a built-in scene");
     loaded.scene = loaded.scene.with_overrides(&settings).expect("settings");
-    // While a slider is held no smoother picture is drawn.
+    // No smoother picture is drawn while a slider is held.
     let appearance = Appearance {
         smooth_edges: false,
         ..Appearance::default()

@@ -12,14 +12,14 @@ fn samples(harness: &Harness<'_, App>) -> u32 {
 #[test]
 fn a_picture_that_rests_is_refined_until_something_changes() {
     let mut harness = window("cube");
-    // A small picture alone, so that sixteen samples are soon drawn.
+    // A single small picture, so that sixteen samples are drawn quickly.
     harness.key_press(Key::F11);
     harness.run();
     harness.set_size(vec2(200.0, 150.0));
     harness.run();
     let refined = |harness: &Harness<'_, App>| samples(harness) == 16;
     assert!(wait(&mut harness, refined));
-    // What is measured keeps its one sample, at the pixels' centres.
+    // Measurements keep one sample per pixel, at its centre.
     let measured = picture(&harness);
     harness.key_press(Key::Num1);
     harness.run_steps(1);

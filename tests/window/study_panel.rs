@@ -78,7 +78,7 @@ fn a_study_runs_stops_and_shows_its_settings_in_the_picture() {
     assert_eq!(*scene(&harness), before, "one step of undo");
     enter(&mut harness, "material.kd", 0.125);
     assert!(stale(&harness), "another material does");
-    // Another is stopped by hand and keeps what it has.
+    // Another study is stopped by hand and keeps its results.
     press(&mut harness, "27 ×");
     press(&mut harness, "512");
     press(&mut harness, "report-again");

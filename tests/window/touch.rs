@@ -32,7 +32,7 @@ fn touch(harness: &mut Harness<'_, App>, finger: u64, phase: TouchPhase, pos: Po
         _ => {}
     }
     harness.input_mut().events.extend(events);
-    // A frame at a time: what rests for more than half a second is a long press.
+    // One frame at a time: a finger at rest for more than half a second is a long press.
     harness.step();
 }
 
@@ -87,7 +87,7 @@ fn one_finger_turns_two_zoom_and_shift() {
         shifted.target.y > nearer.target.y + 0.05,
         "what is seen goes down"
     );
-    // The finger that stays moves nothing.
+    // The remaining finger moves nothing.
     touch(&mut harness, 1, TouchPhase::End, middle + vec2(80.0, 50.0));
     touch(&mut harness, 0, TouchPhase::Move, middle + vec2(0.0, -60.0));
     touch(&mut harness, 0, TouchPhase::End, middle + vec2(0.0, -60.0));
@@ -127,7 +127,7 @@ fn a_field_stays_in_sight_when_the_keyboard_takes_half_of_the_screen() {
         {
             press(&mut harness, "view-controls");
         }
-        // While it is typed in, it is a field of text.
+        // While text is typed into the control, it is a text field.
         let place = |harness: &Harness<'_, App>| {
             harness
                 .query_by(|node| node.is_focused())
@@ -144,7 +144,7 @@ fn a_field_stays_in_sight_when_the_keyboard_takes_half_of_the_screen() {
             "{width} × {height}: n is typed in"
         );
         harness.set_size(vec2(width, height - keyboard));
-        // A browser takes its keyboard away once a single frame has nothing to type in.
+        // A browser hides its keyboard after a single frame without a text field.
         harness.step();
         let seen = Rect::from_min_max(
             picture_place(&harness).min,

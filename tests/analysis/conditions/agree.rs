@@ -149,7 +149,7 @@ fn scene(seed: u64) -> Scene {
         }
     };
     scene.object.normals = dice.of(NormalSource::VALUES);
-    // No lobe so narrow that the picture's grid is seen in it.
+    // No lobe so narrow that the picture's grid shows in it.
     scene.material.roughness = scene.material.roughness.max(0.4);
     // Rings lie about another axis where a shape faces the viewer.
     scene.pattern.kind = dice.of(&[

@@ -247,7 +247,7 @@ fn a_scene_is_written_as_code() {
             .iter()
             .all(|part| part.starts_with("#version 330 core\n") && shaders.contains(part))
     );
-    // What cannot be said is no error, and does not get into the text's way.
+    // Features that the target cannot express are no error, and do not disturb the text.
     let set = [
         "--set",
         "shading.mode=gouraud",

@@ -82,7 +82,7 @@ fn where_memory_cannot_be_had_there_is_a_message() {
         for &divisions in divisions {
             let commands = if all { &COMMANDS[..] } else { &COMMANDS[..5] };
             for (index, command) in commands.iter().enumerate() {
-                // The quick way takes what is refused at once, and of what is drawn the quickest.
+                // The quick run covers scenes that are refused at once and, of those that are drawn, the quickest.
                 if !all && divisions == 1024 && !(granted == 300_000 || index == 1) {
                     continue;
                 }

@@ -93,7 +93,7 @@ fn a_file_that_is_the_output_is_written_to_it() {
         assert_eq!(String::from_utf8_lossy(&output.stderr), "");
         assert_eq!(output.status.code(), Some(0));
     }
-    // A file that the output goes to keeps what it holds already, and its place.
+    // Output redirected to a file keeps its contents and its position.
     folder.write("log", "before\n");
     let log = fs::OpenOptions::new()
         .append(true)
@@ -116,13 +116,13 @@ fn a_file_that_is_the_output_is_written_to_it() {
 #[test]
 fn an_interrupted_write_leaves_nothing() {
     let folder = Folder::new("interrupted");
-    // A shell starts what runs in its background with this signal ignored, and so is the program then.
+    // A shell starts background jobs with this signal ignored, and then the program ignores it, too.
     let ignored = |signal: &str| signal == "INT" && ignored_signals() & 0b10 != 0;
     for signal in ["INT", "TERM", "KILL"]
         .into_iter()
         .filter(|signal| !ignored(signal))
     {
-        // Compressing takes long enough to be met.
+        // Compression takes long enough to be interrupted.
         let render = ["render", "checker", "--size", "700x700", "-o", "a.png"];
         let mut child = folder
             .command(&render)
@@ -207,7 +207,7 @@ fn files_keep_their_mode_links_lead_on_and_any_name_will_do() {
     render(OsStr::new(&long));
     let latin = OsStr::from_bytes(b"caf\xe9.png");
     render(latin);
-    // What is written is read again, by commands that read and by those that write tables.
+    // Written files are read again, by commands that read and by those that write tables.
     for arguments in [
         &["check"][..],
         &["profile", "--from", "0,4", "--to", "8,4", "-o"],
@@ -304,7 +304,7 @@ fn a_file_is_replaced_whole_without_proc_as_well() {
         .mode();
     assert_eq!(mode & 0o777, 0o640);
     assert_eq!(folder.names(), ["a.png"]);
-    // What cannot be finished leaves the old one, and nothing beside it.
+    // A write that cannot finish leaves the old file, and nothing beside it.
     let before = fs::read(folder.0.join("a.png")).expect("a picture");
     let short = "trap '' XFSZ; ulimit -f 1; exec \"$0\" render cube --size 300x300 -o a.png";
     let output = within(short).expect("unshare");

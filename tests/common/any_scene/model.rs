@@ -22,7 +22,7 @@ impl Author {
         let mut last = [0.0; 3];
         for _ in 0..count {
             let point = match self.dice.of(&[0, 0, 0, 0, 1, 2, 3]) {
-                // The same again; next to it; on one line with it.
+                // A repeated point; one next to it; one in line with it.
                 1 => last,
                 2 => last.map(|x| x * (1.0 + 1e-7) + 1e-9),
                 3 => [last[0], last[1], last[2] + 1.0],

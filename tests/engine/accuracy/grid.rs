@@ -131,7 +131,7 @@ impl Reference {
                 };
                 let keys = triangle.map(|v| self.corners[v as usize].key);
                 let key = (0..3).map(|i| weights[i] * keys[i]).sum();
-                // The program makes no depth test for a convex solid: only the grid can bring two of its faces over each other.
+                // The program makes no depth test for a convex solid: only the grid can make two of its faces overlap.
                 if self.mesh.convex || nearest.is_none_or(|(best, ..)| key > best) {
                     nearest = Some((key, f, triangle, weights));
                 }
@@ -263,7 +263,7 @@ fn weights([a, b, c]: [DVec2; 3], at: DVec2, culls: bool) -> Option<[f64; 3]> {
     let weight = |from: DVec2, to: DVec2| {
         let edge = to - from;
         let value = edge.perp_dot(at - from) / area;
-        // A place on the edge counts as one a little to the right, and less below.
+        // A position on the edge counts as if moved slightly to the right, and by less downwards.
         let beside = [-edge.y / area, edge.x / area];
         let inside = [value, beside[0], beside[1]]
             .into_iter()

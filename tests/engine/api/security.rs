@@ -85,7 +85,7 @@ fn every_promise_names_its_test() {
             assert!(there, "{file} has no test {name}: {promise}");
         }
     }
-    // Where there is none, that is seen.
+    // Missing tests are detected.
     assert!(named("- Nothing is read.").is_empty());
     assert!(!has_test(
         &syn::parse_file("fn a() {}").expect("Rust").items,
@@ -246,7 +246,7 @@ fn a_file_opens_no_other_than_its_row_says() {
         let errors = String::from_utf8_lossy(&output.stderr).into_owned();
         assert_eq!(output.status.code(), Some(0), "{arguments:?}: {errors}");
     }
-    // What would have it open one is refused, whatever is there.
+    // A path that would make the command open a file is refused, whether or not the file exists.
     for scene in ["pipe.toml", "a.toml", "/etc/passwd.toml"] {
         folder.write("other.png", answers(scene));
         let output = ends(folder.command(&["collect", "other.png"]));

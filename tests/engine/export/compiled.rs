@@ -77,7 +77,7 @@ const BACKGROUND: [u8; 3] = [32, 40, 48];
 fn small(name: &str, overrides: &[&str]) -> Scene {
     let mut scene = scene(name, overrides);
     scene.image.size = [144, 128];
-    // What the display makes these code values of.
+    // The linear values that the display encodes as these code values.
     let linear = |v: f64| match scene.display.encoding {
         Encoding::Raw => v,
         Encoding::Srgb => ((v + 0.055) / 1.055).powf(2.4),

@@ -149,7 +149,7 @@ impl Polygon {
             normal,
             intensities: {
                 let random: Vec<f64> = outline.iter().map(|_| dice.between(0.1, 1.0)).collect();
-                // A corner that comes again is the same one.
+                // A repeated corner has the intensity of its first occurrence.
                 let first = |p: &DVec2| outline.iter().position(|q| q == p).unwrap_or(0);
                 outline.iter().map(|p| random[first(p)]).collect()
             },
@@ -540,7 +540,7 @@ fn averaged_normals_of_a_prism_count_its_caps_once_each() {
 #[test]
 fn a_model_of_concave_polygons_has_the_files_numbers() {
     let normals = [DVec3::Z; 8];
-    // Smaller ones beside each other, five in a row, each turned by one corner more.
+    // Smaller copies side by side, five in a row, each starting one corner later.
     let shapes: Vec<Vec<DVec3>> = (0..10)
         .map(|f| {
             let middle = DVec2::new(f64::from(f % 5) * 0.4 - 0.8, f64::from(f / 5) * 0.5 - 0.25);
@@ -650,7 +650,7 @@ fn a_clipped_concave_polygon_covers_what_is_left_of_it() {
         };
         for (k, shade) in (0..).zip(renderer.linear()) {
             let pixel = DVec2::new(f64::from(k % 64), f64::from(k / 64)) + 0.5;
-            // Next to an edge the grid decides, and where a tooth is not much wider than its steps.
+            // The grid decides next to an edge, and where a tooth is not much wider than the grid's steps.
             let (centre, depth) = met(&view, pixel, frame);
             let near = [[1.0, 1.0], [1.0, -1.0], [-1.0, 1.0], [-1.0, -1.0]];
             let around = near.map(|by| met(&view, pixel + DVec2::from_array(by) / 32.0, frame));

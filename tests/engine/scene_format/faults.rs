@@ -219,7 +219,7 @@ fn values_that_contradict_each_other_are_named() {
             "s.toml:1: `camera.up` is parallel to the viewing direction, expected a direction across it",
         ],
     );
-    // Whether its kind reads the direction or not: a point light can become a directional one.
+    // The direction is checked even if the light's kind ignores it: a point light can become a directional one.
     for kind in ["point", "spot", "directional", "area"] {
         assert_objections(
             &format!("[[light]]\nkind = '{kind}'\ndirection = [0, 0, 0]\n"),

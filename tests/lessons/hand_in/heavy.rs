@@ -114,7 +114,7 @@ fn a_heavy_hand_in_is_one_row_and_the_others_are_graded() {
     for (name, source, answer) in &heavy {
         let file = format!("{name}.png");
         fs::write(folder.join(&file), hand_in_of(source, answer)).expect("a file");
-        // Before the other, so that it could stop it.
+        // Before the other, so that it could stop the run.
         files.insert(0, file);
     }
     let files: Vec<&str> = files.iter().map(String::as_str).collect();
@@ -150,7 +150,7 @@ fn what_is_too_heavy_in_ones_own_lesson_is_said_at_its_question() {
         .iter()
         .map(|problem| &*problem.words)
         .collect();
-    // The second question is looked at all the same.
+    // The second question is graded nevertheless.
     assert_eq!(words.len(), 2, "{words:?}");
     assert!(words[0].contains(&too_much()[0]), "{words:?}");
     assert!(words[1].contains("`from`"), "{words:?}");
@@ -210,7 +210,7 @@ fn a_curve_over_nothing_stops_nobodys_page() {
         error.to_string().contains(english!("lesson-range")),
         "{error}"
     );
-    // A hand-in can say what the program would not write.
+    // A hand-in can contain what the program would not write.
     let sound = thin.replace("5e-324", "1e+3");
     let curve = Answer::Curve(vec![Some(0.5); 65]);
     let bytes = hand_in_of(&sound, &curve);

@@ -68,7 +68,7 @@ fn a_spot_lights_cone_is_typed() {
     let reason = harness.state().state().session.notice.clone();
     let refused = wide.validate().map_err(|error| error.to_string());
     assert_eq!(reason, refused.err(), "as a scene file would be");
-    // What would take all memory is refused before it is drawn.
+    // A number that would take all memory is refused before it is drawn.
     let before = scene(&harness).clone();
     enter(&mut harness, "object.segments", 4e9);
     assert_eq!(*scene(&harness), before);
@@ -185,7 +185,7 @@ fn a_spot_lights_arrow_is_dragged() {
     );
     undo(&mut harness);
     assert_eq!(*scene(&harness), before, "a drag is one step");
-    // Beside the handles the camera turns.
+    // A drag beside the handles turns the camera.
     drag(
         &mut harness,
         middle - vec2(0.0, 150.0),
@@ -286,7 +286,7 @@ fn check_lights(harness: &Harness<'_, App>, done: &[&str]) {
     let duplicate = harness.get_by_role_and_label(Role::Button, english!("lights-duplicate"));
     let disabled = duplicate.accesskit_node().is_disabled();
     assert_eq!(disabled, count == 0, "{done:?}");
-    // The rows are those of the chosen one, and of no other; so are the vectors.
+    // Rows and vectors are shown for the chosen light only.
     let kinds = (1..=count.max(4)).filter(|number| {
         let kind = named(&format!("light.{}.kind", number - 1));
         harness

@@ -157,7 +157,7 @@ fn a_model_drawn_without_its_materials_says_so_until_it_is_dismissed_or_gone() {
     let warning = &english!("document-no-materials", name = "red.obj");
     let mut harness = window_of(load_scene(&path).expect("a model"));
     let says = |harness: &Harness<'_, App>| harness.query_by_label_contains(warning).is_some();
-    // Not for four seconds only, and what is said for four seconds goes before it.
+    // The warning outlasts four seconds, and a notice of four seconds takes precedence over it.
     harness.run_steps(40);
     assert!(says(&harness));
     harness.key_press_modifiers(Modifiers::COMMAND | Modifiers::SHIFT, Key::L);

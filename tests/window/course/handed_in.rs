@@ -99,7 +99,7 @@ fn who_answered_what_stands_beside_the_picture_with_its_marks() {
     }
     assert_eq!(count(&harness, "course-mark-right"), 2);
     assert_eq!(count(&harness, "course-answers-wrong"), 1);
-    // What was given first, what in the end, and what is right.
+    // The first answer, the final one, and the right one.
     let tries = english!("course-answers-tries", count = 3);
     let tries = format!(
         "{tries} · {}",
@@ -118,7 +118,7 @@ fn who_answered_what_stands_beside_the_picture_with_its_marks() {
     hands::undo(&mut harness);
     show_course(&mut harness);
     assert!(says(&harness, "Ada Lovelace"));
-    // The lessons are a step away, and so is the way back.
+    // One press leads to the lessons, and one back.
     press(&mut harness, "course-lessons");
     assert!(!says(&harness, "Ada Lovelace"));
     harness
@@ -163,7 +163,7 @@ fn answers_that_were_changed_do_not_count() {
     let harness = opened(&path);
     let why = english!("course-answers-void", why = english!("class-changed"));
     assert!(says(&harness, &why));
-    // A picture without answers is one like any other.
+    // A picture without answers opens as usual.
     let mut plain = Vec::new();
     write_png(&mut plain, &frame(), Some(&Scene::default()), &[]).expect("a picture");
     let harness = opened(&write("plain.png", &plain));

@@ -67,11 +67,11 @@ fn at_the_choice() -> Harness<'static, App> {
 #[test]
 fn another_scene_shows_its_numbers_and_a_way_back() {
     let mut harness = at_the_choice();
-    // The scene that the step shows too, as it comes with the program.
+    // The built-in scene that the step uses, too.
     choose_scene(&mut harness, "scene-sphere");
     assert_ne!(scene(&harness).material.n, 20.0);
     assert!(!hides(&mut harness));
-    // What the step asks is about its own scene.
+    // The step's question is about its own scene.
     press(&mut harness, "course");
     assert!(
         harness

@@ -10,7 +10,7 @@ use shading_lab::app::App;
 
 /// Returns the rest of a line of the filled-in equation that begins with `name`.
 fn line_of(harness: &Harness<'_, App>, name: &str) -> String {
-    // A screen reader has the words of a label as its value.
+    // A screen reader reports the words of a label as its value.
     let text = |node: &AccessKitNode<'_>| node.label().or_else(|| node.value()).unwrap_or_default();
     let node = harness.get_by(|node| text(node).starts_with(name));
     text(&node.accesskit_node())[name.len()..].to_owned()

@@ -157,7 +157,7 @@ fn keys_go_to_what_stands_in_front() {
     );
     harness.key_press(Key::Escape);
     harness.run();
-    // So does the progress of work on a file: a picture that takes its time.
+    // The progress dialog of a file does so, too: a picture that takes long.
     harness.key_press_modifiers(Modifiers::COMMAND, Key::E);
     harness.run();
     enter(&mut harness, "samples", 1024.0);

@@ -47,7 +47,7 @@ fn a_vertex_is_dragged_in_the_picture() {
     );
     undo(&mut harness);
     assert_eq!(*scene(&harness), before, "a drag is one step");
-    // Across the opposite corner the square would cross itself.
+    // Beyond the opposite corner the square would cross itself.
     let opposite = on_screen(&harness, before.object.vertices[0]);
     drag(
         &mut harness,
@@ -62,7 +62,7 @@ fn a_vertex_is_dragged_in_the_picture() {
         stopped.object.vertices[2]
     );
     undo(&mut harness);
-    // With Shift it leaves the picture's plane.
+    // With Shift the vertex leaves the picture's plane.
     harness.event(Event::PointerMoved(at));
     harness.event_modifiers(
         Event::PointerButton {
@@ -73,7 +73,7 @@ fn a_vertex_is_dragged_in_the_picture() {
         },
         Modifiers::SHIFT,
     );
-    // One frame alone: held for long without Shift it would be dragged without it.
+    // A single frame: in further ones the drag would go on without Shift.
     harness.step();
     harness.event_modifiers(Event::PointerMoved(at + vec2(0.0, -40.0)), Modifiers::SHIFT);
     harness.run();
@@ -127,7 +127,7 @@ fn polygons_are_counted_and_their_vertices_typed() {
         (scene(&harness).object.segments, scene(&harness).validate()),
         (2, Ok(()))
     );
-    // What is too few for a ball becomes enough.
+    // Too few segments for a sphere are raised to enough.
     let mut harness = window("vertex-normals");
     enter(&mut harness, "object.segments", 2.0);
     choose(&mut harness, "object.kind", "sphere");
@@ -146,7 +146,7 @@ fn the_camera_is_rolled_and_put_back() {
         .set_value_accesskit(90.0);
     harness.run();
     assert_eq!(scene(&harness).camera.roll, 90.0);
-    // What is under the pointer follows it: to the right in the picture is upwards in the world.
+    // The grabbed point follows the pointer: to the right in the picture is upwards in the world.
     let middle = picture_place(&harness).center();
     drag(
         &mut harness,
@@ -198,7 +198,7 @@ fn one_number_cuts_every_shape_into_as_many_triangles() {
                     .is_some_and(|text| text.contains("vertices"))
             })
     );
-    // A slider's end, and numbers beyond what is typed sensibly.
+    // A slider's end, and numbers beyond the sensible range.
     harness
         .get_by_role_and_label(Role::Slider, english!("lights-triangles"))
         .set_value_accesskit(12.0);
