@@ -59,7 +59,7 @@ fn an_output_that_nobody_reads_is_no_failure() {
     assert_eq!(output.status.code(), Some(0));
 }
 
-/// Checks that output to a closed pipe is dropped quietly.
+/// Checks output files that are the standard output; with a closed pipe the program ends quietly.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_file_that_is_the_output_is_written_to_it() {
