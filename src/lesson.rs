@@ -42,7 +42,7 @@ pub use hand_in::{
     ANSWERS_KEYWORD, HandIn, HandInError, MAX_NAME, answer_parts, hand_in, hand_in_bytes,
     read_hand_in,
 };
-pub use kinds::kind::Asks;
+pub use kinds::kind::AnyKind;
 pub use kinds::{
     Answer, CURVE_POINTS, Choice, ChoiceOption, Curve, CurveOf, Extreme, Find, Goal, Item, Kind,
     Match, MatchValues, Order, Point, RightIf, Settings, Solution, Value, letter, picture_distance,

@@ -27,7 +27,7 @@ use super::html::Html;
 use super::read::keys::{KeyReader, Keys};
 use super::{Grade, LabPlace};
 use crate::render::Frame;
-use kind::{Asks, Predictions, Printed, QuestionKind};
+use kind::{AnyKind, Predictions, Printed, QuestionKind};
 use serde::{Deserialize, Serialize};
 
 /// Makes the enums of questions, answers and right answers of a table of kinds, and hands what is asked of them to the kind's
@@ -85,7 +85,7 @@ macro_rules! kinds {
             }
 
             /// Returns what is known of it without the type of its answer.
-            pub fn asks(&self) -> &dyn Asks {
+            pub fn asks(&self) -> &dyn AnyKind {
                 match self {
                     $(Self::$name(kind) => kind,)+
                 }

@@ -48,18 +48,6 @@ const PAGE: &str = "https://example.org/shading-lab/";
 /// The height of the menus, points.
 const MENUS: f32 = 52.0;
 
-/// The sections of the panel of controls.
-const SECTIONS: [&str; 8] = [
-    "controls-material",
-    "controls-lights",
-    "controls-shading",
-    "controls-object",
-    "controls-surroundings",
-    "controls-transparency",
-    "controls-camera",
-    "controls-display",
-];
-
 /// Returns the texts of a frame with their clip rectangles.
 fn texts(shapes: &[ClippedShape]) -> Vec<(Rect, &TextShape)> {
     fn gather<'s>(shape: &'s Shape, clip: Rect, found: &mut Vec<(Rect, &'s TextShape)>) {
@@ -313,7 +301,7 @@ fn every_view_and_dialog_fits_at_every_size_in_both_languages() {
 
 /// Opens every section of the panel of controls.
 fn unfold_all(harness: &mut Harness<'_, App>, language: Language) {
-    for key in SECTIONS {
+    for key in hands::TITLES {
         let title = in_language(language, || text!(key));
         let section = harness.query_by_role_and_label(Role::DisclosureTriangle, title);
         if let Some(section) =

@@ -12,7 +12,7 @@ mod widget;
 
 #[cfg(target_arch = "wasm32")]
 pub use matching::{Likeness, Target};
-pub use widget::{Asked, Widget};
+pub use widget::{Widget, WidgetContext};
 
 use crate::lesson::{Answer, Kind};
 

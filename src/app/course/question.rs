@@ -2,7 +2,7 @@
 
 use super::data::Course;
 use super::feedback::feedback_ui;
-use super::kinds::Asked;
+use super::kinds::WidgetContext;
 use super::parts::{error_ui, waiting_ui};
 use super::prose::prose_ui;
 use super::work::Prepared;
@@ -82,7 +82,7 @@ fn contents_ui(
     let (Some(question), Some(widget)) = (question, &mut open.draft.widget) else {
         return;
     };
-    let mut asked = Asked {
+    let mut asked = WidgetContext {
         question,
         names: &known.names,
         solution: known.right(),

@@ -1,7 +1,7 @@
 //! A choice: one of several options.
 
 use super::extreme::{Extreme, too_near};
-use super::kind::{Asks, Predictions, Printed, QuestionKind};
+use super::kind::{AnyKind, Predictions, Printed, QuestionKind};
 use super::lettered::{Bars, letter, lettered, lettered_html};
 use crate::expression::Expression;
 use crate::lesson::html::{Html, element};
@@ -38,7 +38,7 @@ pub enum RightIf {
     Holds(Expression),
 }
 
-impl Asks for Choice {
+impl AnyKind for Choice {
     fn options(&self) -> Vec<&Prose> {
         self.options.iter().map(|option| &option.text).collect()
     }

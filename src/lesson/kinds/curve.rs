@@ -1,6 +1,6 @@
 //! A curve that is drawn.
 
-use super::kind::{Asks, Predictions, Printed, QuestionKind};
+use super::kind::{AnyKind, Predictions, Printed, QuestionKind};
 use crate::expression::Expression;
 use crate::figure::Drawing;
 use crate::figure::palette::Rgb8;
@@ -95,7 +95,7 @@ impl Curve {
     }
 }
 
-impl Asks for Curve {
+impl AnyKind for Curve {
     fn axes(&self) -> Vec<&Prose> {
         vec![&self.x_name, &self.y_name]
     }

@@ -7,7 +7,7 @@ use crate::lesson::{Grade, LabPlace, Prose};
 use crate::render::Frame;
 
 /// The properties of a question that do not depend on the type of its answer.
-pub trait Asks {
+pub trait AnyKind {
     /// Returns the texts of the options or the items, which have letters.
     fn options(&self) -> Vec<&Prose> {
         Vec::new()
@@ -70,7 +70,7 @@ pub trait Asks {
 }
 
 /// A kind of question: how it is read, solved, graded and printed.
-pub trait QuestionKind: Asks + Sized {
+pub trait QuestionKind: AnyKind + Sized {
     /// The answer of a student.
     type Answer;
     /// The right answer.

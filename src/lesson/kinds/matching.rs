@@ -1,6 +1,6 @@
 //! A match: settings that make a picture like another one.
 
-use super::kind::{Asks, Predictions, Printed, QuestionKind};
+use super::kind::{AnyKind, Predictions, Printed, QuestionKind};
 use super::number::{control_line, short_number};
 use crate::analysis::comparison::{LinearPicture, error_figures};
 use crate::figure::short;
@@ -56,7 +56,7 @@ impl Match {
     }
 }
 
-impl Asks for Match {
+impl AnyKind for Match {
     fn controls(&self) -> &[String] {
         &self.controls
     }

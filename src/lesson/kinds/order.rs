@@ -1,7 +1,7 @@
 //! An order: things sorted from the least to the greatest.
 
 use super::extreme::too_near;
-use super::kind::{Asks, Predictions, Printed, QuestionKind};
+use super::kind::{AnyKind, Predictions, Printed, QuestionKind};
 use super::lettered::{Bars, letter, lettered, lettered_html};
 use crate::expression::Expression;
 use crate::lesson::html::{Html, element};
@@ -32,7 +32,7 @@ pub struct Item {
     pub set: Vec<String>,
 }
 
-impl Asks for Order {
+impl AnyKind for Order {
     fn options(&self) -> Vec<&Prose> {
         self.items.iter().map(|item| &item.text).collect()
     }

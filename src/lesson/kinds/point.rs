@@ -1,7 +1,7 @@
 //! A point: a place in the picture.
 
 use super::extreme::Extreme;
-use super::kind::{Asks, Predictions, Printed, QuestionKind};
+use super::kind::{AnyKind, Predictions, Printed, QuestionKind};
 use super::number::short_number;
 use crate::analysis::perception::luminance;
 use crate::expression::Expression;
@@ -44,7 +44,7 @@ pub enum Find {
     Corner(ShadingMode),
 }
 
-impl Asks for Point {
+impl AnyKind for Point {
     fn asks_place(&self) -> bool {
         true
     }

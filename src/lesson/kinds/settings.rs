@@ -1,7 +1,7 @@
 //! Settings: a state that is reached with one control.
 
 use super::extreme::Extreme;
-use super::kind::{Asks, Predictions, Printed, QuestionKind};
+use super::kind::{AnyKind, Predictions, Printed, QuestionKind};
 use super::number::{control_line, number_chart, short_number};
 use crate::expression::Expression;
 use crate::figure::short;
@@ -39,7 +39,7 @@ pub enum Goal {
     Extreme(Extreme),
 }
 
-impl Asks for Settings {
+impl AnyKind for Settings {
     fn controls(&self) -> &[String] {
         std::slice::from_ref(&self.control)
     }

@@ -1,6 +1,6 @@
 //! A value: a number that is typed.
 
-use super::kind::{Asks, Predictions, Printed, QuestionKind};
+use super::kind::{AnyKind, Predictions, Printed, QuestionKind};
 use super::number::{blank_line, digits, number_chart, short_number};
 use crate::expression::Expression;
 use crate::figure::short;
@@ -24,7 +24,7 @@ pub struct Value {
     pub unit: String,
 }
 
-impl Asks for Value {
+impl AnyKind for Value {
     fn hint(&self) -> Option<String> {
         Some(text!(
             "class-range",

@@ -1,7 +1,7 @@
 //! A choice: a card for each option.
 
 use super::card::{CHOICE, Card};
-use super::widget::{Asked, Widget};
+use super::widget::{Widget, WidgetContext};
 use crate::lesson::{Answer, Question, Solution};
 use crate::scene::Scene;
 use eframe::egui::accesskit::Role;
@@ -20,7 +20,7 @@ impl Widget for ChoiceWidget {
         }
     }
 
-    fn ui(&mut self, ui: &mut Ui, asked: &mut Asked<'_>) -> bool {
+    fn ui(&mut self, ui: &mut Ui, asked: &mut WidgetContext<'_>) -> bool {
         let right = match asked.right() {
             Some(Solution::Choice(right)) => Some(*right),
             _ => None,

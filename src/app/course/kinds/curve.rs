@@ -1,6 +1,6 @@
 //! A curve drawn by hand, and the right one drawn over it.
 
-use super::widget::{Asked, Widget};
+use super::widget::{Widget, WidgetContext};
 use crate::app::course::parts::right_colour;
 use crate::app::widgets::drawing::{paint, plot_style, rgb};
 use crate::app::widgets::focus::named;
@@ -98,7 +98,7 @@ impl Widget for CurveWidget {
         }
     }
 
-    fn ui(&mut self, ui: &mut Ui, asked: &mut Asked<'_>) -> bool {
+    fn ui(&mut self, ui: &mut Ui, asked: &mut WidgetContext<'_>) -> bool {
         let Kind::Curve(curve) = &asked.question.kind else {
             return false;
         };

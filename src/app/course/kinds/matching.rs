@@ -1,6 +1,6 @@
 //! A picture to be matched: the target beside the student's own, and the distance between them.
 
-use super::widget::{Asked, Widget, set_ui};
+use super::widget::{Widget, WidgetContext, set_ui};
 use crate::analysis::Watch;
 use crate::analysis::codec::Codec;
 use crate::app::course::parts::waiting_ui;
@@ -137,7 +137,7 @@ pub struct MatchWidget;
 
 impl Widget for MatchWidget {
     /// Shows the target, the distance, and a meter that says whether the last change reduced it.
-    fn ui(&mut self, ui: &mut Ui, asked: &mut Asked<'_>) -> bool {
+    fn ui(&mut self, ui: &mut Ui, asked: &mut WidgetContext<'_>) -> bool {
         if let Kind::Match(kind) = &asked.question.kind {
             match_ui(ui, asked, kind);
         }
@@ -184,7 +184,7 @@ impl Widget for MatchWidget {
     }
 }
 
-fn match_ui(ui: &mut Ui, asked: &mut Asked<'_>, kind: &Match) {
+fn match_ui(ui: &mut Ui, asked: &mut WidgetContext<'_>, kind: &Match) {
     let (Some(staged), Some(Solution::Match(values))) = (asked.staged, asked.solution) else {
         return waiting_ui(ui, text!("course-preparing"));
     };

@@ -1,7 +1,7 @@
 //! An order: cards moved by dragging or by their buttons, the smallest first.
 
 use super::card::Card;
-use super::widget::{Asked, Widget};
+use super::widget::{Widget, WidgetContext};
 use crate::app::course::prose::prose_ui;
 use crate::app::widgets::focus::named;
 use crate::lesson::{Answer, Question, Solution};
@@ -33,7 +33,7 @@ impl Widget for OrderWidget {
         }
     }
 
-    fn ui(&mut self, ui: &mut Ui, asked: &mut Asked<'_>) -> bool {
+    fn ui(&mut self, ui: &mut Ui, asked: &mut WidgetContext<'_>) -> bool {
         let revealed = asked.revealed;
         let right = match asked.right() {
             Some(Solution::Order(right)) => Some(right),

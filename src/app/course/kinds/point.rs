@@ -1,6 +1,6 @@
 //! A point, marked by a click in the picture.
 
-use super::widget::{Asked, Widget};
+use super::widget::{Widget, WidgetContext};
 use crate::app::session::Session;
 use crate::app::widgets::focus::picture_id;
 use crate::lesson::{Answer, Question, Solution};
@@ -23,7 +23,7 @@ impl Widget for PointWidget {
         }
     }
 
-    fn ui(&mut self, ui: &mut Ui, asked: &mut Asked<'_>) -> bool {
+    fn ui(&mut self, ui: &mut Ui, asked: &mut WidgetContext<'_>) -> bool {
         if asked.revealed {
             return false;
         }

@@ -1,6 +1,6 @@
 //! Settings: one of the step's controls is the answer.
 
-use super::widget::{Asked, Widget, numbers_ui, set_ui};
+use super::widget::{Widget, WidgetContext, numbers_ui, set_ui};
 use crate::app::session::Session;
 use crate::lesson::{Answer, Question, Solution, value_of};
 use crate::scene::Scene;
@@ -11,7 +11,7 @@ use eframe::egui::{RichText, Ui};
 pub struct SettingsWidget;
 
 impl Widget for SettingsWidget {
-    fn ui(&mut self, ui: &mut Ui, _: &mut Asked<'_>) -> bool {
+    fn ui(&mut self, ui: &mut Ui, _: &mut WidgetContext<'_>) -> bool {
         ui.label(RichText::new(text!("course-settings")).weak());
         false
     }

@@ -1,6 +1,6 @@
 //! A value: a field for a number.
 
-use super::widget::{Asked, Widget, numbers_ui};
+use super::widget::{Widget, WidgetContext, numbers_ui};
 use crate::app::controls::row::evaluate;
 use crate::app::session::Session;
 use crate::app::widgets::focus::named;
@@ -24,7 +24,7 @@ impl Widget for ValueWidget {
         }
     }
 
-    fn ui(&mut self, ui: &mut Ui, asked: &mut Asked<'_>) -> bool {
+    fn ui(&mut self, ui: &mut Ui, asked: &mut WidgetContext<'_>) -> bool {
         let Kind::Value(value) = &asked.question.kind else {
             return false;
         };

@@ -16,7 +16,7 @@ pub trait Widget {
     fn take_up(&mut self, _given: &Answer) {}
 
     /// Shows the widget. Returns whether Enter was pressed in it.
-    fn ui(&mut self, ui: &mut Ui, asked: &mut Asked<'_>) -> bool;
+    fn ui(&mut self, ui: &mut Ui, asked: &mut WidgetContext<'_>) -> bool;
 
     /// Returns the answer if it is complete; `scene` is the scene of the window.
     fn answer(&self, question: &Question, scene: &Scene) -> Option<Answer>;
@@ -47,7 +47,7 @@ pub trait Widget {
 }
 
 /// A question on display, with what its widget may read and change.
-pub struct Asked<'a> {
+pub struct WidgetContext<'a> {
     /// The question.
     pub question: &'a Question,
     /// The texts of options or items, or the names of axes, with their numbers filled in.
@@ -70,7 +70,7 @@ pub struct Asked<'a> {
     pub changed: bool,
 }
 
-impl<'a> Asked<'a> {
+impl<'a> WidgetContext<'a> {
     /// Returns the right answer, if it is shown.
     pub fn right(&self) -> Option<&'a Solution> {
         self.solution.filter(|_| self.revealed)
