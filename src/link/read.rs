@@ -297,7 +297,7 @@ impl Reader<'_> {
     /// Returns the scene on which the link is based: the default one if it names none.
     fn base(&self, named: Option<&(usize, String)>) -> Result<(&'static str, Scene), LinkError> {
         let Some((at, name)) = named else {
-            return Ok((presets::DEFAULT, presets::default_scene()));
+            return Ok((presets::LINK_BASE, presets::link_base()));
         };
         if name == DEFAULTS {
             return Ok((NAME, Scene::default()));

@@ -72,7 +72,7 @@ fn portable(scene: &Scene) -> (Scene, Option<PathBuf>) {
     let in_pane = scene.compare.panes.iter().any(is_model);
     let shown = scene.object.kind == ObjectKind::Obj;
     if shown {
-        scene.object = presets::default_scene().object;
+        scene.object = presets::link_base().object;
     }
     scene
         .compare

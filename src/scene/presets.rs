@@ -58,7 +58,10 @@ impl Preset {
 }
 
 /// The name of the scene shown when none is named.
-pub const DEFAULT: &str = "teapot";
+pub const DEFAULT: &str = "shading-modes";
+
+/// The name of the scene that a link without a name changes. Links stay what they are: this never changes.
+pub const LINK_BASE: &str = "teapot";
 
 macro_rules! scenes {
     ($($topic:literal: $($name:literal)+;)+) => {
@@ -78,9 +81,9 @@ macro_rules! scenes {
 /// Every built-in scene, by topic.
 pub static ALL: &[Preset] = &SCENES;
 
-static SCENES: [Preset; 44] = scenes! {
+static SCENES: [Preset; 45] = scenes! {
     "shapes": "sphere" "torus" "cylinder" "cone" "cube" "plane" "teapot";
-    "shading": "highlight" "flat-facets" "mach-bands" "silhouette" "perspective-distortion" "orientation" "shared-vertices"
+    "shading": "shading-modes" "highlight" "flat-facets" "mach-bands" "silhouette" "perspective-distortion" "orientation" "shared-vertices"
         "vertex-normals" "depth-cueing";
     "light": "ambient-only" "sun" "spotlight" "soft-shadow" "three-lights" "colored-lights" "attenuation"
         "attenuation-quadratic" "attenuation-viewer" "infinite";
@@ -125,4 +128,9 @@ pub fn sentence(name: &str) -> &'static str {
 /// Returns the scene shown when none is named.
 pub fn default_scene() -> Scene {
     find(DEFAULT).map(Preset::scene).unwrap_or_default()
+}
+
+/// Returns the scene that a link without a name changes.
+pub fn link_base() -> Scene {
+    find(LINK_BASE).map(Preset::scene).unwrap_or_default()
 }

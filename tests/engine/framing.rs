@@ -4,7 +4,8 @@ use crate::common::properties;
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use shading_lab::geometry::tessellate;
-use shading_lab::scene::{Camera, Framing, Object, Projection, View, presets};
+use shading_lab::render::Renderer;
+use shading_lab::scene::{Camera, Framing, Object, Projection, ShadingMode, View, presets};
 
 /// A square, a wide and a narrow picture.
 const SHAPES: [[u32; 2]; 3] = [[600, 600], [1600, 1000], [540, 960]];
@@ -129,6 +130,34 @@ proptest! {
         prop_assert_eq!(a.is_some(), b.is_some());
         if let (Some(a), Some(b)) = (a, b) {
             prop_assert!((a - b).length() <= 1e-9 * a.length().max(1.0) || a.length() > far);
+        }
+    }
+}
+
+#[test]
+fn the_shading_modes_of_the_start_scene_differ_at_a_glance() {
+    let modes = [ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Phong];
+    for size in SHAPES {
+        let pictures = modes.map(|mode| {
+            let mut scene = presets::default_scene();
+            scene.shading.mode = mode;
+            scene.image.size = size;
+            let mut renderer = Renderer::default();
+            renderer.render(&scene).pixels.to_vec()
+        });
+        for (a, b) in [(0, 1), (1, 2), (0, 2)] {
+            let pairs = pictures[a].iter().zip(&pictures[b]);
+            let squares: f64 = pairs
+                .flat_map(|(p, q)| [0, 1, 2].map(|i| f64::from(p[i]) - f64::from(q[i])))
+                .map(|difference| (difference / 255.0).powi(2))
+                .sum();
+            let rms = (squares / (3 * pictures[a].len()) as f64).sqrt();
+            assert!(
+                rms >= 0.03,
+                "{:?} and {:?} at {size:?}: {rms}",
+                modes[a],
+                modes[b]
+            );
         }
     }
 }

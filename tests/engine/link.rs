@@ -37,7 +37,7 @@ fn round_trip(scene: &Scene, origin: Option<&str>) -> String {
     sent.object.path = None;
     if sent.object.kind == ObjectKind::Obj {
         assert_eq!(left_out, scene.object.path);
-        sent.object = presets::default_scene().object;
+        sent.object = presets::link_base().object;
     }
     let differing: Vec<_> = sent
         .differences(&back.scene)
@@ -91,7 +91,7 @@ fn a_few_settings_of_a_built_in_scene_are_a_short_and_readable_link() {
 
 #[test]
 fn every_built_in_scene_is_its_name() {
-    assert_eq!(presets::ALL.len(), 44);
+    assert_eq!(presets::ALL.len(), 45);
     for preset in presets::ALL {
         let scene = preset.scene();
         let link = format!("?scene={}", preset.name);
@@ -104,10 +104,10 @@ fn every_built_in_scene_is_its_name() {
         assert_eq!((name.as_str(), back), (preset.name, scene));
     }
     assert_eq!(plain(&Scene::default(), None), format!("?scene={DEFAULTS}"));
-    assert_eq!(read("?").expect("a link").scene, presets::default_scene());
+    assert_eq!(read("?").expect("a link").scene, presets::link_base());
     assert_eq!(
         read("https://example.org/").expect("a link").name,
-        presets::DEFAULT
+        presets::LINK_BASE
     );
 }
 
@@ -144,7 +144,7 @@ fn changed_built_in_scenes_come_back_bit_by_bit() {
         .into_par_iter()
         .filter(|seed| {
             let mut dice = Dice(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15));
-            let preset = &presets::ALL[(dice.unit() * 44.0) as usize];
+            let preset = &presets::ALL[(dice.unit() * 45.0) as usize];
             let (mut scene, other) = (preset.scene(), everyday_scene(*seed).scene);
             if dice.unit() < 0.3 {
                 scene.lights.clone_from(&other.lights);
@@ -187,7 +187,7 @@ fn what_does_not_fit_is_compressed() {
     ];
     assert!(round_trip(&scene, None).contains("/?view=profile"));
     // A link that ends with a full stop would lose it in a message.
-    let mut scene = presets::default_scene();
+    let mut scene = presets::link_base();
     scene.lights[0].name = "Sun.".to_owned();
     assert!(plain(&scene, None).ends_with("set=light.0.name=Sun%2E"));
     round_trip(&scene, None);

@@ -15,7 +15,7 @@ use glam::DVec3;
 use shading_lab::analysis::normals::NormalField;
 use shading_lab::app::{App, Appearance, ProfileAppearance, ViewName};
 use shading_lab::geometry::tessellate;
-use shading_lab::scene::{Choice, CompareView, Pane, Rgb, ShadingMode, View};
+use shading_lab::scene::{Choice, CompareView, Pane, Rgb, ShadingMode, View, presets};
 use std::sync::Arc;
 
 /// Sets a slider by the key of its parameter, checks that the picture changes, and undoes it.
@@ -500,7 +500,9 @@ fn pointing_at_a_vertex_lights_up_its_faces() {
 
 /// Returns the appearance of a window that starts with a stored one.
 fn look_from(stored: &Appearance) -> Appearance {
-    let harness = window_looking(built_in("teapot"), [900.0, 600.0], stored, |app| app);
+    let harness = window_looking(built_in(presets::DEFAULT), [900.0, 600.0], stored, |app| {
+        app
+    });
     harness.state().state().window.appearance.clone()
 }
 
