@@ -36,6 +36,8 @@ use crate::render::{Frame, FrameReport, Renderer};
 use crate::scene::{Choice as _, presets};
 use crate::text::{Language, language, set_language, text};
 use controls::scenes::scene_after;
+use eframe::egui::panel::PanelState;
+use eframe::egui::util::IdTypeMap;
 use eframe::egui::{ColorImage, Context, ThemePreference, Ui, ViewportCommand};
 use engine::Engine;
 use picture::Room;
@@ -79,6 +81,8 @@ pub struct App {
     /// keys.
     in_front: bool,
     recovery: Option<Recovery>,
+    /// True if nothing is read from earlier runs and nothing is stored.
+    fresh: bool,
     /// The language given at startup, and the menu's choice that it overrides. A different choice in the menu
     /// ends the override.
     started_in: Option<(Language, Option<Language>)>,
@@ -117,6 +121,7 @@ impl App {
             letters: None,
             in_front: false,
             recovery: None,
+            fresh: false,
             started_in: None,
         }
     }
@@ -179,6 +184,16 @@ impl App {
     #[must_use]
     pub fn with_page(mut self, page: Option<String>) -> Self {
         self.state.window.appearance.page = page.unwrap_or(self.state.window.appearance.page);
+        self
+    }
+
+    /// Forgets everything that earlier runs stored, and stores nothing for the next one.
+    #[must_use]
+    pub fn fresh(mut self, ctx: &Context) -> Self {
+        ctx.data_mut(IdTypeMap::clear);
+        self.state.window.appearance = Appearance::default();
+        self.state.course = Course::default();
+        self.fresh = true;
         self
     }
 
@@ -382,6 +397,22 @@ impl App {
                 let name = scene_after(&self.state.session.document().origin, step).to_owned();
                 self.perform(ctx, Action::OpenBuiltIn(name));
             }
+            Action::ResetLayout => {
+                let window = &mut self.state.window;
+                window.appearance = window.appearance.reset();
+                (window.probe, window.line) = Default::default();
+                (window.enlarged, window.picture_alone) = (false, false);
+                window.own = ViewStates::default();
+                ctx.data_mut(|data| data.remove_by_type::<PanelState>());
+            }
+            Action::Find => self.state.dialog = Some(Dialog::Find),
+            Action::Seek(key) => {
+                (
+                    self.state.window.enlarged,
+                    self.state.window.appearance.controls,
+                ) = (false, true);
+                symbol::seek(ctx, symbol::Sought::Parameter(key));
+            }
             Action::Keys => self.state.dialog = Some(Dialog::Keys),
             Action::About => self.state.dialog = Some(Dialog::About),
             Action::PictureAlone => {
@@ -528,8 +559,12 @@ impl eframe::App for App {
         );
     }
 
+    fn persist_egui_memory(&self) -> bool {
+        !self.fresh
+    }
+
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
-        if self.state.window.embedded.is_some() {
+        if self.fresh || self.state.window.embedded.is_some() {
             return;
         }
         eframe::set_value(

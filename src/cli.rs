@@ -48,6 +48,8 @@ struct Arguments {
     seed: Option<u64>,
     #[arg(long, value_name = "BASE", value_parser = link::parse_page)]
     url: Option<String>,
+    #[arg(long)]
+    fresh: bool,
     #[command(subcommand)]
     command: Option<Command>,
 }
@@ -183,6 +185,7 @@ fn perform(arguments: Arguments) -> Result<(), Failure> {
         scene,
         seed,
         url,
+        fresh,
         command,
     } = arguments;
     let earlier = scene.overrides();
@@ -194,7 +197,8 @@ fn perform(arguments: Arguments) -> Result<(), Failure> {
         return Err(Failure::input(text!("cli-set-without-scene", name = name)));
     }
     match command {
-        None => open_window(&scene, (seed, language), url),
+        None => open_window(&scene, (seed, language), url, fresh),
+        Some(_) if fresh => Err(Failure::input(text!("cli-fresh-before-command"))),
         Some(_) if scene.source.is_some() => Err(Failure::input(text!("cli-scene-before-command"))),
         Some(Command::Link(link)) => link.run(&earlier, url),
         Some(_) if url.is_some() => Err(Failure::input(text!("cli-url-before-command"))),
@@ -235,11 +239,12 @@ fn nearest_is_command(word: &Path) -> bool {
 }
 
 /// Opens the window on a scene or a lesson, or on the default scene; in `language`, and with `page` in its links, in
-/// place of the previous session's.
+/// place of the previous session's, of which a `fresh` window knows nothing.
 fn open_window(
     arguments: &SceneArguments,
     (seed, language): (Option<u64>, Option<Language>),
     page: Option<String>,
+    fresh: bool,
 ) -> Result<(), Failure> {
     let (loaded, lesson) = match &arguments.source {
         Some(source) if Lesson::is_file(source) => {
@@ -262,11 +267,12 @@ fn open_window(
         seed,
         language,
         page,
+        fresh,
     })
     .map_err(Failure::work);
     #[cfg(not(feature = "app"))]
     {
-        drop((loaded, lesson, seed, language, page));
+        drop((loaded, lesson, seed, language, page, fresh));
         Err(Failure::work(text!("cli-no-window")))
     }
 }

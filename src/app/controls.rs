@@ -20,7 +20,7 @@ use crate::app::session::action::Action;
 use crate::app::session::action::Requests;
 use crate::app::session::window::WindowState;
 use crate::app::widgets::focus::{keep_in_sight, named};
-use crate::app::widgets::symbol::{self, Symbol};
+use crate::app::widgets::symbol::{self, Sought, Symbol};
 use crate::scene::parameter::{Parameter, Slider};
 use crate::scene::{
     AmbientSource, Camera, Choice, CuedBy, DepthCueing, Display, GREATEST_LENGTH, Light, Object,
@@ -29,7 +29,9 @@ use crate::scene::{
 };
 use crate::text;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Button, CollapsingHeader, Label, RichText, ScrollArea, Ui};
+use eframe::egui::{
+    Button, CollapsingHeader, Id, Label, PopupAnchor, RichText, ScrollArea, Tooltip, Ui,
+};
 
 /// Width of a column of sections, in points. A wide panel has several columns.
 const COLUMN: f32 = 320.0;
@@ -59,7 +61,28 @@ struct Section {
     open: Open,
     /// Symbols of the equation that open the section.
     symbols: &'static [Symbol],
+    /// Tables of the scene file whose keys all belong to the section.
+    tables: &'static [&'static str],
     items: &'static [Item],
+}
+
+impl Section {
+    /// Returns whether the section has this control.
+    fn has(&self, sought: Sought) -> bool {
+        match sought {
+            Sought::Symbol(symbol) => self.symbols.contains(&symbol),
+            Sought::Parameter(key) => {
+                let table = key.split('.').next().unwrap_or_default();
+                let lists = |item: &Item| match item {
+                    Rows(rows) | Used(rows) | While(_, rows) => {
+                        rows.iter().any(|parameter| parameter.key == key)
+                    }
+                    Own(_) => false,
+                };
+                self.tables.contains(&table) || self.items.iter().any(lists)
+            }
+        }
+    }
 }
 
 /// Rule that decides whether a section is open when a scene is opened.
@@ -92,6 +115,7 @@ static SECTIONS: [Section; 8] = [
             Symbol::Reflectance,
             Symbol::Reflected,
         ],
+        tables: &[],
         items: &[
             Own(|ui, session, window, _, _| {
                 let material = &mut session.shown.scene.material;
@@ -134,6 +158,7 @@ static SECTIONS: [Section; 8] = [
             Symbol::Ip,
             Symbol::Light,
         ],
+        tables: &["light"],
         items: &[
             Rows(&[&material::AMBIENT_COLOR]),
             Own(|ui, session, window, requests, _| {
@@ -146,6 +171,7 @@ static SECTIONS: [Section; 8] = [
         about: special_shading,
         open: Open::Usually,
         symbols: &[],
+        tables: &[],
         items: &[
             Rows(&[&shading::MODE]),
             Own(|ui, session, _, _, _| mode_ui(ui, &session.shown.scene)),
@@ -161,6 +187,7 @@ static SECTIONS: [Section; 8] = [
         about: special_object,
         open: Open::WhenAbout,
         symbols: &[Symbol::Normal],
+        tables: &["object"],
         items: &[Own(|ui, session, _, requests, engine| {
             object::object_ui(ui, session, requests, engine);
         })],
@@ -178,6 +205,7 @@ static SECTIONS: [Section; 8] = [
         },
         open: Open::Special,
         symbols: &[Symbol::Shadows, Symbol::Bounce],
+        tables: &[],
         items: &[
             Rows(&[&shading::SHADOWS, &material::AMBIENT_SOURCE]),
             Own(|ui, session, _, _, engine| fit_ui(ui, &mut session.shown.scene, engine)),
@@ -204,6 +232,7 @@ static SECTIONS: [Section; 8] = [
         about: |scene| scene.transparency.kt > 0.0,
         open: Open::Special,
         symbols: &[Symbol::Kt, Symbol::Transmitted],
+        tables: &[],
         items: &[Rows(&[
             &material::KT,
             &material::TRANSPARENCY_IOR,
@@ -215,6 +244,7 @@ static SECTIONS: [Section; 8] = [
         about: special_camera,
         open: Open::Special,
         symbols: &[Symbol::Viewer],
+        tables: &[],
         items: &[
             Rows(&[&camera::VIEWER, &camera::PROJECTION]),
             Used(&[&camera::FOV_Y, &camera::HEIGHT]),
@@ -240,6 +270,7 @@ static SECTIONS: [Section; 8] = [
         },
         open: Open::Special,
         symbols: &[Symbol::Intensity, Symbol::Depth],
+        tables: &[],
         items: &[
             Rows(&[&camera::OVERFLOW]),
             Own(|ui, _, _, _, engine| overflow_ui(ui, engine)),
@@ -347,6 +378,31 @@ pub fn controls_ui(
     });
 }
 
+/// Returns whether the panel has a row for the parameter with this key.
+pub fn has_row(key: &'static str) -> bool {
+    let sought = Sought::Parameter(key);
+    SECTIONS.iter().any(|section| section.has(sought))
+}
+
+/// Changes the number whose letter is dragged in a formula, and shows it beside the pointer.
+pub fn pull_ui(ui: &Ui, session: &mut Session) {
+    let Some((symbol, points)) = symbol::pulled(ui.ctx()) else {
+        return;
+    };
+    let (scene, light) = (&mut session.shown.scene, session.light);
+    let Some((parameter, value)) = row::pull(scene, symbol, light, points) else {
+        return;
+    };
+    Tooltip::always_open(
+        ui.ctx().clone(),
+        ui.layer_id(),
+        Id::unique("pulled"),
+        PopupAnchor::Pointer,
+    )
+    .show(|ui| ui.label(format!("{} = {value}", parameter.letter)));
+    session.commit();
+}
+
 /// Shows a section. Opening another scene opens or folds it anew.
 fn section_ui(
     ui: &mut Ui,
@@ -357,8 +413,7 @@ fn section_ui(
     section: &Section,
     (opens, anew): (bool, bool),
 ) {
-    let sought = symbol::sought(ui.ctx());
-    let sought = sought.is_some_and(|symbol| section.symbols.contains(&symbol));
+    let sought = symbol::sought(ui.ctx()).is_some_and(|sought| section.has(sought));
     let title = RichText::new(text!(section.title)).strong();
     let header = CollapsingHeader::new(title).id_salt(section.title);
     let open = if sought {

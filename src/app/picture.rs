@@ -278,12 +278,15 @@ fn gesture(
             drag(session, window, course, response, at, pointed);
             ui.ctx().set_cursor_icon(CursorIcon::Grabbing);
         }
-        if response.double_clicked() || response.long_touched() {
+        if response.long_touched() {
             put_probe(window, place, at);
         } else if response.clicked() && course.asks_point() {
             put_mark(course, place, at);
         } else if response.clicked() {
-            choose(session, pointed.under(session, course, at).0);
+            match pointed.under(session, course, at).0 {
+                Grip::Camera => put_probe(window, place, at),
+                grip => choose(session, grip),
+            }
         }
     }
     if response.drag_stopped() {

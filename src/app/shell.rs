@@ -10,6 +10,7 @@ pub mod embed;
 pub mod equation;
 pub mod files;
 pub mod film;
+pub(super) mod find;
 pub mod layout;
 pub mod lessons;
 pub mod links;

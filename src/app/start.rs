@@ -31,6 +31,8 @@ pub struct Start {
     pub language: Option<Language>,
     /// The address that links begin with; overrides that of the last session.
     pub page: Option<String>,
+    /// True to read nothing that an earlier session stored, and to store nothing.
+    pub fresh: bool,
 }
 
 /// Opens the window and returns when it is closed.
@@ -44,6 +46,7 @@ pub fn run(start: Start) -> Result<(), String> {
         seed,
         language,
         page,
+        fresh,
     } = start;
     check_environment()?;
     let viewport = ViewportBuilder::default()
@@ -57,13 +60,16 @@ pub fn run(start: Start) -> Result<(), String> {
     };
     let options = eframe::NativeOptions {
         viewport,
+        persist_window: !fresh,
         ..eframe::NativeOptions::default()
     };
     let open = |cc: &eframe::CreationContext<'_>| -> Box<dyn eframe::App> {
-        let app = App::new(cc, loaded).with_welcome().in_language(language);
+        let app = App::new(cc, loaded);
+        let app = if fresh { app.fresh(&cc.egui_ctx) } else { app };
+        let app = app.with_welcome().in_language(language);
         let app = app.with_page(page).with_lesson(lesson, seed);
         let folder = eframe::storage_dir("shading-lab").map(|folder| folder.join("recovery"));
-        Box::new(match folder {
+        Box::new(match folder.filter(|_| !fresh) {
             Some(folder) => app.with_recovery(&folder),
             None => app,
         })

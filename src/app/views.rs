@@ -106,7 +106,7 @@ pub static GROUPS: [Group; 5] = [
             View {
                 key: ViewName::ScanLine,
                 name: "view-scan-line",
-                wide: false,
+                wide: true,
                 show: |ui, p| {
                     p.with(|p, own| scan_ui(ui, own, p.session, p.window, p.requests, p.engine));
                 },
@@ -150,7 +150,7 @@ pub static GROUPS: [Group; 5] = [
             View {
                 key: ViewName::Study,
                 name: "view-study",
-                wide: true,
+                wide: false,
                 show: |ui, p| {
                     p.with(|p, own| study_ui(ui, own, p.session, p.window, p.requests, p.engine));
                 },
@@ -250,22 +250,14 @@ fn choose(window: &mut WindowState, index: usize) {
     window.show_view(present.or(last).unwrap_or(group.views[0].key));
 }
 
-/// Shows the rail: a button for each group. The buttons are below each other or, in a narrow window, side by side with one for
-/// the controls.
+/// Shows the rail: a button for the controls and one for each group, of which a narrow window shows one at a time.
 pub fn rail_ui(ui: &mut Ui, window: &mut WindowState, narrow: bool, size: Vec2) {
     let between = if size.y < 52.0 { 0.0 } else { 4.0 };
     ui.spacing_mut().item_spacing = vec2(2.0, between);
-    if narrow
-        && sign_ui(
-            ui,
-            Sign::Controls,
-            text!("view-controls"),
-            window.appearance.controls,
-            size,
-        )
-    {
-        window.appearance.controls = !window.appearance.controls;
-        window.appearance.views = false;
+    let controls = window.appearance.controls;
+    if sign_ui(ui, Sign::Controls, text!("view-controls"), controls, size) {
+        window.appearance.controls = !controls;
+        window.appearance.views &= !narrow;
     }
     for (index, group) in GROUPS.iter().enumerate() {
         let shown = window.appearance.views && group.has(window.appearance.view);

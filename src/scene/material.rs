@@ -8,7 +8,7 @@ use crate::text::text;
 use std::ops::RangeInclusive;
 
 pub(super) const COEFFICIENT: Limits = Limits::new(0.0, Material::MAX_COEFFICIENT);
-const EXPONENTS: Slider = Slider::logarithmic(0.1, 1e6).decimals(2);
+const EXPONENTS: Slider = Slider::logarithmic(1.0, 1000.0).decimals(2);
 const SLOPES: Slider =
     Slider::logarithmic(*Material::ROUGHNESS.start(), *Material::ROUGHNESS.end());
 const INDEX: Slider = Slider::linear(0.0, 5.0);

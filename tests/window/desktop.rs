@@ -292,7 +292,7 @@ fn export_and_compare(desktop: &Desktop) {
     );
     let picture = Renderer::default().render(&opened.scene).clone();
     let [width, height] = opened.scene.image.size;
-    // The picture's place on the screen: panels are 292 points wide at the left, bars 146 high on top.
+    // The picture's place on the screen: panels are 330 points wide at the left, bars 162 high on top.
     let matches = |screen: &[[u8; 3]], dx: u32, dy: u32| {
         let places = (0..height)
             .step_by(7)
@@ -310,7 +310,7 @@ fn export_and_compare(desktop: &Desktop) {
     // The vectors, the handles and the ring of the probe cover a few hundredths of it, as does the dialog until it has closed.
     wait("the window to show the picture that is exported", || {
         let screen = desktop.screen();
-        let places = (286..298).flat_map(|dx| (140..154).map(move |dy| (dx, dy)));
+        let places = (324..338).flat_map(|dx| (140..170).map(move |dy| (dx, dy)));
         places
             .map(|(dx, dy)| matches(&screen, dx, dy))
             .fold(0.0, f64::max)

@@ -34,9 +34,7 @@ fn turn() -> MutexGuard<'static, ()> {
 }
 
 /// Minimum width of the picture in a narrow window, points.
-const LEAST: f32 = 300.0;
-/// Minimum width of the picture beside a lesson, which takes space of its own, in a narrow window, points.
-const LEAST_WITH_LESSON: f32 = 200.0;
+const LEAST: f32 = 176.0;
 
 /// A link whose error has a long word to wrap.
 const BROKEN_LINK: &str =
@@ -155,13 +153,10 @@ fn faults(harness: &Harness<'_, App>, shown: Shown) -> Vec<String> {
     }
     let width = picture.map_or(0.0, |picture| picture.width());
     let narrow = screen.width() < 900.0;
-    let lesson = harness.state().state().course.open.is_some();
-    let least = if narrow && lesson {
-        LEAST_WITH_LESSON
-    } else if narrow {
+    let least = if narrow {
         LEAST
     } else {
-        0.5 * screen.width() - 1.0
+        0.47 * screen.width() - 1.0
     };
     if width < least && shown != Shown::Enlarged {
         faults.push(format!("the picture is {width} wide, expected {least}"));

@@ -11,6 +11,7 @@ mod course;
 mod desktop;
 mod embed;
 mod film;
+mod handling;
 mod keyboard;
 mod layout;
 mod light_handles;

@@ -54,6 +54,7 @@ cli-scene-before-command = a scene before the command, expected it after: shadin
 cli-expected-whole = expected a whole number from { $low } to { $high }
 cli-expected-count = expected a whole number from 0
 cli-expected-number = expected a number
+cli-fresh-before-command = --fresh before a command: it is for the window alone
 cli-url-before-command = --url before a command, expected it after: shading-lab link SCENE --url BASE
 cli-expected-step = expected a whole number from 0, or last
 cli-expected-size = expected WIDTHxHEIGHT in pixels, 1 to { $most } each, as in 768x512
@@ -110,6 +111,7 @@ cli-help-program-source = A .toml, .obj, .png or .md file, the name of a built-i
 cli-help-shared-set = Override one key of the scene, as in material.n=1005 or light.0.position=[2,2,3]; keys count lights from 0, so light.0 is light 1
 cli-help-shared-material = Use a named material (see `materials`); --set can then change it further
 cli-help-shared-url = Address of the page that links begin with, as in https://example.org/shading-lab/; the window remembers it
+cli-help-shared-fresh = Open the window as at the very first start, and store nothing: for classrooms
 cli-help-shared-seed = Number that decides what the questions of lessons draw at random
 cli-help-shared-json = Print one JSON object
 cli-help-shared-csv = Write the table as CSV; - is standard output

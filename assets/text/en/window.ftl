@@ -40,3 +40,13 @@ welcome-explore = Explore this one
 welcome-open = Open a model
 menu = Menu
 in-equation = in the equation
+
+## Find a command
+
+find = Find a command
+find-hint = A command, a setting, a scene, a lesson
+find-none = Nothing is called “{ $sought }”.
+find-view = View
+find-setting = Setting
+find-scene = Scene
+find-lesson = Lesson

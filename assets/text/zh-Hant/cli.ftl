@@ -54,6 +54,7 @@ cli-scene-before-command = 場景寫在指令之前，應寫在指令之後：sh
 cli-expected-whole = 應為 { $low } 到 { $high } 的整數
 cli-expected-count = 應為 0 以上的整數
 cli-expected-number = 應為數字
+cli-fresh-before-command = --fresh 在指令之前：它只用於視窗
 cli-url-before-command = --url 寫在指令之前，應寫在指令之後：shading-lab link SCENE --url BASE
 cli-expected-step = 應為 0 以上的整數，或 last
 cli-expected-size = 應為以像素計的 寬x高，各 1 到 { $most }，例如 768x512
@@ -102,6 +103,7 @@ cli-help-program-source = .toml、.obj、.png 或 .md 檔、內建場景的名�
 cli-help-shared-set = 覆寫場景的一個鍵，例如 material.n=1005 或 light.0.position=[2,2,3]；鍵中的光源從 0 起算，所以 light.0 是光源 1
 cli-help-shared-material = 使用具名材質（見 `materials`）；之後可再用 --set 修改
 cli-help-shared-url = 連結開頭的網頁位址，例如 https://example.org/shading-lab/；視窗會記住
+cli-help-shared-fresh = 像第一次啟動一樣開啟視窗，並且不儲存任何東西：適合教室的電腦
 cli-help-shared-seed = 決定課程題目隨機取值的數字
 cli-help-shared-json = 輸出一個 JSON 物件
 cli-help-shared-csv = 將表格寫成 CSV；- 為標準輸出

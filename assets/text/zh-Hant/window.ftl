@@ -40,3 +40,13 @@ welcome-explore = 探索這個場景
 welcome-open = 開啟模型
 menu = 選單
 in-equation = （方程式中）
+
+## 尋找指令
+
+find = 尋找指令
+find-hint = 指令、設定、場景、單元
+find-none = 沒有叫做「{ $sought }」的項目。
+find-view = 檢視
+find-setting = 設定
+find-scene = 場景
+find-lesson = 單元

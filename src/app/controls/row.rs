@@ -30,6 +30,8 @@ use widgets::{choice, swatch_button, text, toggle};
 /// Width of three fields beside a swatch, and of a list's arrow with the space around its text, in points.
 const SWATCHED: f32 = 166.0;
 const LIST: f32 = 40.0;
+/// Distance over which a dragged letter goes through the whole range of its slider, in points.
+const PULL: f32 = 240.0;
 
 /// Shows a row for a parameter of the scene.
 pub fn parameter(ui: &mut Ui, initial: &Scene, scene: &mut Scene, parameter: &'static Parameter) {
@@ -90,8 +92,9 @@ pub fn parameter_with(
         name: &name,
         tip: &tip,
         symbol: parameter.symbol,
+        parameter: Some(parameter),
         idle: (parameter.idle)(scene, index),
-        room: room(ui, scene, parameter, index),
+        room: room(ui, scene, parameter, view),
     };
     let (name, range) = (&*name, range(scene, parameter, view));
     let spec = |default| NumberRow {
@@ -167,6 +170,42 @@ pub fn parameter_with(
     }
 }
 
+/// Changes the number behind a letter of the equation that is dragged sideways by `points`, as its slider would. Returns the
+/// parameter that the letter stands for and its value, if it is one number that has an effect.
+pub fn pull(
+    scene: &mut Scene,
+    symbol: Symbol,
+    index: usize,
+    points: f32,
+) -> Option<(&'static Parameter, String)> {
+    let stands = |parameter: &&Parameter| {
+        parameter.symbol == Some(symbol)
+            && parameter.slider().is_some()
+            && (parameter.idle)(scene, index).is_none()
+    };
+    let parameter = Parameter::all().find(stands)?;
+    let view = View {
+        index,
+        ..View::default()
+    };
+    let (range, by) = (range(scene, parameter, &view), f64::from(points / PULL));
+    match parameter.kind {
+        Kind::Number(at, ..) => {
+            let value = (at.get_mut)(scene, index)?;
+            *value = range.moved(*value, by);
+            Some((parameter, display(*value, range.decimals)))
+        }
+        Kind::Coefficient(at, ..) => {
+            let value = (at.get_mut)(scene, index)?;
+            let largest = value.max_element();
+            let moved = range.moved(largest, by);
+            *value = number::scaled(*value, largest, moved);
+            Some((parameter, display(moved, range.decimals)))
+        }
+        _ => None,
+    }
+}
+
 /// A row that edits a value of the scene.
 struct Edited<'a> {
     ui: &'a mut Ui,
@@ -198,11 +237,14 @@ impl Edited<'_> {
 }
 
 /// Returns the width that a parameter's control needs, in points.
-fn room(ui: &Ui, scene: &Scene, parameter: &Parameter, index: usize) -> f32 {
+fn room(ui: &Ui, scene: &Scene, parameter: &Parameter, view: &View) -> f32 {
     match parameter.kind {
+        Kind::Number(..) | Kind::Whole(..) | Kind::Coefficient(..) => {
+            range(scene, parameter, view).room()
+        }
         Kind::Colour(..) => SWATCHED,
         Kind::Point(_) | Kind::Direction(..) | Kind::Channels(..) => FIELDS,
-        Kind::Choice(access) => access.chosen(scene, index).map_or(0.0, |chosen| {
+        Kind::Choice(access) => access.chosen(scene, view.index).map_or(0.0, |chosen| {
             let option = access.options().get(chosen);
             option.map_or(0.0, |option| width_of(ui, option.label())) + LIST
         }),

@@ -15,8 +15,8 @@ use crate::scene::presets::{self, Preset};
 use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align2, Color32, ColorImage, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, TextStyle,
-    TextureHandle, Ui, Vec2, pos2, vec2,
+    Align2, Color32, ColorImage, Key, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind,
+    TextStyle, TextureHandle, Ui, Vec2, pos2, vec2,
 };
 use serde::{Deserialize, Serialize};
 
@@ -33,8 +33,9 @@ pub struct Gallery {
 }
 
 impl Gallery {
-    /// Forgets the thumbnails that are still being drawn.
+    /// Forgets what was sought, and the thumbnails that are still being drawn.
     pub fn leave(&mut self) {
+        self.sought.clear();
         self.pictures.leave();
     }
 }
@@ -84,12 +85,17 @@ pub fn scenes_ui(ui: &mut Ui, window: &mut WindowState, requests: &mut Requests)
         .pictures
         .prepare(ui.ctx(), &wanted, presets::ALL.len());
     let mut choice = Choice::Stay;
+    let mut entered = false;
     ui.horizontal(|ui| {
         ui.heading(text!("scenes"));
         let field = text_field(&mut gallery.sought)
             .hint_text(text!("scenes-search"))
             .desired_width(ui.available_width() - 76.0);
-        named(ui.add(field), Role::SearchInput, text!("scenes-search"));
+        let field = named(ui.add(field), Role::SearchInput, text!("scenes-search"));
+        entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+        if !field.has_focus() && ui.memory(|memory| memory.focused().is_none()) {
+            field.request_focus();
+        }
         if ui.button(text!("close")).clicked() {
             choice = Choice::Leave;
         }
@@ -120,7 +126,9 @@ pub fn scenes_ui(ui: &mut Ui, window: &mut WindowState, requests: &mut Requests)
                     // Two fit side by side in a narrow window.
                     let width = (0.5 * (ui.available_width() - 8.0)).clamp(100.0, CARD.x);
                     for (index, preset) in scenes {
-                        if card_ui(ui, width, preset, gallery.pictures.textures.get(index)) {
+                        let texture = gallery.pictures.textures.get(index);
+                        // Enter opens the first scene that is found.
+                        if card_ui(ui, width, preset, texture) || std::mem::take(&mut entered) {
                             requests.ask(Action::OpenBuiltIn(preset.name.to_owned()));
                             choice = Choice::Leave;
                         }

@@ -15,6 +15,10 @@ pub enum Action {
     OpenBuiltIn(String),
     /// Shows the gallery of built-in scenes.
     Scenes,
+    /// Shows the search for whatever the window can do.
+    Find,
+    /// Shows the row of the parameter with this key.
+    Seek(&'static str),
     /// Opens the built-in scene at this distance from the present one, in their order.
     NextScene(isize),
     Save,
@@ -38,6 +42,10 @@ pub enum Action {
     Undo,
     Redo,
     ResetCamera,
+    /// Restores the scene as it was opened.
+    ResetScene,
+    /// Restores the view and the layout of the window as at the first start.
+    ResetLayout,
     /// Resets the value of the focused row to that of the opened scene.
     ResetRow,
     /// Gives the picture the focus, so that the arrow keys move the probe.

@@ -68,6 +68,18 @@ impl Appearance {
         }
     }
 
+    /// Returns the appearance of the first start, in the same language and theme, with the same files and page.
+    pub fn reset(&self) -> Self {
+        Self {
+            theme: self.theme,
+            language: self.language,
+            welcomed: self.welcomed,
+            recent: self.recent.clone(),
+            page: self.page.clone(),
+            ..Self::default()
+        }
+    }
+
     /// Moves a file to the front of the recent ones. Does nothing on a page, which cannot open files again.
     pub fn remember(&mut self, path: &Path) {
         if system::PAGE {

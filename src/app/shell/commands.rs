@@ -216,6 +216,9 @@ fn edit() -> Section {
         .line()
         .item("copy", "Ctrl + C", Action::CopyPicture)
         .item("code", "Ctrl + U", Action::Code)
+        .item("find", "Ctrl + K", Action::Find)
+        .line()
+        .item("reset-scene", "", Action::ResetScene)
         .keys("reset-row", "Ctrl + R", [Action::ResetRow])
         .keys("next-field", "Tab", [])
         .keys("leave", "Esc", [])
@@ -292,6 +295,7 @@ fn view() -> Section {
             "Ctrl + 0",
             change(Appearance::ordinary_size),
         )
+        .item("reset-layout", "", Action::ResetLayout)
 }
 
 fn compare() -> Section {
@@ -314,6 +318,7 @@ fn scene() -> Section {
         .item("exact", "5", shade(ShadingMode::Exact, true))
         .item("unnormalised", "6", shade(ShadingMode::Phong, false))
         .line()
+        .gesture("next-scene")
         .item("add-light", "", Action::AddLight(Light::default()))
         .item("reset-camera", "0", Action::ResetCamera)
 }
@@ -395,13 +400,17 @@ pub fn listen(ctx: &Context, window: &WindowState, course: &Course, requests: &m
                     pressed: true,
                     modifiers,
                     ..
-                } if lesson
+                } if (lesson || free && !scanning)
                     && modifiers.is_none()
                     && matches!(key, Key::PageUp | Key::PageDown) =>
                 {
-                    // Keys of a presenter's remote, which work anywhere in the window.
+                    // Keys of a presenter's remote. In a lesson they work anywhere in the window.
                     let by = if *key == Key::PageDown { 1 } else { -1 };
-                    Some(Action::Course(Turn::Step(by)))
+                    Some(if lesson {
+                        Action::Course(Turn::Step(by))
+                    } else {
+                        Action::NextScene(by)
+                    })
                 }
                 Event::Key {
                     key,
@@ -479,6 +488,10 @@ impl AppState {
             Action::ResetCamera => {
                 let opened = self.session.opened().clone();
                 orbit::reset(&mut self.session.shown, &opened, size);
+            }
+            Action::ResetScene => {
+                let opened = self.session.opened().clone();
+                self.session.put_scene(opened);
             }
             Action::Shade { mode, renormalise } => {
                 self.session.shown.scene.shading.mode = mode;

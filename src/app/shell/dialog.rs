@@ -36,6 +36,7 @@ pub enum Dialog {
     /// The link to the current view as a QR code, over the whole window.
     LinkCode(LinkCode),
     Scenes,
+    Find,
     Keys,
     About,
 }

@@ -5,6 +5,7 @@ use super::commands::SECTIONS;
 use super::dialog::{Dialog, ExportForm, FileTask};
 use super::files::Files;
 use super::film::film_ui;
+use super::find::{Finder, find_ui};
 use super::links;
 use crate::app::controls::scenes::{Gallery, scenes_ui};
 use crate::app::session::action::Action;
@@ -96,6 +97,7 @@ pub fn dialog_ui(ctx: &Context, state: &mut AppState, files: &mut Files) {
             }
             state.window.own.put(Writer::default());
             state.window.own.change(Gallery::leave);
+            state.window.own.change(Finder::leave);
             state.leaving = Leaving::No;
             ctx.request_repaint();
         }
@@ -175,6 +177,7 @@ pub fn perform(ctx: &Context, state: &mut AppState, files: &mut Files, dialog: D
         Dialog::Message { .. }
         | Dialog::LinkCode(_)
         | Dialog::Scenes
+        | Dialog::Find
         | Dialog::Keys
         | Dialog::About => {}
     }
@@ -231,6 +234,7 @@ fn contents_ui(ui: &mut Ui, dialog: &mut Dialog, state: &mut AppState) -> Choice
         Dialog::Page(form) => links::page_ui(ui, form),
         Dialog::LinkCode(_) => Choice::Leave,
         Dialog::Scenes => scenes_ui(ui, &mut state.window, &mut state.requests),
+        Dialog::Find => find_ui(ui, &mut state.window, &mut state.requests),
         Dialog::Keys => keys_ui(ui),
         Dialog::About => question_ui(
             ui,

@@ -11,7 +11,7 @@
 //!   └─────────┴───────────────┴───────┴────┘    └─ rail ──┘   └────────────┴──────┴────┘
 //! ```
 //!
-//! The picture keeps half of the window's width. If there is no space for both panels, the one opened last is
+//! The picture keeps nearly half of the window's width. If there is no space for both panels, the one opened last is
 //! shown. The drawer of a narrow window holds the controls or a view.
 
 use super::bars;
@@ -24,20 +24,19 @@ use crate::app::session::window::WindowState;
 use crate::app::shell::state::AppState;
 use crate::app::views::{self, RAIL};
 use crate::app::widgets::symbol;
-use eframe::egui::{
-    Align2, Area, CentralPanel, Frame as Margins, Id, Margin, Order, Panel, Rect, Ui, Vec2, vec2,
-};
+use eframe::egui::{CentralPanel, Frame as Margins, Panel, Rect, Ui, Vec2};
 
 /// The window width below which panels become a drawer, in points.
 pub const NARROW: f32 = 900.0;
-/// The minimum width of a panel, in points.
+/// The minimum width of a panel, and of the controls, whose sliders need it, in points.
 const PANEL: f32 = 288.0;
+const CONTROLS: f32 = 320.0;
 /// The minimum side of the picture in a narrow window, in points.
 const PICTURE: f32 = 300.0;
-/// The minimum side of the picture beside a lesson, whose text and question need the space, in points;
-/// [`LESSON`] is the lesson's own width.
-const LEAST: f32 = 200.0;
-const LESSON: f32 = 250.0;
+/// The minimum side of the picture beside a drawer in a narrow window, and above a lesson, whose text and question need the
+/// space, in points; [`DRAWER`] is the drawer's own width.
+const LEAST: f32 = 176.0;
+const DRAWER: f32 = 250.0;
 /// The default fraction of the height that a wide view takes below the picture.
 const BELOW: f32 = 0.4;
 /// The window height below which only the essentials are above the picture, in points.
@@ -54,14 +53,24 @@ pub struct Layout {
     /// True if the window is higher than wide. Unchanged while text is edited, so that a field keeps its
     /// place when a phone's keyboard makes the window lower.
     tall: bool,
+    /// The panel that was closed because there was no space for both: the controls, or a view.
+    closed: Option<ClosedPanel>,
     /// The last rectangle of the picture, in points.
     pub picture: Option<Rect>,
+}
+
+/// A panel that was closed because there was no space for both.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum ClosedPanel {
+    Controls,
+    View,
 }
 
 impl Layout {
     /// Shows everything but dialogs. Returns the size available to the picture, if it is visible.
     pub fn ui(&mut self, ui: &mut Ui, state: &mut AppState, engine: &mut Engine) -> Option<Room> {
         let size = ui.available_size();
+        controls::pull_ui(ui, &mut state.session);
         state.window.appearance.controls |= symbol::opens_controls(ui.ctx());
         if state.window.picture_alone {
             return Some(self.picture_ui(ui, state, engine));
@@ -156,11 +165,11 @@ impl Layout {
     }
 
     /// Closes a panel if there is no space for both: the one opened first, or at once the controls beside a
-    /// lesson or answers handed in.
+    /// lesson or answers handed in. It opens again when there is space.
     fn make_room(&mut self, window: &mut WindowState, course: &Course, size: Vec2) {
         let open = [window.appearance.controls, window.appearance.views];
         let beside = size.x < NARROW || !views::stands_below(window);
-        if open == [true, true] && beside && panel_room(size) < 2.0 * PANEL {
+        if open == [true, true] && beside && panel_room(size) < CONTROLS + PANEL {
             let reads = window.shows(ViewName::Course) && course.heading().is_some();
             let controls_first = match self.open {
                 [true, false] => true,
@@ -169,6 +178,17 @@ impl Layout {
             };
             (window.appearance.controls, window.appearance.views) =
                 (!controls_first, controls_first);
+            self.closed = Some(if controls_first {
+                ClosedPanel::Controls
+            } else {
+                ClosedPanel::View
+            });
+        } else if panel_room(size) >= CONTROLS + PANEL {
+            match self.closed.take() {
+                Some(ClosedPanel::Controls) if open[1] => window.appearance.controls = true,
+                Some(ClosedPanel::View) if open[0] => window.appearance.views = true,
+                _ => {}
+            }
         }
         self.open = [window.appearance.controls, window.appearance.views];
     }
@@ -179,13 +199,13 @@ fn reads_lesson(window: &WindowState, course: &Course) -> bool {
     window.shows(ViewName::Course) && course.open.is_some()
 }
 
-/// Returns the width available to panels, in points: half of the window is the picture's. A narrow window has
+/// Returns the width available to panels, in points: nearly half of the window is the picture's. A narrow window has
 /// one panel.
 fn panel_room(size: Vec2) -> f32 {
     if size.x < NARROW {
         PANEL
     } else {
-        0.5 * size.x - RAIL
+        0.53 * size.x - RAIL
     }
 }
 
@@ -220,8 +240,8 @@ fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, size: Vec2) {
         let most = if beside { room - PANEL } else { room };
         let panel = Panel::left("controls")
             .resizable(true)
-            .default_size(PANEL.max(0.26 * size.x).min(360.0))
-            .size_range(PANEL..=most.clamp(PANEL, 560.0));
+            .default_size(CONTROLS.max(0.26 * size.x).min(360.0))
+            .size_range(CONTROLS..=most.clamp(CONTROLS, 560.0));
         let shown = panel.show(ui, |ui| {
             controls::controls_ui(ui, session, window, requests, engine);
         });
@@ -256,8 +276,8 @@ fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, size: Vec2) {
     }
 }
 
-/// Shows the rail at the bottom or side, and a drawer for what it opens: below a tall window's picture,
-/// beside or over a flat one's.
+/// Shows the rail at the bottom or side, and a drawer for what it opens: below a tall window's picture or beside a
+/// flat one's, which is fitted into what is left.
 fn drawer_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, size: Vec2, tall: bool) {
     let AppState {
         session,
@@ -285,7 +305,7 @@ fn drawer_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, size: Vec2, tal
         return;
     }
     let lesson = !controls && reads_lesson(window, course);
-    let mut show = |ui: &mut Ui| {
+    let show = |ui: &mut Ui| {
         if controls {
             controls::controls_ui(ui, session, window, requests, engine);
         } else {
@@ -293,12 +313,6 @@ fn drawer_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, size: Vec2, tal
         }
     };
     let height = ui.available_height();
-    // A lesson refers to the whole picture, however small.
-    let (panel, least) = if lesson {
-        (LESSON, LEAST)
-    } else {
-        (PANEL, PICTURE.max(0.5 * size.x))
-    };
     if tall {
         let (name, share, picture) = if lesson {
             ("lesson", 0.6, LEAST)
@@ -310,33 +324,17 @@ fn drawer_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, size: Vec2, tal
             .default_size(share * height)
             .size_range(160.0..=(height - picture).max(160.0))
             .show(ui, show);
-    } else if ui.available_width() - panel >= least {
+    } else {
         let (name, share) = if lesson {
             ("lesson-beside", 0.5)
         } else {
             ("drawer-beside", 0.45)
         };
+        let most = (ui.available_width() - LEAST).max(DRAWER);
         Panel::right(name)
             .resizable(true)
-            .default_size(share * size.x)
-            .size_range(panel..=(ui.available_width() - least))
+            .default_size((share * size.x).max(PANEL).clamp(DRAWER, most))
+            .size_range(DRAWER..=most)
             .show(ui, show);
-    } else {
-        let room = ui.available_rect_before_wrap();
-        let width = PANEL.min(room.width());
-        Area::new(Id::unique("drawer-over"))
-            .order(Order::Middle)
-            .pivot(Align2::RIGHT_TOP)
-            .fixed_pos(room.right_top())
-            .show(ui.ctx(), |ui| {
-                Margins::side_top_panel(ui.style())
-                    .inner_margin(Margin::symmetric(8, 2))
-                    .show(ui, |ui| {
-                        let size = vec2(width - 16.0, room.height() - 4.0).max(Vec2::ZERO);
-                        ui.set_min_size(size);
-                        ui.set_max_size(size);
-                        show(ui);
-                    });
-            });
     }
 }

@@ -44,6 +44,7 @@ impl AppState {
             part,
             ..
         } = self.session.document();
+        self.window.welcome = false;
         if let Some(view) = ViewName::named(&scene.about.view) {
             self.window.show_view(view);
         }

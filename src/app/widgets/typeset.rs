@@ -2,7 +2,7 @@
 
 use super::letter::{append, lettered};
 use super::palette::vector_text;
-use super::symbol::{self, Symbol};
+use super::symbol::{self, Sought, Symbol};
 use crate::figure::palette::Vector;
 use crate::figure::{Base, Formula, Item, is_italic};
 use crate::text::text;
@@ -314,16 +314,23 @@ pub fn run_ui(ui: &mut Ui, pieces: &[Piece], size: f32, place: Place<'_>) -> Res
 }
 
 fn symbol_ui(ui: &Ui, piece: &Piece, symbol: Symbol, rect: Rect, place: Place<'_>) {
-    let response = ui.interact(rect, place.id, Sense::click());
+    let response = ui.interact(rect, place.id, Sense::click_and_drag());
     response.widget_info(|| {
         WidgetInfo::labeled(Role::Button, true, format!("{symbol:?} {}", place.name))
     });
-    if response.hovered() || response.has_focus() {
+    if response.hovered() || response.has_focus() || response.dragged() {
         symbol::light_up(ui.ctx(), symbol);
-        ui.ctx().set_cursor_icon(CursorIcon::PointingHand);
+        ui.ctx().set_cursor_icon(if response.dragged() {
+            CursorIcon::ResizeHorizontal
+        } else {
+            CursorIcon::PointingHand
+        });
+    }
+    if response.dragged() {
+        symbol::pull(ui.ctx(), symbol, response.drag_delta().x);
     }
     if response.clicked() {
-        symbol::seek(ui.ctx(), symbol);
+        symbol::seek(ui.ctx(), Sought::Symbol(symbol));
     }
     if symbol::is_lit(ui.ctx(), symbol) {
         let fill = ui.visuals().widgets.hovered.bg_fill;

@@ -2,6 +2,7 @@
 
 use crate::app::widgets::focus::{self, named};
 use crate::app::widgets::symbol::{self, Symbol};
+use crate::scene::parameter::Parameter;
 use crate::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
@@ -38,6 +39,8 @@ pub struct About<'a> {
     pub tip: &'a str,
     /// Symbol of the equation that the row controls.
     pub symbol: Option<Symbol>,
+    /// Parameter that the row controls.
+    pub parameter: Option<&'static Parameter>,
     /// Reason why the control has no effect at present.
     pub idle: Option<&'a str>,
     /// Width that the control needs, in points. If the row is too narrow for it beside the label, the control goes below the
@@ -79,11 +82,13 @@ pub fn row(ui: &mut Ui, about: &About<'_>, changed: bool, control: impl FnOnce(&
     // A control that needs a little more width takes it from a shorter label.
     let left = size.x - RESET - about.room;
     let stacked = left < label_width && left < least_width(ui, about);
-    let (label_width, from, lines) = if stacked {
-        (size.x, LETTER, 2.0)
+    // Below its label a control has the whole width, under the words if it can.
+    let (label_width, from, to, lines) = if stacked {
+        let from = (size.x - about.room).clamp(0.0, LETTER);
+        (size.x - RESET, from, 0.0, 2.0)
     } else {
         let width = label_width.min(left);
-        (width, width, 1.0)
+        (width, width, RESET, 1.0)
     };
     let (rect, _) = ui.allocate_exact_size(vec2(size.x, lines * size.y), Sense::hover());
     let is_lit = |symbol| symbol::is_lit(ui.ctx(), symbol);
@@ -103,7 +108,7 @@ pub fn row(ui: &mut Ui, about: &About<'_>, changed: bool, control: impl FnOnce(&
     );
     let inner = Rect::from_min_max(
         pos2(rect.min.x + from, rect.max.y - size.y),
-        pos2(rect.max.x - RESET, rect.max.y),
+        pos2(rect.max.x - to, rect.max.y),
     );
     let mut child = part(
         ui,
@@ -123,12 +128,14 @@ pub fn row(ui: &mut Ui, about: &About<'_>, changed: bool, control: impl FnOnce(&
         )
         .on_hover_text(reason);
     }
-    let is_found = |symbol| symbol::is_found(ui.ctx(), symbol);
-    if about.symbol.is_some_and(is_found) {
+    if symbol::is_found(ui.ctx(), about.parameter, about.symbol) {
         ui.scroll_to_rect(rect, Some(Align::Center));
     }
     let by_key = focus::resets(ui, rect);
-    let reset_rect = inner.with_min_x(rect.max.x - RESET).with_max_x(rect.max.x);
+    let reset_rect = Rect::from_min_max(
+        pos2(rect.max.x - RESET, rect.min.y),
+        rect.right_top() + vec2(0.0, size.y),
+    );
     let by_pointer = changed && reset(ui, about, reset_rect);
     by_pointer || reset_here || by_key
 }

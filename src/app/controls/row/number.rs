@@ -19,9 +19,15 @@ pub const CHANNELS: [&str; 3] = ["controls-red", "controls-green", "controls-blu
 pub const AXES: [&str; 3] = ["controls-x", "controls-y", "controls-z"];
 /// The keys of the names of two lengths.
 pub const SIDES: [&str; 2] = ["controls-width", "controls-height"];
-/// Minimum width of a slider, and of the field beside it, in points.
-const SLIDER: f32 = 40.0;
-const LEAST_FIELD: f32 = 52.0;
+/// Minimum width of a slider, of one whose range is not bounded, and of the field beside it, in points. A hand needs the
+/// width: with less, a point of movement would change the exponent n by more than 6 %.
+const SLIDER: f32 = 124.0;
+const OPEN_SLIDER: f32 = 160.0;
+const LEAST_FIELD: f32 = 50.0;
+/// How far a value moves with Shift, as a fraction of how far it moves without.
+const FINE: f32 = 0.1;
+/// Space between the parts of a row's control, in points.
+const SPACE: f32 = 6.0;
 /// Width kept for three fields, in points. If all numbers are negative, they take slightly more.
 pub const FIELDS: f32 = 138.0;
 /// Width of the switch that makes a number infinite, in points.
@@ -62,6 +68,31 @@ impl SliderRange {
         }
     }
 
+    /// Returns the width that a slider and its field need side by side, in points.
+    pub fn room(&self) -> f32 {
+        if self.is_open() {
+            OPEN_SLIDER + LEAST_FIELD + INFINITY_SWITCH + 2.0 * SPACE
+        } else {
+            SLIDER + LEAST_FIELD + SPACE
+        }
+    }
+
+    /// Returns `value` moved along the slider by a fraction of its length.
+    pub fn moved(&self, value: f64, by: f64) -> f64 {
+        let (from, to) = (*self.span.start(), *self.span.end());
+        let moved = if self.logarithmic && from > 0.0 {
+            value * (to / from).powf(by)
+        } else {
+            value + (to - from) * by
+        };
+        moved.clamp(from, to)
+    }
+
+    /// Returns whether the limits include infinity.
+    fn is_open(&self) -> bool {
+        *self.limits.end() == f64::INFINITY
+    }
+
     /// Returns a logarithmic slider over `span`, otherwise like [`Self::linear`].
     pub fn logarithmic(span: RangeInclusive<f64>) -> Self {
         Self {
@@ -78,18 +109,34 @@ pub struct NumberRow<'a> {
     pub default: f64,
 }
 
+impl<'a> NumberRow<'a> {
+    /// Returns the row's description with the width that slider and field need.
+    fn about(&self) -> About<'a> {
+        About {
+            room: self.range.room(),
+            ..self.about.clone()
+        }
+    }
+}
+
 /// Shows a row with a slider and a field.
 pub fn number(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
-    value_row(ui, &spec.about, spec.default, value, |ui, value| {
+    value_row(ui, &spec.about(), spec.default, value, |ui, value| {
         slider_and_field(ui, spec, value);
     });
 }
 
 /// Shows a row with a slider and a field for a whole number.
 pub fn whole(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut u32) {
-    value_row(ui, &spec.about, spec.default as u32, value, |ui, value| {
-        whole_slider(ui, spec, value);
-    });
+    value_row(
+        ui,
+        &spec.about(),
+        spec.default as u32,
+        value,
+        |ui, value| {
+            whole_slider(ui, spec, value);
+        },
+    );
 }
 
 pub fn whole_slider(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut u32) {
@@ -105,12 +152,17 @@ pub fn coefficient_slider(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut Rgb) {
     let mut scalar = largest;
     slider_and_field(ui, spec, &mut scalar);
     if scalar.to_bits() != largest.to_bits() {
-        let keeps_ratio = *value != Rgb::splat(largest) && largest > 0.0 && scalar > 0.0;
-        *value = if keeps_ratio {
-            *value * (scalar / largest)
-        } else {
-            Rgb::splat(scalar)
-        };
+        *value = scaled(*value, largest, scalar);
+    }
+}
+
+/// Scales a coefficient whose largest channel is `from` so that it becomes `to`; from or to 0, all channels are equal.
+pub fn scaled(value: Rgb, from: f64, to: f64) -> Rgb {
+    let keeps_ratio = value != Rgb::splat(from) && from > 0.0 && to > 0.0;
+    if keeps_ratio {
+        value * (to / from)
+    } else {
+        Rgb::splat(to)
     }
 }
 
@@ -157,15 +209,15 @@ pub fn fields<const N: usize>(
 
 /// Shows a slider and a field, and a switch for infinity if the limits include it.
 pub fn slider_and_field(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
-    let space = ui.spacing().item_spacing.x;
-    let reaches_infinity = *spec.range.limits.end() == f64::INFINITY;
-    let switch = if reaches_infinity {
-        INFINITY_SWITCH + space
+    ui.spacing_mut().item_spacing.x = SPACE;
+    let reaches_infinity = spec.range.is_open();
+    let (least, switch) = if reaches_infinity {
+        (OPEN_SLIDER, INFINITY_SWITCH + SPACE)
     } else {
-        0.0
+        (SLIDER, 0.0)
     };
-    let room = ui.available_width() - space - switch;
-    let width = (room - SLIDER).clamp(LEAST_FIELD, FIELD);
+    let room = ui.available_width() - SPACE - switch;
+    let width = (room - least).clamp(LEAST_FIELD, FIELD);
     ui.spacing_mut().slider_width = (room - width).max(SLIDER);
     if let Some(tint) = spec.about.tint {
         ui.visuals_mut().selection.bg_fill = tint;
@@ -175,6 +227,7 @@ pub fn slider_and_field(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
         .show_value(false)
         .clamping(SliderClamping::Edits)
         .logarithmic(range.logarithmic)
+        .smart_aim(!range.logarithmic)
         .smallest_positive(range.span.start().max(1e-6));
     let response = ui.add(if range.decimals == 0 {
         slider.integer()
@@ -184,6 +237,13 @@ pub fn slider_and_field(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
     if value.is_nan() {
         // A screen reader may send anything.
         *value = before;
+    }
+    if response.dragged() && ui.input(|input| input.modifiers.shift) {
+        let moved = ui.input(|input| input.pointer.delta().x) / response.rect.width();
+        *value = range.moved(before, f64::from(FINE * moved));
+    } else if response.dragged() && range.logarithmic {
+        // egui's own aim at round numbers would jump by more than a hand means.
+        *value = rounded(*value);
     }
     let (enabled, shown) = (ui.is_enabled(), *value);
     response.widget_info(|| WidgetInfo::slider(enabled, shown, name));
@@ -213,6 +273,15 @@ pub fn slider_and_field(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
             *value = if on { finite } else { f64::INFINITY };
         }
     }
+}
+
+/// Rounds a number to three significant digits.
+fn rounded(value: f64) -> f64 {
+    if value == 0.0 || !value.is_finite() {
+        return value;
+    }
+    let unit = 10_f64.powf(value.abs().log10().floor() - 2.0);
+    (value / unit).round() * unit
 }
 
 /// Shows a field for one number, or for arithmetic that gives one.

@@ -1,0 +1,260 @@
+//! *Find a command*: whatever the window can do or show, found by its name in any language, typing errors forgiven.
+
+use super::commands::{Command, SECTIONS};
+use crate::app::controls::has_row;
+use crate::app::session::action::{Action, Requests, Turn};
+use crate::app::session::window::WindowState;
+use crate::app::views::GROUPS;
+use crate::app::widgets::dialog::Choice;
+use crate::app::widgets::focus::named;
+use crate::app::widgets::theme::text_field;
+use crate::lesson::{LESSONS, are_there};
+use crate::scene::parameter::Parameter;
+use crate::scene::presets;
+use crate::text::{Language, in_language, text};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Align, Button, Key, Layout, Modifiers, RichText, ScrollArea, Ui};
+
+/// The maximum number of entries on offer.
+const MOST: usize = 12;
+/// The price of a word that is only in an entry's help, in letters mistyped.
+const IN_HELP: usize = 8;
+
+/// The state of the search.
+#[derive(Default)]
+pub struct Finder {
+    /// Everything that can be found; made when the search is first opened.
+    entries: Vec<Entry>,
+    sought: String,
+    /// The place of the chosen entry among those on offer.
+    chosen: usize,
+}
+
+impl Finder {
+    /// Forgets what was sought.
+    pub fn leave(&mut self) {
+        *self = Self::default();
+    }
+}
+
+/// Something that can be found.
+struct Entry {
+    name: String,
+    /// What kind of thing it is, or the key that does it.
+    kind: String,
+    /// Its names and its help in all languages, in lower case.
+    names: Vec<String>,
+    help: Vec<String>,
+    action: Action,
+}
+
+impl Entry {
+    /// Creates an entry from functions that return its name, its kind and its help in the current language.
+    fn new(
+        action: Action,
+        kind: &str,
+        name: impl Fn() -> String,
+        help: impl Fn() -> String,
+    ) -> Self {
+        let in_all = |text: &dyn Fn() -> String| {
+            let texts = Language::ALL
+                .into_iter()
+                .map(|language| in_language(language, text));
+            texts.map(|text| text.to_lowercase()).collect()
+        };
+        Self {
+            kind: kind.to_owned(),
+            names: in_all(&name),
+            help: in_all(&help),
+            name: name(),
+            action,
+        }
+    }
+
+    /// Returns how far the entry is from what is `sought`, or `None` if it is something else. Each word has to be there.
+    fn distance(&self, sought: &str) -> Option<usize> {
+        let in_one = |name: &String| -> Option<usize> {
+            let words = sought.split_whitespace();
+            words.map(|word| distance(word, name)).sum()
+        };
+        let in_names = self.names.iter().filter_map(in_one).min();
+        in_names.or_else(|| {
+            let mut helps = self.help.iter().zip(&self.names);
+            let has_all = |(help, name): (&String, &String)| {
+                let mut words = sought.split_whitespace();
+                words.all(|word| help.contains(word) || name.contains(word))
+            };
+            helps.any(has_all).then_some(IN_HELP)
+        })
+    }
+}
+
+/// Returns how far `word` is from a word of `name`: 0 for the same, 1 for the beginning, 2 for a part, more for each letter
+/// mistyped.
+fn distance(word: &str, name: &str) -> Option<usize> {
+    let length = word.chars().count();
+    let separate = |c: char| !c.is_alphanumeric();
+    let near = |known: &str| {
+        if known == word {
+            return Some(0);
+        }
+        if known.starts_with(word) {
+            return Some(1);
+        }
+        let mistyped = strsim::osa_distance(word, known);
+        (length >= 4 && mistyped <= (length + 1) / 4).then_some(2 + mistyped)
+    };
+    let nearest = name.split(separate).filter_map(near).min();
+    nearest.or_else(|| name.contains(word).then_some(2))
+}
+
+/// Returns everything that can be found: commands, views, settings, scenes and lessons.
+fn entries() -> Vec<Entry> {
+    let empty = String::new;
+    let mut entries = Vec::new();
+    let commands = SECTIONS.iter().flat_map(|section| &section.commands);
+    let single = |command: &&Command| command.in_menu && command.actions.len() == 1;
+    for command in commands.filter(single) {
+        let (action, keys) = (command.actions[0].clone(), command.keys());
+        let help = || command.does().unwrap_or_default().to_owned();
+        let name = || command.name().trim_end_matches('…').to_owned();
+        entries.push(Entry::new(action, keys, name, help));
+    }
+    for view in GROUPS.iter().flat_map(|group| group.views) {
+        let (action, name) = (Action::View(view.key), || view.title().to_owned());
+        entries.push(Entry::new(action, text!("find-view"), name, empty));
+    }
+    for parameter in Parameter::all().filter(|parameter| has_row(parameter.key)) {
+        let action = Action::Seek(parameter.key);
+        let name = || match parameter.letter {
+            "" => parameter.name().to_owned(),
+            letter => format!("{letter} {}", parameter.name()),
+        };
+        let help = || parameter.help().to_owned();
+        entries.push(Entry::new(action, text!("find-setting"), name, help));
+    }
+    for preset in presets::ALL {
+        let action = Action::OpenBuiltIn(preset.name.to_owned());
+        let (name, help) = (
+            || preset.title().to_owned(),
+            || format!("{} {}", preset.name, preset.sentence()),
+        );
+        entries.push(Entry::new(action, text!("find-scene"), name, help));
+    }
+    for lesson in LESSONS.iter().filter(|_| are_there()) {
+        let action = Action::Course(Turn::Open(lesson.name.to_owned()));
+        let name = || lesson.lesson().title.clone();
+        let help = || lesson.name.to_owned();
+        entries.push(Entry::new(action, text!("find-lesson"), name, help));
+    }
+    entries
+}
+
+/// Returns the entries that are sought, the nearest first.
+fn ranked<'a>(entries: &'a [Entry], sought: &str) -> Vec<&'a Entry> {
+    let distances = entries
+        .iter()
+        .filter_map(|entry| Some((entry.distance(sought)?, entry)));
+    let mut found: Vec<_> = distances.collect();
+    found.sort_by_key(|(distance, _)| *distance);
+    found.truncate(MOST);
+    found.into_iter().map(|(_, entry)| entry).collect()
+}
+
+/// Shows the search. Enter or a click does what is chosen.
+pub fn find_ui(ui: &mut Ui, window: &mut WindowState, requests: &mut Requests) -> Choice {
+    let mut finder: Finder = window.own.take();
+    if finder.entries.is_empty() {
+        finder.entries = entries();
+    }
+    let pressed = |key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, key));
+    let [up, down, enter] = [Key::ArrowUp, Key::ArrowDown, Key::Enter].map(pressed);
+    let before = finder.sought.clone();
+    let field = text_field(&mut finder.sought)
+        .hint_text(text!("find-hint"))
+        .desired_width(f32::INFINITY);
+    let field = named(ui.add(field), Role::SearchInput, text!("find"));
+    if !field.has_focus() {
+        field.request_focus();
+    }
+    ui.add_space(6.0);
+    let sought = finder.sought.trim().to_lowercase();
+    let found = ranked(&finder.entries, &sought);
+    if finder.sought != before {
+        finder.chosen = 0;
+    }
+    let last = found.len().saturating_sub(1);
+    finder.chosen = (finder.chosen + usize::from(down))
+        .saturating_sub(usize::from(up))
+        .min(last);
+    let mut taken = None;
+    ScrollArea::vertical().show(ui, |ui| {
+        for (place, entry) in found.iter().enumerate() {
+            let chosen = place == finder.chosen;
+            if entry_ui(ui, entry, chosen) || chosen && enter {
+                taken = Some(entry.action.clone());
+            }
+        }
+    });
+    if found.is_empty() {
+        ui.label(text!("find-none", sought = finder.sought.trim()));
+    }
+    let choice = if let Some(action) = taken {
+        requests.ask(action);
+        Choice::Leave
+    } else {
+        Choice::Stay
+    };
+    window.own.put(finder);
+    choice
+}
+
+/// Shows an entry, and returns whether it was clicked.
+fn entry_ui(ui: &mut Ui, entry: &Entry, chosen: bool) -> bool {
+    let kind = RichText::new(&entry.kind).weak();
+    ui.with_layout(Layout::top_down_justified(Align::Min), |ui| {
+        let button = Button::selectable(chosen, entry.name.as_str()).right_text(kind);
+        ui.add(button).clicked()
+    })
+    .inner
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Returns the actions of the first three entries found.
+    fn first(sought: &str) -> Vec<String> {
+        let entries = entries();
+        let found = ranked(&entries, sought).into_iter();
+        let actions = found.map(|entry| format!("{:?}", entry.action));
+        actions.take(3).collect()
+    }
+
+    #[test]
+    fn names_are_found_in_both_languages_with_typing_errors() {
+        for (sought, found) in [
+            ("undo", "Undo"),
+            ("復原", "Undo"),
+            ("udno", "Undo"),
+            ("exprot picture", "Export"),
+            ("fog", "Seek(\"depth_cueing.by\")"),
+            ("mist", "Seek(\"depth_cueing.by\")"),
+            ("exponent", "Seek(\"material.n\")"),
+            ("teapot", "OpenBuiltIn(\"teapot\")"),
+            ("茶壺", "OpenBuiltIn(\"teapot\")"),
+            ("reset scene", "ResetScene"),
+        ] {
+            let actions = first(sought);
+            let is_there = actions.iter().any(|action| action.contains(found));
+            assert!(is_there, "{sought}: {actions:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_nowhere_is_not_found() {
+        for sought in ["xyzzy", "undo xyzzy", "qqqqqqqq"] {
+            assert!(first(sought).is_empty(), "{sought}");
+        }
+    }
+}
