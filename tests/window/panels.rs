@@ -117,7 +117,7 @@ fn the_plan_has_a_tab_that_the_bar_opens() {
     let mut harness = window("sphere");
     let link = harness.get_by(|node| {
         node.label()
-            .is_some_and(|label| label.starts_with(&english!("left-out", count = "")))
+            .is_some_and(|label| label.ends_with(&english!("left-out", count = "")))
     });
     link.click_accesskit();
     harness.run();

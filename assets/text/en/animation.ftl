@@ -1,7 +1,7 @@
 # Animations: a scene's numbers from one value to another.
 
 animation-one-end = `{ $key }` has only one end, expected its value at the beginning and at the end
-animation-no-number = `{ $key }` is no number, expected a key whose value is a number, a colour, a point or a direction
+animation-no-number = `{ $key }` is not a number, expected a key whose value is a number, a colour, a point or a direction
 animation-infinite = `{ $key }` goes to infinity, expected two finite numbers
 animation-lengths = `{ $key }` has more numbers at one end, expected as many at both
 animation-sign = `{ $key }` cannot go in equal ratios, expected two numbers of the same sign, neither of them 0

@@ -24,7 +24,7 @@ class-students = { $count ->
     [one] 1 student
    *[other] { $count } students
  }
-class-answered = { $answered } answered, { $right } right at the end
+class-answered = { $answered } answered, { $right } correct finally
 class-predicted = Predicted first: { $least } to { $greatest }, half of them { $lower } to { $upper }, median { $median }
 class-off = First answers are off by { $least } to { $greatest }, half of them by { $lower } to { $upper }, median { $median }
 class-solution = Right: { $right }

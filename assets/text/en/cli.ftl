@@ -88,7 +88,7 @@ cli-picture-on-terminal = a picture cannot be shown in a terminal, expected a fi
 cli-output-unwritable = the output cannot be written ({ $error })
 cli-too-large-for-overlays = the picture is too large for overlays
 
-# What `check` says of a sound file.
+# What `check` says of a valid file.
 cli-check-sound =
     { $name }: ok ({ $object }{ $polygons }, { $lights ->
         [one] 1 light
@@ -166,8 +166,8 @@ cli-help-normals-pixel = Take the visible vertex nearest to this pixel; without 
 cli-help-defects = Measure the five defects of interpolated shading
 cli-help-defects-pixel = The pixel whose point is followed while the picture turns; otherwise a lit one near the centre
 cli-help-conditions = Check when flat shading is exact: the three conditions
-cli-help-explain = Print a frame's plan: what is evaluated, what is left out and why
-    .long = Times are medians of whole frames, drawn alternately by the plan and with nothing left out that could be kept; shares are of the sum of the stages. For each change that `bench` makes it names the stages that run again.
+cli-help-explain = Print a frame's plan: what is evaluated, what is skipped and why
+    .long = Times are medians of whole frames, drawn alternately by the plan and with nothing skipped that could be kept; shares are of the sum of the stages. For each change that `bench` makes it names the stages that run again.
 cli-help-scanline = Convert one polygon to pixels, step by step
     .long = Active edges, P and Q with their α, and the value of each pixel. Without a file it prints the scan line of the step with its formulas filled in.
 cli-help-scanline-pixel = The polygon at this pixel, otherwise a lit one near the centre
@@ -227,7 +227,7 @@ cli-help-bench = Measure the time of a frame and of its stages
 cli-help-bench-growth = Also measure how the time grows with the pixels, up to 8 million, and with the triangles, up to 4 million
 cli-help-bench-simd = The SIMD level: avx512, avx2, sse4.2 or sse2 on PCs; the machine's best unless given
 
-cli-check-lesson = { $name }: a sound lesson, { $steps } steps, { $questions ->
+cli-check-lesson = { $name }: a valid lesson, { $steps } steps, { $questions ->
     [one] 1 question
    *[other] { $questions } questions
  }

@@ -1,4 +1,4 @@
-# Files that cannot be opened or written. The path stands before each of these, in the same line.
+# Files that cannot be opened or written. The path comes before each of these, in the same line.
 document-scene-file = a scene file
 document-model = an OBJ model
 document-picture = a picture

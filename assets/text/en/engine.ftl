@@ -1,9 +1,9 @@
 # The views Plan, Study and Stability, and the benchmark.
 
 # Plan
-engine-plan-intro = What drawing this picture takes, step by step, and what is left out because it would change nothing.
+engine-plan-intro = What drawing this picture takes, step by step, and what is skipped because it would change nothing.
 engine-plan-signs = ■ ran after the last change · □ kept from before
-engine-plan-summary = { $total }, { $count } left out
+engine-plan-summary = { $total }, { $count } skipped
 engine-plan-total = { $count ->
     [one] { $number } evaluation a frame
    *[other] { $number } evaluations a frame
@@ -16,7 +16,7 @@ engine-ran = ■ { $stage }, { $ms } ms
 engine-note = { $name }: { $note }
 engine-kept = □ { $stage }, kept
 engine-not-needed = □ { $stage }, not needed
-engine-left-out = Left out: { $names } — { $reason }
+engine-left-out = Skipped: { $names } — { $reason }
 engine-evaluations = evaluations
 engine-each-frame = per frame
 engine-each-face = per face
@@ -134,7 +134,7 @@ engine-study-note = Errors are in code values (1/255 of the linear intensity), o
 engine-study-remarks = Remarks
 engine-study-omitted = Not measured: { $method }, because { $reason }.
 engine-study-scalar = The scalar methods run in one thread: compare their times only with each other.
-engine-study-point-error = RMS error { $rms }, greatest { $greatest } code values
+engine-study-point-error = RMS error { $rms }, maximum { $greatest } code values
 engine-study-point-time = { $time } ms ± { $spread }
 engine-study-point-show = Click to show it in the picture
 engine-study-point-historic = A historic method: cannot be shown
@@ -142,14 +142,14 @@ engine-axis-time = time of a frame, ms
 engine-axis-error = RMS error, linear intensity
 engine-front = best (Pareto front)
 engine-rms = RMS
-engine-greatest = greatest
+engine-greatest = maximum
 engine-outline = outline
 engine-time-ms = ms
 engine-spread = spread
 engine-rms-shown = RMS as shown
 engine-order = Order of convergence
 engine-order-note = The error goes as the spacing of the vertices to this power; ± 95 % confidence.
-engine-order-greatest = greatest error
+engine-order-greatest = maximum error
 engine-order-rms = RMS error
 engine-method-affine = { $method }, affine
 engine-method-scanline = { $method }, scan line
@@ -161,7 +161,7 @@ engine-cannot-pattern = a pattern has no Taylor expansion
 
 # Stability
 engine-stability-intro = Scenes at the limits of floating point. A naive renderer fails in almost all of them; this engine must not.
-engine-stability-title = Greatest error, in code values of 255, against a reference of 106 bits
+engine-stability-title = Maximum error, in code values of 255, against a reference of 106 bits
 engine-stability-failed = { $count } of { $all } cases fail
 engine-draw-cases = Draw the cases
 engine-case = case
@@ -182,7 +182,7 @@ engine-open-case = Open as scene
     .tip = Makes the case the scene of the window. Undo leads back.
 engine-says-naive = Naive renderer: { $text }
 engine-says-engine = This engine: { $text }
-engine-errors = Greatest error: { $error } naive, { $engine } engine, in code values of 255.
+engine-errors = Maximum error: { $error } naive, { $engine } engine, in code values of 255.
 engine-lost = { $count ->
     [one] 1 pixel is infinite or not a number; it is shown in magenta.
    *[other] { $count } pixels are infinite or not a number; they are shown in magenta.
@@ -236,10 +236,10 @@ engine-case-denormal-normals = Normals of length 10⁻³⁰
     .engine = Normalises in double precision too; normals still shorter are refused.
 engine-case-light-on-the-surface = A light on the surface, at the centre of a pixel
     .naive = L is the zero vector divided by its length: not a number.
-    .engine = Raises lengths to a least length before it divides; a zero vector stays zero, and so does N·L.
+    .engine = Raises lengths to a minimum length before it divides; a zero vector stays zero, and so does N·L.
 engine-case-attenuation-0 = f = 1/d² as d → 0
     .naive = f is infinite and N·L is zero; their product is not a number. One rounding error away the pixel is white.
-    .engine = Raises d to a least length. What lies in the plane of the light is not lit, however near it is.
+    .engine = Raises d to a minimum length. What lies in the plane of the light is not lit, however near it is.
 engine-case-light-at-1e30 = A point light at a distance of 10³⁰
     .naive = The square of the distance overflows: L is zero, and the object is dark.
     .engine = Treats a light farther than 10⁹ camera distances as parallel and finds its direction in double precision.
@@ -262,7 +262,7 @@ engine-case-w-0 = Vertices at w = 0, in the plane of the eye
     .naive = Divides by 0: the corners are at infinity, and the weights are not numbers.
     .engine = Clips at the near plane too.
 engine-case-slivers = Slivers: triangles 10⁻⁸ wide
-    .naive = In single precision they have hardly any area. Their normals point anywhere, and spread to sound polygons through the averages at the vertices.
+    .naive = In single precision they have hardly any area. Their normals point anywhere, and spread to valid polygons through the averages at the vertices.
     .engine = Gives a polygon whose area is only rounding error no normal and no weight in any average. Polygons without any area are refused.
 engine-case-scale-1e-15 = Coordinates of 10⁻¹⁵
     .naive = The square of the cross product of two edges underflows: normals are not numbers.

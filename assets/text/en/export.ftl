@@ -5,7 +5,7 @@ export-fragment-shader = fragment shader
 export-too-large = { $triangles } triangles to write, expected at most { $most }: use a coarser mesh, or c-snippet
 
 # What OpenGL or GLSL cannot express. English also heads the code as a comment, in plain ASCII.
-export-limit-scale = Division by the picture's greatest intensity, which is known only after drawing: I is clamped.
+export-limit-scale = Division by the picture's maximum intensity, which is known only after drawing: I is clamped.
 export-limit-shadows = Shadows: every light reaches every point.
 export-limit-transparency = Transparency (Kt): the surface is drawn opaque.
 export-limit-ground = The ground: only the object is drawn.
@@ -35,7 +35,7 @@ export-limit-light-soft = Light { $light }: the soft edge of its cone; GL_SPOT_C
 export-limit-light-exponent = Light { $light }: its exponent { $exponent }; GL_SPOT_EXPONENT goes up to 128.
 export-limit-light-viewer = Light { $light }: attenuation by the distance to the viewer; the distance to the camera's target is used everywhere.
 export-limit-light-unclamped = Light { $light }: f = min(1, ...) of its attenuation; OpenGL's f exceeds 1 near the light.
-export-limit-cueing-constant = Depth cueing by the same s0 everywhere: OpenGL's fog depends on the depth. It is left out.
+export-limit-cueing-constant = Depth cueing by the same s0 everywhere: OpenGL's fog depends on the depth. It is skipped.
 export-limit-cueing-beyond = Depth cueing: s0 continues to 1 and to 0 beyond its two depths.
 export-limit-cueing-vertices = Depth cueing at vertices: OpenGL's fog is evaluated at every pixel.
 export-limit-cueing-colour = Depth cueing: OpenGL clamps fog's colour to 1.

@@ -72,9 +72,13 @@ evaluations = { $count ->
    *[other] { $shown } evaluations
 }
 triangles = { $count } triangles
-overflowing = { $count } pixels above 1
-left-out = left out: { $count }
-left-out-tip = Shows what is not computed in this frame, and why
+overflowing = { $count } pixels overflow
+overflowing-tip = Pixels with a channel above 1, which the display cannot show; the setting Overflow says what happens to them
+left-out = { $count ->
+    [one] 1 step skipped
+   *[other] { $count } steps skipped
+}
+left-out-tip = Steps of the computation that would change nothing in this picture. Press to see which, and why.
 stage-ran = ran for { $ms } ms, { $evaluations } evaluations
 stage-kept = not run: nothing it depends on has changed
 code-calls = OpenGL calls
@@ -109,4 +113,4 @@ recent = Open recent
 recent-clear = Clear this list
 
 ## The web page
-page-full = The browser stores no more: save the scene to a file.
+page-full = The browser’s storage is full: save the scene to a file.

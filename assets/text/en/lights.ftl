@@ -14,7 +14,7 @@ lights-solo = Solo
     .name = Solo light { $number }
     .tip = Switches off all lights that are not on solo.
 lights-sampling = N = { $samples }: error { $rms } RMS, at most { $greatest }
-    .tip = Compares the N sample points with 4096 of them, in a small picture without shadows, in percent of white: the root mean square and the greatest difference of a channel.
+    .tip = Compares the N sample points with 4096 of them, in a small picture without shadows, in percent of white: the root mean square and the maximum difference of a channel.
 lights-sampling-none = No sampling error: this light does not reach the picture.
 lights-viewer-far = Attenuation uses the distance to the eye, although V is constant.
 

@@ -9,7 +9,7 @@ picture-reference = reference
 picture-brightest = brightest { $value }
 picture-brightest-of = brightest { $value } of { $truth }
 picture-rms-error = RMS error { $value }
-picture-error-line = mean { $mean }   RMS { $rms }   greatest { $greatest }
+picture-error-line = mean { $mean }   RMS { $rms }   maximum { $greatest }
 picture-caption = Pane { $number }: { $name }
 picture-caption-tip = Click for the pane’s menu. Drag to another pane to change the order.
 picture-make-reference = Use as reference
@@ -55,7 +55,7 @@ picture-linear = Linear intensity at the pixels’ centres: 1 is white, 1/255 = 
 picture-column-pane = pane
 picture-column-brightest = brightest
 picture-column-mean = mean
-picture-column-greatest = greatest
+picture-column-greatest = maximum
 picture-column-at = at
 picture-column-region = which is
 picture-region-inside = inside
@@ -118,8 +118,8 @@ picture-silhouette-distance = pixels from the true outline, at { $at }
 picture-perspective = Perspective distortion
     .says = Values are interpolated in the picture, where halfway between two vertices is not halfway in space.
     .try = turn the floor away, or divide it into smaller polygons.
-picture-perspective-greatest = greatest difference between { $rule } and perspective-correct interpolation
-picture-perspective-greatest-at = greatest difference between { $rule } and perspective-correct interpolation, at { $at }
+picture-perspective-greatest = maximum difference between { $rule } and perspective-correct interpolation
+picture-perspective-greatest-at = maximum difference between { $rule } and perspective-correct interpolation, at { $at }
 picture-perspective-mean = mean difference
 picture-scan-line = scan-line
 picture-affine = affine
@@ -136,11 +136,11 @@ picture-shared-edges = { $edges ->
    *[other] { $edges } edges
 }
 picture-shared-edges-measured = { $edges } edges, { $measured } of them measured
-picture-shared-jump = greatest jump of the intensity, at { $at }; { $edges }
+picture-shared-jump = maximum jump of the intensity, at { $at }; { $edges }
 picture-normals = Unrepresentative vertex normals
     .says = Averaged over folds, all vertex normals may be equal: the surface looks flat.
     .try = set the rings to 2 or more. The folds come back.
-picture-normals-angle = greatest angle between a polygon’s normal and its vertices’ normals
+picture-normals-angle = largest angle between a polygon’s normal and its vertices’ normals
 picture-normals-contrast = contrast; the true contrast is { $truth }
 picture-missing-stopped = stopped
 picture-missing-flat = flat shading interpolates nothing
@@ -199,8 +199,8 @@ picture-further-vertex-normals = The equation is evaluated at vertices, whose no
 picture-holds = Holds:
 picture-fails = Fails:
 picture-flat-and-exact = Flat minus exact shading
-picture-flat-greatest = greatest difference
-picture-flat-compared = Compared where both pictures show the same: { $inside } pixels. Left out at outlines and edges, where they do not: { $outline }. With these included, the greatest difference is { $greatest }.
+picture-flat-greatest = maximum difference
+picture-flat-compared = Compared where both pictures show the same: { $inside } pixels. Skipped at outlines and edges, where they do not: { $outline }. With these included, the maximum difference is { $greatest }.
 
 # What is wrong with panes, and why a setting has no effect
 picture-idle-one-pane = There is only one pane

@@ -43,7 +43,7 @@ point-mark-probe = probe
 point-mark-farthest = farthest
 point-legend-at-probe = at probe
 point-legend-half-width = half-width
-point-legend-greatest = greatest I
+point-legend-greatest = maximum I
 point-axis-from-viewer = { $symbol }, distance from the viewer (world units)
 point-axis-from-light = { $symbol }, distance from the light (world units)
 point-axis-theta = θ, angle of incidence (degrees)
@@ -97,7 +97,7 @@ point-clamped = clamped to 1
 point-scaled = scaled
 point-stored = stored
 point-hatched = A value is above 1: the pixel is hatched in black and white.
-point-divided = Divided by { $divisor }, the greatest value of the picture:
+point-divided = Divided by { $divisor }, the maximum value of the picture:
 point-refractions = { $refractions ->
     [one] 1 refraction
    *[other] { $refractions } refractions
@@ -188,7 +188,7 @@ point-report-background = pixel ({ $x }, { $y }) shows the background
 point-report-face = pixel ({ $x }, { $y }), face { $face }, depth { $depth }
 point-report-surface = pixel ({ $x }, { $y }), depth { $depth }
 point-report-places = Evaluated at { $places }. The vectors are those at the pixel’s centre.
-point-report-sampling = over the whole picture { $rms } (rms), { $greatest } (greatest) from { $samples } samples
+point-report-sampling = over the whole picture { $rms } (rms), { $greatest } (maximum) from { $samples } samples
 point-report-stored = sum and stored value
 point-report-fit = The constant Ia that fits the bounce in this picture best: { $r } { $g } { $b }
 point-report-light = light { $number }{ $name }, { $kind }, { $law }

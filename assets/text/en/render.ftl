@@ -35,7 +35,7 @@ render-term-rounding = rounding to code values
 # One of them for a light.
 render-term-of-light = light { $light }: { $term }
 
-# Why a step is left out, or what is left out of it.
+# Why a step is skipped, or what is left out of it.
 render-why-ks-zero = Ks is 0
 render-why-ks-os-zero = Ks·Os is 0
 render-why-no-specular-colour = Ks·Os reflects the colour of no light

@@ -4,13 +4,13 @@ class-no-answers = 圖片中沒有答案，應為繳交的圖片
 class-version = 答案的版本不是本程式認得的，應為 { $version }
 class-changed = 答案在繳交之後被更改過
 class-not-answers = 無法讀取答案（{ $error }）
-class-unfit = 有一個答案不屬於這一課的任何問題
-class-other-lesson = 是課程「{ $lesson }」的答案，應為「{ $expected }」
-class-other-version = 是課程「{ $lesson }」另一版本的答案
-class-no-lesson = 不認得課程「{ $lesson }」
-class-bad-lesson = 圖片內的課程有誤：第 { $error } 行
-class-needs-lesson = 這一課需要一個檔案：請以 --lesson 指定課程
-class-too-heavy = 其中課程的第 { $question } 題：{ $why }
+class-unfit = 有一個答案不屬於這個單元的任何問題
+class-other-lesson = 是單元「{ $lesson }」的答案，應為「{ $expected }」
+class-other-version = 是單元「{ $lesson }」另一版本的答案
+class-no-lesson = 不認得單元「{ $lesson }」
+class-bad-lesson = 圖片內的單元有誤：第 { $error } 行
+class-needs-lesson = 這個單元需要一個檔案：請以 --lesson 指定單元
+class-too-heavy = 其中單元的第 { $question } 題：{ $why }
 
 # The class's table.
 class-name = 姓名

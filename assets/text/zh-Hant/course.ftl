@@ -2,10 +2,10 @@
 
 course = 課程
 course-start = 開始課程
-course-lessons = 課程列表
-course-own = 自己的課程
-course-none = 這個程式沒有內建課程。
-course-open-own = 開啟自己的課程…
+course-lessons = 單元列表
+course-own = 自己的單元
+course-none = 這個程式沒有內建單元。
+course-open-own = 開啟自己的單元…
 course-minutes = { $count } 分鐘
 course-begun = 進行中
 course-done = （已完成）
@@ -18,15 +18,15 @@ course-next = 下一步
     .tip = 下一步（Page down）
 course-finish = 完成
 course-preparing = 正在計算數值……
-course-no-step = 課程中沒有這一步。
+course-no-step = 單元中沒有這一步。
 course-numbers = 顯示數值：{ $view }
 course-again = 回到這一步的場景
     .tip = 全部恢復成這一步顯示的樣子
 course-hidden = 回答問題之前，數值會先隱藏。
 course-to-question = 前往問題
-course-left = 目前開啟的是另一個場景。課程停在你離開的地方。
-course-return = 回到課程
-    .tip = 重新顯示課程這一步的場景
+course-left = 目前開啟的是另一個場景。單元停在你離開的地方。
+course-return = 回到單元
+    .tip = 重新顯示單元這一步的場景
 course-camera-still = 回答問題之前，相機保持不動。
 
 course-question = 問題
@@ -75,9 +75,9 @@ course-set-it = 套用正確值
 
 course-hand-in = 繳交答案
     .verb = 寫入
-    .sentence = 一張圖片，內含場景、課程與你的答案。請寄給老師。
+    .sentence = 一張圖片，內含場景、單元與你的答案。請寄給老師。
 course-hand-in-name = 你的姓名
-course-hand-in-nothing = 還沒有答案：請先開啟課程並回答問題。
+course-hand-in-nothing = 還沒有答案：請先開啟單元並回答問題。
 course-not-handed-in = 答案未寫入
 course-handed-in = 答案已寫入 { $path }
 
@@ -100,4 +100,4 @@ course-target-title = 配對：{ $scene }
 course-target-level = 第 { $level } 級
 course-target-ask = 找出 { $count } 個數值，使你的圖片與目標相同。
 course-target-file = 無法將這個場景設為目標。請先存成場景檔，再開啟該檔。
-course-loading = 正在讀取課程…
+course-loading = 正在讀取單元…

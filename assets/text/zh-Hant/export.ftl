@@ -8,7 +8,7 @@ export-too-large = 要寫出 { $triangles } 個三角形，最多 { $most } 個�
 export-limit-scale = 除以全圖的最大亮度：要畫完才知道，因此大於 1 的 I 截為 1。
 export-limit-shadows = 陰影：每個光源都照得到每一點。
 export-limit-transparency = 透明度（Kt）：表面以不透明繪製。
-export-limit-ground = 地面：只繪製物體。
+export-limit-ground = 地板：只繪製物體。
 export-limit-backdrop = 背板：物體後方只有背景顏色。
 export-limit-bounce = 其他表面散射的光：Ia 為常數。
 export-limit-lengths = 這種大小的長度：OpenGL 以單精度計算平方，請縮放場景。
@@ -30,7 +30,7 @@ export-limit-phong-lobe = Phong 的 (R.V)^n：固定功能管線用 Blinn 的 (N
 export-limit-microfacets = Cook 與 Torrance 的微面模型：改用 Blinn 的 (N.H)^n，由粗糙度得 n = { $n }。
 export-limit-shininess = n = { $n }：GL_SHININESS 最大為 128。
 export-limit-reflectance = W(theta)，隨入射角變化的反射率：以 0 度時的值乘 Ks。
-export-limit-light-area = 光源 { $light }：由 { $points } 點構成的分佈光源，改為中心一點。
+export-limit-light-area = 光源 { $light }：由 { $points } 點構成的分布光源，改為中心一點。
 export-limit-light-soft = 光源 { $light }：光錐的柔邊；GL_SPOT_CUTOFF 是硬邊。
 export-limit-light-exponent = 光源 { $light }：指數 { $exponent }；GL_SPOT_EXPONENT 最大為 128。
 export-limit-light-viewer = 光源 { $light }：依到觀察者的距離衰減；這裡一律用到相機目標點的距離。

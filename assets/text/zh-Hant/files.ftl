@@ -71,15 +71,16 @@ evaluations = { $count ->
    *[other] 計算 { $shown } 次
 }
 triangles = { $count } 個三角形
-overflowing = { $count } 個像素大於 1
-left-out = 略過：{ $count }
-left-out-tip = 顯示這一幀略過了哪些計算，以及原因
+overflowing = { $count } 個像素溢位
+overflowing-tip = 有色版大於 1、顯示器無法顯示的像素；「溢位」設定決定如何處理
+left-out = 略過 { $count } 個步驟
+left-out-tip = 對這張圖片沒有影響的計算步驟。按一下可看是哪些，以及原因。
 stage-ran = 執行 { $ms } 毫秒，計算 { $evaluations } 次
 stage-kept = 未執行：它所依賴的內容沒有改變
 code-calls = OpenGL 呼叫
 code-calls-tip = 以 C 語言的固定管線 OpenGL 呼叫表示相機、光源與材質
 code-shaders = GLSL 330
-code-shaders-tip = 在著色模式所在的位置計算方程式的頂點與片段著色器
+code-shaders-tip = 在著色法所在的位置計算方程式的頂點與片段著色器
 code-program = 完整的 C 程式
 code-program-tip = 包含呼叫與多邊形、在螢幕外繪圖的程式
 code = 以程式碼表示的場景

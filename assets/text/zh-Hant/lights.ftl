@@ -5,16 +5,16 @@ lights-add = 新增光源
 lights-duplicate = 複製
 lights-number = 光源 { $number }
 lights-named = 光源 { $number }：{ $name }
-lights-off = { $name }：目前關閉，因為已停用，或有其他光源設為「單獨」
+lights-off = { $name }：目前關閉，因為已停用，或有其他光源設為「單獨顯示」
 lights-remove = 移除光源 { $number }
 lights-mute = 停用
     .name = 停用光源 { $number }
     .tip = 停用這個光源。
-lights-solo = 單獨
-    .name = 只開光源 { $number }
-    .tip = 關閉所有未設為「單獨」的光源。
+lights-solo = 單獨顯示
+    .name = 單獨顯示光源 { $number }
+    .tip = 關閉所有未設為「單獨顯示」的光源。
 lights-sampling = N = { $samples }：誤差 { $rms }（RMS），最大 { $greatest }
-    .tip = 在一張沒有陰影的小圖片上，將 N 個取樣點與 4096 個取樣點的結果相比，以白色的百分比表示：各顏色成分的均方根差與最大差。
+    .tip = 在一張沒有陰影的小圖片上，將 N 個取樣點與 4096 個取樣點的結果相比，以白色的百分比表示：各色版的均方根差與最大差。
 lights-sampling-none = 沒有取樣誤差：這個光源照不到圖片中的物體。
 lights-viewer-far = 衰減使用到眼睛的距離，但 V 為常數。
 

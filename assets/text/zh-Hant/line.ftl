@@ -1,9 +1,9 @@
 # The profile
 line-drag-ends = 拖曳圖片中線段的兩端。
-line-mode-own = 圖片目前的著色模式一律顯示。
-line-mode-added = 加入或移除這種著色模式的曲線。
+line-mode-own = 圖片目前的著色法一律顯示。
+line-mode-added = 加入或移除這種著色法的曲線。
 line-perceived-switch = 感知亮度
-    .tip = 在亮度曲線旁畫出圖片著色模式的感知亮度。
+    .tip = 在亮度曲線旁畫出圖片著色法的感知亮度。
 line-edges-switch = 多邊形邊
     .tip = 標示線段與多邊形邊相交之處。
 line-picture-perceived = 以感知亮度顯示圖片
@@ -17,7 +17,7 @@ line-plot-added = 感知 − 實際
 line-value = { $name }：{ $value }
 line-pixels = { $value } 像素
 line-model-inhibition = 側抑制
-line-model-normalisation = 正規化
+line-model-normalisation = 反應正規化
 line-distance = 距離
     .tip = 眼睛到螢幕的距離，單位為公釐。
 line-density = 像素密度
@@ -31,7 +31,7 @@ line-strength = 強度 w
 line-error-surround = 周邊 σs 寬 { $width } 像素，整張圖片最多只能是 { $most }。請減小距離、像素密度或 σs。
 line-error-outside = 在圖片之外，應介於 0,0 與 { $width },{ $height } 之間
 line-error-no-length = 線段兩端在同一處，應為兩個不同的位置
-line-error-no-mode = 沒有著色模式，至少需要一種
+line-error-no-mode = 沒有著色法，至少需要一種
 line-phong-bands = Phong 著色減弱馬赫帶（Mach bands），但不會消除：斜率仍會跳變，只是幅度較小。
 
 # Its plots
@@ -90,8 +90,8 @@ line-scan-p = P 是掃描線進入多邊形之處。α 表示 P 在邊上往下�
 line-scan-q = Q 是掃描線離開多邊形之處。α 表示 Q 在邊上往下多遠：在 { $from } 為 0，在 { $to } 為 1。
 line-scan-pixel-alpha = α 表示像素中心從 P 到 Q 走了多遠：在 P 為 0，在 Q 為 1。
 line-scan-not-interpolated = I 是整個多邊形的亮度，不做內插。
-line-scan-renormalised = |N| = { $length }；N 重新正規化
-line-scan-not-renormalised = |N| = { $length }；N 不重新正規化
+line-scan-renormalised = |N| = { $length }；N 重新單位化
+line-scan-not-renormalised = |N| = { $length }；N 不重新單位化
 line-scan-affine = 重心座標（barycentric），仿射
 line-scan-perspective = 重心座標（barycentric），透視校正
 line-scan-formula = 在掃描線上

@@ -40,5 +40,5 @@ controls-command-link-code = 連結的 QR 碼
 embed-open = 在 shading-lab 中開啟
     .tip = 在獨立的頁面開啟這個場景，包含所有控制項
 embed-unknown = 沒有名為 { $name } 的控制項
-link-expected-lesson = 課程名稱：小寫英文字加連字號
-link-no-lesson = 沒有課程「{ $name }」
+link-expected-lesson = 單元名稱：小寫英文字加連字號
+link-no-lesson = 沒有單元「{ $name }」

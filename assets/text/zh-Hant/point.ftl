@@ -59,8 +59,8 @@ point-gold = 金
 point-custom = 自訂折射率
 point-diffuse = 漫反射
 point-both-terms = 漫反射 + 鏡面反射
-point-note-constant = W = 1：Ks 不隨角度改變。灰線：其他材質（取亮度）。
-point-note-fresnel = Fresnel，{ $index }。θ 是 { $vector } 與 L 的夾角。灰線：其他材質（取亮度）。
+point-note-constant = W = 1：Ks 不隨角度改變。灰線：其他材質（取輝度）。
+point-note-fresnel = Fresnel，{ $index }。θ 是 { $vector } 與 L 的夾角。灰線：其他材質（取輝度）。
 point-note-lobe = 在 N 與 L 的平面內，θ = { $theta }。朝觀察者的 I = { $intensity }。
 point-note-out-of-plane = V 偏離此平面 { $angle }。
 point-note-laws = { $law }。灰線：其他定律。
@@ -138,7 +138,7 @@ point-in-light = 受光
 point-part-in-shadow = { $percent } % 在陰影中
 point-at-probe = （探測點）
 point-line-at-probe = 探測點的{ $name }：{ $value }
-point-share-tip = { $share }，占像素的亮度（Rec. 709）
+point-share-tip = { $share }，占像素的輝度（Rec. 709）
 point-letter-irefl = Irefl：反射光，即各項之和
 point-letter-s = s：聚光燈在此方向的係數，0 到 1
 point-letter-lit = lit：光未被遮住的部分，0 到 1
@@ -146,10 +146,10 @@ point-letter-facets = S：將光反射向觀察者的微平面，π·D·G/(4·(N
 point-letter-idc = Idc：亮度淡入的顏色
 
 # 光源沒有貢獻的原因：簡短說法與完整說法。C 是係數的名稱。
-point-zero-muted = 已靜音
-    .why = 此光源已靜音
-point-zero-not-soloed = 非獨奏
-    .why = 另一光源設為獨奏
+point-zero-muted = 已停用
+    .why = 此光源已停用
+point-zero-not-soloed = 未單獨顯示
+    .why = 另一光源設為單獨顯示
 point-zero-black = Ip 為 0
     .why = 它的 Ip 為 0
 point-zero-not-reflected = 不反射
@@ -180,5 +180,5 @@ point-report-sampling = 整張圖片與 { $samples } 個取樣相比：{ $rms }�
 point-report-stored = 總和與儲存值
 point-report-fit = 最符合此圖片一次反射光的常數 Ia：{ $r } { $g } { $b }
 point-report-light = 光源 { $number }{ $name }，{ $kind }，{ $law }
-point-report-share = { $name }，占像素亮度的 { $share }
+point-report-share = { $name }，占像素輝度的 { $share }
 point-mean-of = { $formula } 的平均

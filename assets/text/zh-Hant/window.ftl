@@ -1,7 +1,7 @@
 language-system = 系統
 language = 語言（Language）
 close = 關閉
-modes = 著色模式
+modes = 著色法
 scenes = 場景
     .tip = 所有內建場景，每個都附有縮圖
 scenes-next = 下一個場景

@@ -319,7 +319,8 @@ pub fn stages_ui(
             ui.label(RichText::new(text!("triangles", count = grouped(report.triangles))).weak());
         }
         if report.overflowing > 0 && room.min(ui.available_width()) > 250.0 {
-            ui.label(text!("overflowing", count = grouped(report.overflowing)));
+            ui.label(text!("overflowing", count = grouped(report.overflowing)))
+                .on_hover_text(text!("overflowing-tip"));
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let omitted = left_out(engine, &window.appearance);
