@@ -4,6 +4,7 @@ use crate::common::program::Folder;
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
+use std::path::Path;
 use std::process::Output;
 
 /// Runs the program in a Taiwanese locale.
@@ -149,5 +150,84 @@ fn what_programs_read_is_the_same_in_both_languages() {
         let [english, chinese] = [folder.run(&code), in_taiwan(&folder, &code)];
         assert_eq!(english.stdout, chinese.stdout, "{target}");
         assert_ne!(text(&english.stderr), text(&chinese.stderr), "{target}");
+    }
+}
+
+/// Reads every text in Chinese: the catalogue and the lessons, each with the name of its file.
+fn chinese_texts() -> Vec<(String, String)> {
+    let assets = Path::new(env!("CARGO_MANIFEST_DIR")).join("assets");
+    let mut texts = Vec::new();
+    for folder in ["text/zh-Hant", "lessons/zh-Hant"] {
+        for file in fs::read_dir(assets.join(folder)).expect("a folder") {
+            let path = file.expect("a file").path();
+            let text = fs::read_to_string(&path).expect("a text");
+            texts.push((path.display().to_string(), text));
+        }
+    }
+    texts
+}
+
+/// Reads the table of Chinese terms in `docs/contributing.md`: each term with the variants that are not used.
+fn chinese_terms() -> Vec<(&'static str, Vec<&'static str>)> {
+    let table = include_str!("../../docs/contributing.md");
+    let rows = table.lines().skip_while(|line| *line != "| English | Chinese | not |");
+    let rows = rows.skip(2).take_while(|line| line.starts_with('|'));
+    rows.map(|row| {
+        let cells: Vec<&str> = row.trim_matches('|').split('|').map(str::trim).collect();
+        let [_, term, variants] = cells[..] else {
+            panic!("{row}: three cells expected");
+        };
+        let variants = variants.split('、').filter(|variant| !variant.is_empty());
+        (term, variants.collect())
+    })
+    .collect()
+}
+
+/// Lists the lines of a text that have a variant of one of the terms. A variant inside a term is none: 正規化 in 反應正規化.
+fn variants_in(text: &str, terms: &[(&str, Vec<&str>)]) -> Vec<String> {
+    let mut found = Vec::new();
+    for line in text.lines() {
+        let rest = terms
+            .iter()
+            .fold(line.to_owned(), |rest, (term, _)| rest.replace(term, "·"));
+        for (term, variants) in terms {
+            let used = variants.iter().find(|variant| rest.contains(**variant));
+            found.extend(used.map(|variant| format!("{variant} for {term}: {line}")));
+        }
+    }
+    found
+}
+
+#[test]
+fn chinese_has_one_term_for_one_thing() {
+    let (terms, texts) = (chinese_terms(), chinese_texts());
+    assert!(terms.len() > 30 && texts.len() > 50);
+    let found: Vec<String> = texts
+        .iter()
+        .flat_map(|(file, text)| {
+            let variants = variants_in(text, &terms);
+            variants.into_iter().map(move |variant| format!("{file}: {variant}"))
+        })
+        .collect();
+    assert!(found.is_empty(), "{}", found.join("\n"));
+    // A term that no text has would be a rule for nothing.
+    for (term, _) in &terms {
+        let used = texts.iter().any(|(_, text)| text.contains(term));
+        assert!(used, "{term} is in no text");
+    }
+}
+
+#[test]
+fn a_variant_of_a_chinese_term_is_found() {
+    let terms = chinese_terms();
+    for (text, expected) in [
+        ("這個通道", 1),
+        ("反應正規化與正規化", 1),
+        ("反應正規化", 0),
+        ("以雙精度計算", 0),
+        ("以倍精度計算", 1),
+        ("微表面的分佈", 2),
+    ] {
+        assert_eq!(variants_in(text, &terms).len(), expected, "{text}");
     }
 }

@@ -1,9 +1,9 @@
 # 「執行計畫」、「誤差研究」、「數值穩定性」三個檢視，以及效能測試。
 
 # 執行計畫
-engine-plan-intro = 逐步列出繪製這張圖片要做的工作，以及因為不會改變結果而省略的部分。
+engine-plan-intro = 逐步列出繪製這張圖片要做的工作，以及因為不會改變結果而略過的部分。
 engine-plan-signs = ■ 上次變更後執行 · □ 沿用先前結果
-engine-plan-summary = { $total }，省略 { $count } 項
+engine-plan-summary = { $total }，略過 { $count } 項
 engine-plan-total = { $count ->
    *[other] 每畫格計算 { $number } 次
 }

@@ -35,7 +35,7 @@ export-limit-light-soft = 光源 { $light }：光錐的柔邊；GL_SPOT_CUTOFF �
 export-limit-light-exponent = 光源 { $light }：指數 { $exponent }；GL_SPOT_EXPONENT 最大為 128。
 export-limit-light-viewer = 光源 { $light }：依到觀察者的距離衰減；這裡一律用到相機目標點的距離。
 export-limit-light-unclamped = 光源 { $light }：衰減的 f = min(1, ...)；OpenGL 的 f 在光源附近會大於 1。
-export-limit-cueing-constant = 各處 s0 相同的深度提示：OpenGL 的霧隨深度變化，因此省略。
+export-limit-cueing-constant = 各處 s0 相同的深度提示：OpenGL 的霧隨深度變化，因此略過。
 export-limit-cueing-beyond = 深度提示：在兩個深度之外，s0 會繼續變化到 1 與 0。
 export-limit-cueing-vertices = 在頂點計算的深度提示：OpenGL 的霧在每個像素計算。
 export-limit-cueing-colour = 深度提示：OpenGL 將霧的顏色截為 1。

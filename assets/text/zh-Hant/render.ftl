@@ -35,7 +35,7 @@ render-term-rounding = 捨入為儲存值
 # 屬於某一光源者。
 render-term-of-light = 光源 { $light }：{ $term }
 
-# 步驟省略的原因，或其中省略了什麼。
+# 步驟略過的原因，或其中略過了什麼。
 render-why-ks-zero = Ks 為 0
 render-why-ks-os-zero = Ks·Os 為 0
 render-why-no-specular-colour = Ks·Os 不反射任何光源的顏色
