@@ -170,7 +170,9 @@ fn chinese_texts() -> Vec<(String, String)> {
 /// Reads the table of Chinese terms in `docs/contributing.md`: each term with the variants that are not used.
 fn chinese_terms() -> Vec<(&'static str, Vec<&'static str>)> {
     let table = include_str!("../../docs/contributing.md");
-    let rows = table.lines().skip_while(|line| *line != "| English | Chinese | not |");
+    let rows = table
+        .lines()
+        .skip_while(|line| *line != "| English | Chinese | not |");
     let rows = rows.skip(2).take_while(|line| line.starts_with('|'));
     rows.map(|row| {
         let cells: Vec<&str> = row.trim_matches('|').split('|').map(str::trim).collect();
@@ -206,7 +208,9 @@ fn chinese_has_one_term_for_one_thing() {
         .iter()
         .flat_map(|(file, text)| {
             let variants = variants_in(text, &terms);
-            variants.into_iter().map(move |variant| format!("{file}: {variant}"))
+            variants
+                .into_iter()
+                .map(move |variant| format!("{file}: {variant}"))
         })
         .collect();
     assert!(found.is_empty(), "{}", found.join("\n"));
