@@ -43,17 +43,19 @@ use engine::Engine;
 use picture::Room;
 use serde::{Deserialize, Serialize};
 use session::action::Action;
+use session::notice::Notice;
 use session::recovery::Recovery;
 use session::window::ViewStates;
 use shell::dialog::{CodeForm, Dialog, ExportForm, FileTask};
 use shell::files::Files;
 use shell::layout::Layout;
 use shell::state::Leaving;
-use shell::{commands, dialogs, embed, files, links, toast, welcome};
+use shell::{commands, dialogs, embed, files, links, toast};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use widgets::symbol::{self, Sought};
 use widgets::theme::ThemeChoice;
-use widgets::{focus, symbol, theme};
+use widgets::{focus, theme};
 
 /// The storage key of the window's appearance and of the course's progress.
 const STORAGE_KEY: &str = "look";
@@ -83,6 +85,8 @@ pub struct App {
     recovery: Option<Recovery>,
     /// True if nothing is read from earlier runs and nothing is stored.
     fresh: bool,
+    /// A folder that the desktop is to show at the end of the frame.
+    folder: Option<PathBuf>,
     /// The language given at startup, and the menu's choice that it overrides. A different choice in the menu
     /// ends the override.
     started_in: Option<(Language, Option<Language>)>,
@@ -122,6 +126,7 @@ impl App {
             in_front: false,
             recovery: None,
             fresh: false,
+            folder: None,
             started_in: None,
         }
     }
@@ -250,9 +255,6 @@ impl App {
                 // faster than a frame that jumps.
                 ui.ctx().request_discard("layout");
             }
-            if let Some(picture) = layout.picture.filter(|_| state.dialog.is_none()) {
-                welcome::welcome_ui(ui.ctx(), &mut state.window, &mut state.requests, picture);
-            }
         }
     }
 
@@ -372,6 +374,7 @@ impl App {
                 self.ask_file(ctx, FileTask::SaveScene, path);
             }
             Action::SaveTo(path) => self.save(ctx, path),
+            Action::ShowFolder(folder) => self.folder = Some(folder),
             Action::Export => {
                 // More would take long on the single thread of a page on a phone.
                 let phone = system::PAGE && system::fingers(ctx);
@@ -397,6 +400,11 @@ impl App {
                 let name = scene_after(&self.state.session.document().origin, step).to_owned();
                 self.perform(ctx, Action::OpenBuiltIn(name));
             }
+            Action::ResetAll => {
+                for action in [Action::ResetScene, Action::ResetLayout] {
+                    self.state.requests.ask(action);
+                }
+            }
             Action::ResetLayout => {
                 let window = &mut self.state.window;
                 window.appearance = window.appearance.reset();
@@ -406,13 +414,9 @@ impl App {
                 ctx.data_mut(|data| data.remove_by_type::<PanelState>());
             }
             Action::Find => self.state.dialog = Some(Dialog::Find),
-            Action::Seek(key) => {
-                (
-                    self.state.window.enlarged,
-                    self.state.window.appearance.controls,
-                ) = (false, true);
-                symbol::seek(ctx, symbol::Sought::Parameter(key));
-            }
+            Action::Seek(key) => self.seek(ctx, Sought::Parameter(key)),
+            Action::SeekSymbol(symbol) => self.seek(ctx, Sought::Symbol(symbol)),
+            Action::Manual => self.state.dialog = Some(Dialog::Manual),
             Action::Keys => self.state.dialog = Some(Dialog::Keys),
             Action::About => self.state.dialog = Some(Dialog::About),
             Action::PictureAlone => {
@@ -450,6 +454,13 @@ impl App {
         }
     }
 
+    /// Shows a control, in place of what covers it.
+    fn seek(&mut self, ctx: &Context, sought: Sought) {
+        let window = &mut self.state.window;
+        (window.enlarged, window.picture_alone) = (false, false);
+        symbol::seek(ctx, sought);
+    }
+
     /// Asks for a file; a web page asks only how to export a picture, since it downloads what it writes.
     fn ask_file(&mut self, ctx: &Context, task: FileTask, path: String) {
         let asks = !system::PAGE || matches!(task, FileTask::Export(_) | FileTask::HandIn(_));
@@ -470,7 +481,8 @@ impl App {
                     self.state.window.appearance.remember(&path);
                 }
                 self.state.session.save_as(origin);
-                self.state.session.notice = Some(text!("saved", path = path.display().to_string()));
+                let text = text!("saved", path = path.display().to_string());
+                self.state.session.notice = Some(Notice::written(text, &path));
                 if leaving == Leaving::OnceSaved {
                     self.close(ctx);
                 }
@@ -496,7 +508,7 @@ impl App {
             size,
             frame.pixels.as_flattened(),
         ));
-        self.state.session.notice = Some(text!("copied-picture").to_owned());
+        self.state.session.notice = Some(text!("copied-picture").into());
     }
 }
 
@@ -533,13 +545,7 @@ impl eframe::App for App {
         }
         self.panels(ui);
         self.files.poll(&ctx, &mut self.state);
-        let AppState {
-            session,
-            window,
-            dialog,
-            ..
-        } = &mut self.state;
-        toast::toast_ui(&ctx, session, window, dialog.is_some());
+        toast::toast_ui(&ctx, &mut self.state, self.layout.picture);
         dialogs::dialog_ui(&ctx, &mut self.state, &mut self.files);
         self.settle(&ctx);
         // A dialog or progress that has come to the front takes the focus from what is behind it.
@@ -550,6 +556,9 @@ impl eframe::App for App {
         self.in_front = in_front;
         focus::show(&ctx);
         links::open_addresses(&ctx);
+        if let Some(folder) = self.folder.take() {
+            system::show_folder(&ctx, &folder);
+        }
         let (state, engine) = (&self.state, &self.engine);
         system::end_frame(
             &ctx,

@@ -13,7 +13,7 @@ mod read;
 mod shown;
 mod write;
 
-pub use encoding::base64;
+pub use encoding::{base64, encoded};
 pub use read::{is_link, read};
 pub use shown::{Shown, VIEWS};
 pub use write::{Written, write};

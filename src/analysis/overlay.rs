@@ -1,6 +1,6 @@
 //! Drawings over a picture: their layers, and the sizes, colours and labels that they share.
 
-use crate::figure::palette::Rgb8;
+use crate::figure::palette::{Rgb8, Vector, readable};
 use crate::figure::{Area, Drawing, Label, Placer, Shape, Wish, inked_size};
 use crate::scene::{Projection, View};
 use glam::{DVec2, DVec3};
@@ -109,6 +109,10 @@ pub struct OverlayOptions {
     pub length: Option<f64>,
     /// True to show H for every model, false for Blinn's alone.
     pub half_vector: bool,
+    /// True to add the side view where vectors point at the viewer and hide one another.
+    pub side_view_where_needed: bool,
+    /// True if the side view takes most of the picture.
+    pub side_view_enlarged: bool,
     /// Halo that sets lines and letters off from the picture.
     pub halo: Halo,
     /// Areas covered by other drawings, pixels, which labels avoid.
@@ -124,6 +128,8 @@ impl Default for OverlayOptions {
             light: None,
             length: None,
             half_vector: false,
+            side_view_where_needed: false,
+            side_view_enlarged: false,
             halo: Halo::Light,
             covered: vec![],
             scale: 1.0,
@@ -144,9 +150,16 @@ pub(in crate::analysis) struct Style {
     /// Colour of lines and letters that belong to no vector.
     pub neutral: Rgb8,
     pub halo_colour: Rgb8,
+    /// Minimum contrast of the vectors with their halo.
+    pub contrast: f64,
 }
 
 impl Style {
+    /// Returns the colour of a vector: lighter on a dark halo where its own is dark.
+    pub fn colour(&self, vector: Vector) -> Rgb8 {
+        readable(vector.colour(), self.halo_colour, self.contrast)
+    }
+
     /// Returns the style of a pane whose shorter side is `side` pixels.
     pub fn new(side: f64, options: &OverlayOptions) -> Self {
         let scale = if options.scale.is_finite() {
@@ -160,18 +173,19 @@ impl Style {
     /// Returns the style with letters of `text` pixels an em.
     pub fn of_text(text: f64, halo: Halo) -> Self {
         let line = 0.115 * text;
-        let (neutral, halo_colour) = match halo {
-            Halo::Light => ([24; 3], [255; 3]),
-            Halo::Dark => ([255; 3], [16; 3]),
+        let (neutral, halo_colour, contrast) = match halo {
+            Halo::Light => ([24; 3], [255; 3], 1.0),
+            Halo::Dark => ([255; 3], [16; 3], 5.5),
         };
         Self {
             text,
             line,
             halo: 0.075 * text,
             head: 5.0 * line,
-            ring: 2.1 * line,
+            ring: 1.8 * line,
             neutral,
             halo_colour,
+            contrast,
         }
     }
 

@@ -16,7 +16,7 @@ pub use line::Sample;
 pub use picture::{
     PERCEIVED_WIDTH, ProfileCurves, draw_profile, lay_out_profile, perceived_picture,
 };
-pub use plots::{Abscissa, Compared, compared_plots, mode_dash, profile_plots};
+pub use plots::{Abscissa, Compared, compared_plots, mode_dash};
 
 use super::codec::Codec;
 use super::perception::{Perception, Viewing, blur_line};
@@ -280,7 +280,7 @@ impl TakenProfile {
         };
         let modes = traces.iter().flat_map(|trace| of_mode(trace.mode.word()));
         let mut table = Table::new(
-            ["x", "y", "t"]
+            ["x", "y", "t", "distance"]
                 .into_iter()
                 .map(Column::key)
                 .chain(modes.map(Column::key)),
@@ -290,7 +290,7 @@ impl TakenProfile {
                 .iter()
                 .flat_map(|trace| [trace.intensity[i], trace.slope[i], trace.perceived[i]]);
             table.rows.push(
-                [sample.x, sample.y, sample.t]
+                [sample.x, sample.y, sample.t, sample.t * self.profile.length]
                     .into_iter()
                     .chain(values)
                     .map(Cell::from)
@@ -302,9 +302,17 @@ impl TakenProfile {
 }
 
 impl Answer for TakenProfile {
-    fn report(&self, _: &ReportContext<'_>) -> Report {
+    fn report(&self, about: &ReportContext<'_>) -> Report {
         let mut report = Report::default();
-        for plot in profile_plots(&self.profile, &self.question) {
+        let (own, modes) = (about.scene.shading.mode, &self.question.modes);
+        let first = modes.first().copied().unwrap_or(own);
+        let view = Compared {
+            own: if modes.contains(&own) { own } else { first },
+            abscissa: Abscissa::Distance,
+            edges: true,
+            perceived: true,
+        };
+        for plot in compared_plots(&self.profile, &self.question, view) {
             report.section("").push(Part::Plot(plot.into()));
         }
         report.section("").note(text!("line-phong-bands"));

@@ -133,7 +133,7 @@ const fn analysis(name: &'static str, formats: &'static [Format]) -> Analysis {
 
 /// All analyses. A new one is a line here, a module with its question and its answer, and its arguments in `cli`.
 pub const ANALYSES: [Analysis; 12] = [
-    analysis("probe", &[Csv, Json]),
+    analysis("probe", &[Png, Svg, Csv, Json]),
     analysis("curves", &[Png, Svg, Csv, Json]),
     analysis("profile", &[Png, Svg, Csv, Json]),
     analysis("scanline", &[Png, Svg, Csv, Json]),

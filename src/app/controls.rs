@@ -18,6 +18,7 @@ use crate::app::controls::row::{About, View, parameter_with, row};
 use crate::app::session::Session;
 use crate::app::session::action::Action;
 use crate::app::session::action::Requests;
+use crate::app::session::appearance::ViewName;
 use crate::app::session::window::WindowState;
 use crate::app::widgets::focus::{keep_in_sight, named};
 use crate::app::widgets::symbol::{self, Sought, Symbol};
@@ -29,6 +30,7 @@ use crate::scene::{
 };
 use crate::text;
 use eframe::egui::accesskit::Role;
+use eframe::egui::collapsing_header::CollapsingState;
 use eframe::egui::{
     Button, CollapsingHeader, Id, Label, PopupAnchor, RichText, ScrollArea, Tooltip, Ui,
 };
@@ -157,10 +159,11 @@ static SECTIONS: [Section; 8] = [
             Symbol::Attenuation,
             Symbol::Ip,
             Symbol::Light,
+            Symbol::Shadows,
         ],
         tables: &["light"],
         items: &[
-            Rows(&[&material::AMBIENT_COLOR]),
+            Rows(&[&material::AMBIENT_COLOR, &shading::SHADOWS]),
             Own(|ui, session, window, requests, _| {
                 lights::lights_ui(ui, session, window, requests);
             }),
@@ -180,6 +183,11 @@ static SECTIONS: [Section; 8] = [
                 &shading::INTERPOLATION,
                 &shading::RENORMALISE,
             ]),
+            Own(|ui, _, _, requests, _| {
+                if ui.link(text!("controls-command-defects")).clicked() {
+                    requests.ask(Action::View(ViewName::Defects));
+                }
+            }),
         ],
     },
     Section {
@@ -195,19 +203,21 @@ static SECTIONS: [Section; 8] = [
     Section {
         title: "controls-surroundings",
         about: |scene| {
-            let Scene {
-                shading,
-                ambient,
-                ground,
-                ..
-            } = scene;
-            shading.shadows || ground.visible || ambient.source != AmbientSource::Constant
+            let bounces = scene.ambient.source != AmbientSource::Constant;
+            scene.ground.visible || bounces || scene.depth_cueing.by != CuedBy::Off
         },
         open: Open::Special,
-        symbols: &[Symbol::Shadows, Symbol::Bounce],
-        tables: &[],
+        symbols: &[Symbol::Bounce, Symbol::Depth],
+        tables: &["depth_cueing"],
         items: &[
-            Rows(&[&shading::SHADOWS, &material::AMBIENT_SOURCE]),
+            Rows(&[&surroundings::CUED_BY]),
+            Own(|ui, session, _, _, _| depths_ui(ui, session)),
+            Used(&[
+                &surroundings::FRONT_SCALE,
+                &surroundings::BACK_SCALE,
+                &surroundings::CUE_COLOR,
+            ]),
+            Rows(&[&material::AMBIENT_SOURCE]),
             Own(|ui, session, _, _, engine| fit_ui(ui, &mut session.shown.scene, engine)),
             Rows(&[&surroundings::GROUND_VISIBLE]),
             While(
@@ -265,38 +275,28 @@ static SECTIONS: [Section; 8] = [
         title: "controls-display",
         about: |scene| {
             let Display { overflow, encoding } = Display::default();
-            let cued = scene.depth_cueing.by != CuedBy::Off;
-            cued || scene.display.overflow != overflow || scene.display.encoding != encoding
+            scene.display.overflow != overflow || scene.display.encoding != encoding
         },
         open: Open::Special,
-        symbols: &[Symbol::Intensity, Symbol::Depth],
+        symbols: &[Symbol::Intensity],
         tables: &[],
         items: &[
             Rows(&[&camera::OVERFLOW]),
             Own(|ui, _, _, _, engine| overflow_ui(ui, engine)),
-            Rows(&[
-                &camera::ENCODING,
-                &camera::BACKGROUND,
-                &surroundings::CUED_BY,
-            ]),
-            Own(|ui, session, _, _, _| depths_ui(ui, session)),
-            Used(&[
-                &surroundings::FRONT_SCALE,
-                &surroundings::BACK_SCALE,
-                &surroundings::CUE_COLOR,
-            ]),
+            Rows(&[&camera::ENCODING, &camera::BACKGROUND]),
         ],
     },
 ];
 
 fn special_lights(scene: &Scene) -> bool {
     let usual = Light::default();
-    scene.lights.iter().any(|light| {
+    let special = scene.lights.iter().any(|light| {
         light.kind != usual.kind
             || light.attenuation != usual.attenuation
             || light.mute
             || light.solo
-    })
+    });
+    special || scene.shading.shadows
 }
 
 fn special_shading(scene: &Scene) -> bool {
@@ -340,6 +340,10 @@ fn has_facets(scene: &Scene) -> bool {
     scene.reflection.model == ReflectionModel::CookTorrance
 }
 
+/// The sections that were opened or folded by hand: other scenes leave them so, until the window closes.
+#[derive(Debug, Default)]
+struct FoldedByHand([Option<bool>; SECTIONS.len()]);
+
 /// Shows the controls of the quantities in the equation.
 ///
 /// A scene that has just been opened is shown from the top, with the sections open that it is about.
@@ -351,7 +355,11 @@ pub fn controls_ui(
     engine: &Engine,
 ) {
     let opened = session.take_just_opened();
-    let opens = open_in(&session.initial);
+    let mut opens = open_in(&session.initial);
+    if let Some(FoldedByHand(folded)) = window.own.get() {
+        let folded = opens.iter_mut().zip(folded);
+        folded.for_each(|(opens, by_hand)| *opens = by_hand.unwrap_or(*opens));
+    }
     let mut area = ScrollArea::vertical().auto_shrink(false);
     if opened {
         area = area.vertical_scroll_offset(0.0);
@@ -362,15 +370,13 @@ pub fn controls_ui(
             let count = columns.len();
             for (place, section) in SECTIONS.iter().enumerate() {
                 let ui = &mut columns[place * count / SECTIONS.len()];
-                section_ui(
-                    ui,
-                    session,
-                    window,
-                    requests,
-                    engine,
-                    section,
-                    (opens[place], opened),
-                );
+                let fold = (opens[place], opened);
+                let by_hand = section_ui(ui, session, window, requests, engine, section, fold);
+                if by_hand.is_some() {
+                    window
+                        .own
+                        .change(|folded: &mut FoldedByHand| folded.0[place] = by_hand);
+                }
             }
         });
         ui.add_space(12.0);
@@ -403,7 +409,8 @@ pub fn pull_ui(ui: &Ui, session: &mut Session) {
     session.commit();
 }
 
-/// Shows a section. Opening another scene opens or folds it anew.
+/// Shows a section; opening another scene opens or folds it anew. Returns whether it is open if it was just opened or folded
+/// by hand.
 fn section_ui(
     ui: &mut Ui,
     session: &mut Session,
@@ -412,7 +419,7 @@ fn section_ui(
     engine: &Engine,
     section: &Section,
     (opens, anew): (bool, bool),
-) {
+) -> Option<bool> {
     let sought = symbol::sought(ui.ctx()).is_some_and(|sought| section.has(sought));
     let title = RichText::new(text!(section.title)).strong();
     let header = CollapsingHeader::new(title).id_salt(section.title);
@@ -421,7 +428,7 @@ fn section_ui(
     } else {
         anew.then_some(opens)
     };
-    header
+    let shown = header
         .default_open(opens)
         .open(open)
         .show_unindented(ui, |ui| {
@@ -430,6 +437,9 @@ fn section_ui(
             items.for_each(|item| item_ui(ui, session, window, requests, engine, item));
             ui.add_space(8.0);
         });
+    let header = shown.header_response;
+    let state = CollapsingState::load(&header.ctx, header.id).filter(|_| header.clicked());
+    state.map(|state| state.is_open())
 }
 
 fn item_ui(

@@ -20,7 +20,7 @@ use crate::app::session::place::ProbePoint;
 use crate::app::session::window::WindowState;
 use crate::figure::Area;
 use crate::render::{Frame, FrameReport, Term, coarseness};
-use crate::scene::{CompareView, DifferenceKind, Image, Scene};
+use crate::scene::{AmbientSource, CompareView, DifferenceKind, Image, Scene};
 use crate::text;
 use crate::text::Language;
 use eframe::egui::{Context, TextureHandle, TextureOptions};
@@ -35,6 +35,9 @@ use refined::Refined;
 #[cfg(not(target_arch = "wasm32"))]
 use refined::Supersampled;
 use std::cell::OnceCell;
+
+/// The expected time to draw a picture from which on it waits for the next frame, nanoseconds.
+const LONG: u64 = 50_000_000;
 
 /// The pictures of the window: panes, probes and overlays.
 #[derive(Default)]
@@ -56,8 +59,16 @@ pub struct Engine {
     normals: NormalsDrawing,
     refined: Refined,
     terms: OnceCell<Vec<Term>>,
+    /// True if a picture that takes long waits for the next frame.
+    deferred: bool,
     /// A counter that increases whenever a picture or the probe has changed.
     pub revision: u64,
+}
+
+/// Returns whether each pixel of a scene may take many rays.
+fn takes_rays(scene: &Scene) -> bool {
+    let transparent = scene.transparency.kt > 0.0;
+    scene.shading.shadows || transparent || scene.ambient.source != AmbientSource::Constant
 }
 
 /// The overlay as last drawn, and its inputs.
@@ -119,6 +130,17 @@ impl Engine {
             .map(|(pane, wanted)| self.panes[*pane].expected(wanted))
             .sum();
         let coarser = if held { coarseness(expected) } else { 1 };
+        // A click is answered first: what is clicked is seen before a picture that takes long is drawn.
+        let is_long = |(pane, wanted): &(usize, Wanted<'_>)| {
+            let cost = self.panes[*pane].expected(wanted);
+            cost > LONG || (cost > 0 && takes_rays(wanted.scene))
+        };
+        let defers = !held && !self.deferred && wanted.iter().any(is_long);
+        self.deferred = defers;
+        if defers {
+            ctx.request_repaint();
+            return;
+        }
         self.size = size;
         for (pane, wanted) in &wanted {
             let engine = &mut self.panes[*pane];
@@ -371,6 +393,15 @@ impl Engine {
             .filter(|overlay| overlay.appearance.0.vectors)
             .map(|overlay| &overlay.texture);
         [needles, overlay, lit]
+    }
+
+    /// Returns the pane of the side view of the vectors, in the active pane's pixels.
+    pub fn side_view(&self) -> Option<Area> {
+        let overlay = self.overlay.as_ref()?;
+        overlay
+            .overlay
+            .side_view
+            .filter(|_| overlay.appearance.0.vectors)
     }
 
     /// Returns the active pane's picture as last drawn.

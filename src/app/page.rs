@@ -195,6 +195,9 @@ pub fn open_address(_: &Context, address: &str) {
     }
 }
 
+/// Does nothing: a page knows no folder.
+pub fn show_folder(_: &Context, _: &std::path::Path) {}
+
 pub fn set_title(_: &Context, title: &str) {
     document()
         .iter()

@@ -1,6 +1,7 @@
 //! The central picture: drawn pixel for pixel; turned, zoomed and probed by hand.
 
 pub mod handles;
+mod menu;
 pub mod orbit;
 pub mod panes;
 
@@ -18,6 +19,7 @@ use crate::app::views::profile::{self, Profiles};
 use crate::app::views::scan;
 use crate::app::widgets::focus;
 use crate::app::widgets::letter::letter;
+use crate::figure::Area;
 use crate::scene::{Choice as _, View};
 use crate::text;
 use eframe::egui::accesskit::Role;
@@ -74,9 +76,11 @@ pub fn picture_ui(
             place,
             view,
             grips: handles::grips(session, window, course, &view, place),
+            side_view: engine.side_view(),
             reach: reach(ui),
         },
     );
+    menu::menu_ui(&response, session, window, requests, engine);
     session.commit();
     window.covered = handles::covered(session, window, &view, place);
     let smooth = window.appearance.smooth_edges && !profile::shows_perceived(window);
@@ -178,6 +182,8 @@ struct Pointed {
     place: Place,
     view: View,
     grips: Vec<(Grip, Pos2)>,
+    /// The pane of the side view, in the active pane's pixels.
+    side_view: Option<Area>,
     /// The maximum distance at which the pointer grabs a handle, in points.
     reach: f32,
 }
@@ -192,6 +198,12 @@ fn reach(ui: &Ui) -> f32 {
 }
 
 impl Pointed {
+    fn is_in_side_view(&self, at: Pos2) -> bool {
+        let at = self.place.pixel(at);
+        let at = Area { min: at, max: at };
+        self.side_view.is_some_and(|pane| pane.holds(&at))
+    }
+
     /// Returns the handle that a drag from `at` would move, and the offset from `at` to its centre, in
     /// pixels. Handles that belong to tabs take precedence over lights and vertices, these over the probe.
     fn under(&self, session: &Session, course: &Course, at: Pos2) -> (Grip, DVec2) {
@@ -213,6 +225,7 @@ impl Pointed {
         });
         match nearest {
             Some((grip, there)) => (*grip, self.place.pixel(*there) - self.place.pixel(at)),
+            None if self.is_in_side_view(at) => (Grip::SideView, DVec2::ZERO),
             None if panes::on_wipe(
                 session,
                 &panes::places(session, self.place),
@@ -280,11 +293,15 @@ fn gesture(
         }
         if response.long_touched() {
             put_probe(window, place, at);
+        }
+        if response.secondary_clicked() && !course.asks_point() {
+            menu::open(window, pointed.under(session, course, at).0, at, place);
         } else if response.clicked() && course.asks_point() {
             put_mark(course, place, at);
         } else if response.clicked() {
             match pointed.under(session, course, at).0 {
                 Grip::Camera => put_probe(window, place, at),
+                Grip::SideView => window.appearance.overlay.side_view_enlarged ^= true,
                 grip => choose(session, grip),
             }
         }
@@ -375,6 +392,7 @@ fn drag(
                 View::without_roll(DVec2::new(-dx, dy) * DEGREES_PER_HEIGHT, scene.camera.roll);
             orbit::orbit(&mut scene.camera, way.x, way.y);
         }
+        Grip::SideView => {}
         Grip::Probe => put_probe(window, *place, at),
         Grip::Mark => {
             course.put_mark(course::from_pixel(pixel, place.size));
@@ -404,6 +422,7 @@ fn cursor(grip: Grip, shift: bool) -> CursorIcon {
         Grip::Rim(way) => handles::cursor(way),
         Grip::Probe | Grip::Mark => CursorIcon::Crosshair,
         Grip::Wipe => CursorIcon::ResizeHorizontal,
+        Grip::SideView => CursorIcon::ZoomIn,
         Grip::Camera if shift => CursorIcon::Move,
         Grip::Camera => CursorIcon::AllScroll,
     }
@@ -477,8 +496,8 @@ fn paint_over(
         let at = place.point(window.probe.centre(place.size));
         let held = window.drag.is_some_and(|drag| drag.grip == Grip::Probe);
         let radius = if held { 8.0 } else { 6.0 };
-        painter.circle_stroke(at, radius, Stroke::new(3.5, Color32::from_black_alpha(150)));
-        painter.circle_stroke(at, radius, Stroke::new(1.5, Color32::WHITE));
+        painter.circle_stroke(at, radius, Stroke::new(2.6, Color32::from_black_alpha(130)));
+        painter.circle_stroke(at, radius, Stroke::new(1.0, Color32::WHITE));
     }
     if active {
         course::paint_edges(&painter, window, course, &view, place);

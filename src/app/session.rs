@@ -14,6 +14,7 @@ pub mod action;
 pub mod appearance;
 pub mod document;
 pub mod history;
+pub mod notice;
 pub mod place;
 pub mod recovery;
 pub mod window;
@@ -22,8 +23,11 @@ use crate::document::undrawn;
 use crate::render::check_mesh_memory;
 use crate::scene::parameter::Parameter;
 use crate::scene::{Choice as _, Compare, CompareView, Pane, Scene, SceneError, ShadingMode};
+use crate::text::text;
+use action::Action;
 use document::{Document, Origin};
 use history::History;
+use notice::Notice;
 
 /// The open document as its panes show it, and the documents that undo and redo lead to.
 #[derive(Default)]
@@ -55,7 +59,7 @@ pub struct Session {
     /// Index of the vertex whose position is shown, among a scene's own polygons.
     pub vertex: usize,
     /// A message about the last action, shown for a few seconds or until another document is opened.
-    pub notice: Option<String>,
+    pub notice: Option<Notice>,
     /// A message about a problem with the open document, shown until it is dismissed or another document is opened.
     pub warning: Option<String>,
 }
@@ -95,7 +99,7 @@ impl Session {
     /// the new one, shows a notice and keeps the present one. Returns whether the document was replaced.
     pub fn replace(&mut self, document: Document) -> bool {
         if let Err(error) = check_mesh_memory(&document.scene, document.model.as_deref()) {
-            self.notice = Some(error.to_string());
+            self.notice = Some(error.to_string().into());
             return false;
         }
         self.document = document;
@@ -123,12 +127,14 @@ impl Session {
 
     /// Undoes the last step.
     pub fn undo(&mut self) {
+        self.notice = None;
         self.history.undo(&mut self.document);
         self.return_to_origin();
     }
 
     /// Redoes the last step that was undone.
     pub fn redo(&mut self) {
+        self.notice = None;
         self.history.redo(&mut self.document);
         self.return_to_origin();
     }
@@ -153,7 +159,13 @@ impl Session {
     /// Records in the history the document at the end of a frame, see [`History::observe`].
     pub fn observe(&mut self, held: bool, time: f64) {
         if held || std::mem::take(&mut self.unobserved) {
-            self.history.observe(&self.document, held, time);
+            let recorded = self.history.observe(&self.document, held, time);
+            let undoes = |notice: &mut Notice| matches!(notice.offer, Some(Action::Undo));
+            if let Some(notice) = self.notice.take_if(|notice| recorded && undoes(notice))
+                && !notice.recorded
+            {
+                self.notice = Some(Notice { recorded, ..notice });
+            }
         }
     }
 
@@ -168,7 +180,7 @@ impl Session {
         let changes = self.panes.changes(&self.shown.scene);
         if !changes.is_empty() || self.document.scene != self.panes.document {
             if let Err(words) = self.take_over(&changes) {
-                self.notice = Some(words);
+                self.notice = Some(words.into());
                 self.document.scene = self.panes.document.clone();
             }
             self.derive();
@@ -227,8 +239,20 @@ impl Session {
         self.keep_chosen();
     }
 
+    /// Removes a light from the active pane's scene; a notice offers to undo it.
+    pub fn remove_light(&mut self, index: usize) {
+        let lights = &mut self.shown.scene.lights;
+        if index < lights.len() {
+            lights.remove(index);
+            self.light -= usize::from(self.light > index);
+            self.keep_chosen();
+            let text = text!("lights-removed", number = index + 1);
+            self.notice = Some(Notice::undoable(text));
+        }
+    }
+
     /// Clamps the selected light and the selected vertex to those that exist.
-    pub fn keep_chosen(&mut self) {
+    fn keep_chosen(&mut self) {
         let Scene { lights, object, .. } = &self.shown.scene;
         let vertices = object.polygons().vertices.len();
         self.light = self.light.min(lights.len().saturating_sub(1));
@@ -272,7 +296,8 @@ impl Session {
 
     /// Returns the message to show: the notice, or else the warning.
     pub fn said(&self) -> Option<&str> {
-        self.notice.as_deref().or(self.warning.as_deref())
+        let notice = self.notice.as_ref().map(|notice| &*notice.text);
+        notice.or(self.warning.as_deref())
     }
 
     /// Makes another pane the active one.
@@ -324,7 +349,10 @@ impl Session {
                 self.derive();
                 self.take_initial();
             }
-            Err(error) => self.notice = error.problems().first().map(ToString::to_string),
+            Err(error) => {
+                let problem = error.problems().first();
+                self.notice = problem.map(|problem| problem.to_string().into());
+            }
         }
     }
 
@@ -551,7 +579,7 @@ mod tests {
         for pane in 0..3 {
             edit(&mut session, pane, |scene| scene.material.n = -1.0);
             assert_eq!(
-                session.notice.take().as_deref(),
+                session.said(),
                 Some("`material.n` is -1, expected 0 to inf")
             );
             assert_eq!(session.shown.scene.material.n, 32.0);
@@ -559,7 +587,7 @@ mod tests {
         session.document.scene.compare.gain = 1000.0;
         session.commit();
         assert_eq!(
-            session.notice.as_deref(),
+            session.said(),
             Some("`compare.gain` is 1000, expected 1 to 64")
         );
         assert_eq!(session.document.scene.compare.gain, 8.0);

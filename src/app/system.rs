@@ -1,9 +1,10 @@
 //! The services of the system for a window. The counterpart for a web page is `page.rs`.
 
 use crate::app::widgets::dialog::{FileKind, Picked};
+use crate::link::encoded;
 use eframe::egui::{Context, InputState, OpenUrl, ViewportCommand};
 use log::{Level, LevelFilter, Log, Metadata, Record};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// True if this is a web page.
@@ -83,6 +84,13 @@ pub fn fingers(ctx: &Context) -> bool {
 /// Has the desktop open an address, in its browser or its mail program.
 pub fn open_address(ctx: &Context, address: &str) {
     ctx.open_url(OpenUrl::new_tab(address));
+}
+
+/// Has the desktop show a folder in its file manager.
+pub fn show_folder(ctx: &Context, folder: &Path) {
+    let folder = folder.to_string_lossy().replace('\\', "/");
+    let parts: Vec<_> = folder.split('/').map(encoded).collect();
+    open_address(ctx, &format!("file://{}", parts.join("/")));
 }
 
 pub fn set_title(ctx: &Context, title: &str) {

@@ -41,8 +41,6 @@ pub struct View {
     pub key: ViewName,
     /// Key of the name in the catalogue.
     name: &'static str,
-    /// True if the view needs more width than a panel beside the picture has. It then opens below the picture.
-    wide: bool,
     show: fn(&mut Ui, &mut Parts<'_>),
 }
 
@@ -56,6 +54,8 @@ impl View {
 pub struct Group {
     pub sign: Sign,
     name: &'static str,
+    /// True if the views need more width than a panel beside the picture has. They then open below the picture.
+    wide: bool,
     pub views: &'static [View],
 }
 
@@ -74,17 +74,16 @@ pub static GROUPS: [Group; 5] = [
     Group {
         sign: Sign::Point,
         name: "view-point",
+        wide: false,
         views: &[
             View {
                 key: ViewName::Equation,
                 name: "view-equation",
-                wide: false,
                 show: |ui, p| point_ui(ui, p.session, p.window, p.requests, p.engine),
             },
             View {
                 key: ViewName::Curves,
                 name: "view-curves",
-                wide: false,
                 show: |ui, p| {
                     p.with(|p, own| curves_ui(ui, own, p.session, p.window, p.requests, p.engine));
                 },
@@ -94,11 +93,11 @@ pub static GROUPS: [Group; 5] = [
     Group {
         sign: Sign::Line,
         name: "view-line",
+        wide: true,
         views: &[
             View {
                 key: ViewName::Profile,
                 name: "view-profile",
-                wide: true,
                 show: |ui, p| {
                     p.with(|p, own| profile_ui(ui, own, p.session, p.window, p.requests, p.engine));
                 },
@@ -106,7 +105,6 @@ pub static GROUPS: [Group; 5] = [
             View {
                 key: ViewName::ScanLine,
                 name: "view-scan-line",
-                wide: true,
                 show: |ui, p| {
                     p.with(|p, own| scan_ui(ui, own, p.session, p.window, p.requests, p.engine));
                 },
@@ -116,11 +114,11 @@ pub static GROUPS: [Group; 5] = [
     Group {
         sign: Sign::Picture,
         name: "view-picture",
+        wide: false,
         views: &[
             View {
                 key: ViewName::Compare,
                 name: "view-compare",
-                wide: false,
                 show: |ui, p| {
                     p.with(|p, own| compare_ui(ui, own, p.session, p.window, p.requests, p.engine));
                 },
@@ -128,7 +126,6 @@ pub static GROUPS: [Group; 5] = [
             View {
                 key: ViewName::Defects,
                 name: "view-defects",
-                wide: false,
                 show: |ui, p| {
                     p.with(|p, own| defects_ui(ui, own, p.session, p.window, p.requests, p.engine));
                 },
@@ -138,11 +135,11 @@ pub static GROUPS: [Group; 5] = [
     Group {
         sign: Sign::Engine,
         name: "view-engine",
+        wide: false,
         views: &[
             View {
                 key: ViewName::Plan,
                 name: "view-plan",
-                wide: false,
                 show: |ui, p| {
                     p.with(|p, own| plan_ui(ui, own, p.session, p.window, p.requests, p.engine));
                 },
@@ -150,7 +147,6 @@ pub static GROUPS: [Group; 5] = [
             View {
                 key: ViewName::Study,
                 name: "view-study",
-                wide: false,
                 show: |ui, p| {
                     p.with(|p, own| study_ui(ui, own, p.session, p.window, p.requests, p.engine));
                 },
@@ -158,7 +154,6 @@ pub static GROUPS: [Group; 5] = [
             View {
                 key: ViewName::Stability,
                 name: "view-stability",
-                wide: false,
                 show: |ui, p| {
                     p.with(|p, own| stability_ui(ui, own, p.session, p.window, p.requests));
                 },
@@ -168,10 +163,10 @@ pub static GROUPS: [Group; 5] = [
     Group {
         sign: Sign::Course,
         name: "course",
+        wide: false,
         views: &[View {
             key: ViewName::Course,
             name: "course",
-            wide: false,
             show: |ui, p| course_ui(ui, p.session, p.window, p.course, p.requests),
         }],
     },
@@ -195,13 +190,12 @@ impl Parts<'_> {
     }
 }
 
-fn group(key: ViewName) -> &'static Group {
-    let has = |group: &&Group| group.has(key);
-    GROUPS.iter().find(has).unwrap_or(&GROUPS[0])
+fn group_index(key: ViewName) -> usize {
+    GROUPS.iter().position(|group| group.has(key)).unwrap_or(0)
 }
 
 fn view(key: ViewName) -> &'static View {
-    let views = group(key).views;
+    let views = GROUPS[group_index(key)].views;
     views
         .iter()
         .find(|view| view.key == key)
@@ -215,22 +209,20 @@ pub fn after(key: ViewName) -> ViewName {
     all[(place + 1) % all.len()].key
 }
 
-/// The view last shown in each group, and the views that were moved, until the window closes.
+/// The view last shown in each group, and the groups that were moved, until the window closes.
 #[derive(Debug, Default)]
 struct Habits {
     last: [Option<ViewName>; GROUPS.len()],
-    /// Views that were moved from their default place, below the picture or beside it.
-    moved: Vec<ViewName>,
+    /// True for groups that were moved from their default place, below the picture or beside it.
+    moved: [bool; GROUPS.len()],
 }
 
-/// Returns whether the present view is below the picture, in a window with space both there and beside it.
+/// Returns whether the present view is below the picture, in a window with space both there and beside it. All views of a
+/// group have the same place.
 pub fn stands_below(window: &WindowState) -> bool {
-    let view = view(window.appearance.view);
-    let moved = window
-        .own
-        .get()
-        .is_some_and(|habits: &Habits| habits.moved.contains(&view.key));
-    view.wide != moved
+    let index = group_index(window.appearance.view);
+    let habits = window.own.get::<Habits>();
+    GROUPS[index].wide != habits.is_some_and(|habits| habits.moved[index])
 }
 
 /// Shows the view that was last shown in the group, or closes it if it is visible.
@@ -302,7 +294,8 @@ pub fn view_ui(
     engine: &Engine,
     narrow: bool,
 ) {
-    let group = group(window.appearance.view);
+    let index = group_index(window.appearance.view);
+    let group = &GROUPS[index];
     ui.add_space(4.0);
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
@@ -327,13 +320,10 @@ pub fn view_ui(
             place_ui(ui, window, narrow);
         });
     });
-    let index = GROUPS
-        .iter()
-        .position(|one| one.has(window.appearance.view));
     let name = window.appearance.view;
     window
         .own
-        .change(|habits: &mut Habits| habits.last[index.unwrap_or(0)] = Some(name));
+        .change(|habits: &mut Habits| habits.last[index] = Some(name));
     ui.add_space(2.0);
     let view = view(name);
     // A scroll bar that appears must not widen the panel for a frame: the picture would be drawn again.
@@ -389,14 +379,10 @@ fn place_ui(ui: &mut Ui, window: &mut WindowState, narrow: bool) {
         (Sign::Below, text!("view-below"))
     };
     if sign_button(ui, sign, name) {
-        let view = window.appearance.view;
-        window.own.change(|habits: &mut Habits| {
-            if habits.moved.contains(&view) {
-                habits.moved.retain(|moved| *moved != view);
-            } else {
-                habits.moved.push(view);
-            }
-        });
+        let index = group_index(window.appearance.view);
+        window
+            .own
+            .change(|habits: &mut Habits| habits.moved[index] ^= true);
     }
 }
 

@@ -419,6 +419,7 @@ impl LabPlace<'_> {
                 object(&Probed {
                     probe,
                     sampling: Vec::new(),
+                    light: None,
                 })
             }
             "profile" => {

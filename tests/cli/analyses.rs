@@ -251,9 +251,9 @@ fn a_profile_is_written_as_table_plot_and_picture() {
     ];
     let text = folder.prints(&line);
     assert!(
-        text.starts_with("x,y,t,flat,flat_slope,flat_perceived,gouraud,"),
+        text.starts_with("x,y,t,distance,flat,flat_slope,flat_perceived,gouraud,"),
         "{}",
-        &text[..80]
+        &text[..90]
     );
     folder.prints(
         &[

@@ -398,7 +398,7 @@ fn no_text_that_people_read_is_left_in_the_sources() {
 }
 
 /// Names that are the same in every language, keys of the keyboard aside: [`is_keys`] recognises those.
-const KEPT: [&str; 36] = [
+const KEPT: [&str; 37] = [
     // The name of the standard input.
     "<stdin>",
     // Names of people, of letters and of this program.
@@ -409,6 +409,7 @@ const KEPT: [&str; 36] = [
     "Idc",
     "{}{mark} — shading-lab",
     // Text that programs read.
+    "Next:",
     "# A scene of shading-lab\nversion = {}\n",
     "# Unsaved work of shading-lab, from ",
     "light = []\n",

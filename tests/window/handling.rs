@@ -1,11 +1,14 @@
 //! What a hand does in the window: sliders, letters that are dragged, a command that is looked for.
 
-use crate::common::hands::{built_in, named, window, window_looking};
+use crate::common::hands::{
+    built_in, folded, named, open_view, picture_place, press, window, window_looking,
+};
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, Modifiers, pos2, vec2};
+use eframe::egui::{Event, Key, Modifiers, PointerButton, pos2, vec2};
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable;
-use shading_lab::app::{App, Appearance};
+use egui_kittest::kittest::{NodeT, Queryable};
+use shading_lab::app::{App, Appearance, ViewName};
+use shading_lab::scene::presets::DEFAULT;
 
 /// Returns the exponent that the window shows.
 fn exponent(harness: &Harness<'_, App>) -> f64 {
@@ -14,33 +17,54 @@ fn exponent(harness: &Harness<'_, App>) -> f64 {
 
 #[test]
 fn a_point_of_movement_changes_the_exponent_by_at_most_six_percent_at_every_size() {
-    for size in [
-        [1280.0, 800.0],
-        [1024.0, 768.0],
-        [1920.0, 1080.0],
-        [900.0, 600.0],
+    for (size, projector) in [
+        ([1280.0, 800.0], false),
+        ([1024.0, 768.0], false),
+        ([1024.0, 768.0], true),
+        ([1920.0, 1080.0], false),
+        ([1920.0, 1080.0], true),
+        ([900.0, 600.0], false),
+        ([720.0, 900.0], false),
+        ([844.0, 390.0], false),
+        ([390.0, 844.0], false),
     ] {
-        let stored = Appearance::default();
-        let mut harness = window_looking(built_in("sphere"), size, &stored, |app| app);
+        let mut stored = Appearance::default();
+        if projector {
+            stored.projector();
+        }
+        (stored.controls, stored.views) = (true, false);
+        let scale = stored.zoom(size[1]);
+        let points = size.map(|side| side / scale);
+        let mut harness = window_looking(built_in("sphere"), points, &stored, |app| app);
+        let name = named("material.n");
+        let slider = harness.get_by_role_and_label(Role::Slider, name);
+        slider.scroll_to_me();
         harness.run_ok();
         let slider = harness
             .get_by_role_and_label(Role::Slider, named("material.n"))
             .rect();
-        assert!(slider.width() >= 120.0, "{size:?}: {slider:?}");
+        assert!(slider.width() >= 120.0, "{size:?} {projector}: {slider:?}");
         let at = |step: u8| pos2(slider.left() + 8.0 + f32::from(step), slider.center().y);
         harness.drag_at(at(0));
         let mut values = Vec::new();
-        for step in 0..=110 {
+        let end = (slider.width() - 16.0) as u8;
+        for step in 0..=end {
             harness.hover_at(at(step));
             harness.run_ok();
             values.push(exponent(&harness));
         }
-        harness.drop_at(at(110));
+        harness.drop_at(at(end));
         let steps = values.windows(2).map(|pair| pair[1] / pair[0]);
         let largest = steps.fold(0.0, f64::max);
-        assert!(largest <= 1.06, "{size:?}: {largest}");
-        let (first, last) = (values[0], values[110]);
-        assert!(last > 50.0 * first, "{size:?}: only from {first} to {last}");
+        assert!(
+            largest <= 1.06,
+            "{size:?} {projector}: {largest} of {slider:?}: {values:?}"
+        );
+        let (first, last) = (values[0], values[usize::from(end)]);
+        assert!(
+            first < 1.3 && last > 800.0,
+            "{size:?}: only from {first} to {last}"
+        );
     }
 }
 
@@ -88,4 +112,144 @@ fn a_setting_is_found_by_a_mistyped_name_and_its_section_opens() {
     );
     let row = harness.query_by_role_and_label(Role::ComboBox, named("depth_cueing.by"));
     assert!(row.is_some());
+}
+
+/// Returns the smallest distance of the object from the edges of the picture, in pixels.
+fn object_margin(harness: &Harness<'_, App>) -> f64 {
+    let frame = harness.state().frame();
+    let (width, height) = (frame.width as usize, frame.height as usize);
+    let background = frame.pixels[0];
+    let is_object = |x: usize, y: usize| frame.pixels[y * width + x] != background;
+    let (mut low, mut high) = ([width, height], [0, 0]);
+    for y in 0..height {
+        for x in (0..width).filter(|x| is_object(*x, y)) {
+            low = [low[0].min(x), low[1].min(y)];
+            high = [high[0].max(x), high[1].max(y)];
+        }
+    }
+    let margins = [low[0], low[1], width - 1 - high[0], height - 1 - high[1]];
+    margins.into_iter().min().unwrap_or(0) as f64
+}
+
+#[test]
+fn at_projector_size_the_object_stays_wholly_visible_beside_any_panel() {
+    let mut stored = Appearance::default();
+    stored.projector();
+    let scale = stored.zoom(768.0);
+    let points = [1024.0 / scale, 768.0 / scale];
+    for scene in [DEFAULT, "teapot"] {
+        let mut harness = window_looking(built_in(scene), points, &stored, |app| app);
+        let check = |harness: &Harness<'_, App>, what: &str| {
+            let margin = object_margin(harness);
+            assert!(margin >= 2.0, "{scene}, {what}: {margin} pixels of margin");
+            let picture = picture_place(harness);
+            let least = picture.width().min(picture.height());
+            assert!(least >= 150.0, "{scene}, {what}: {picture:?}");
+            // Nothing else that can be clicked lies over the picture.
+            for node in harness.query_all_by_role(Role::Slider) {
+                assert!(
+                    !picture.shrink(1.0).intersects(node.rect()),
+                    "{scene}, {what}"
+                );
+            }
+        };
+        check(&harness, "alone");
+        press(&mut harness, "view-controls");
+        check(&harness, "controls");
+        for _ in 0..10 {
+            harness.key_press(Key::C);
+            harness.run_ok();
+            let view = harness.state().state().window.appearance.view;
+            check(&harness, &format!("{view:?}"));
+        }
+    }
+}
+
+#[test]
+fn a_right_click_offers_what_can_be_done_there() {
+    let mut harness = window("sphere");
+    let at = picture_place(&harness).center();
+    let click = |harness: &mut Harness<'_, App>, at| {
+        harness.hover_at(at);
+        for pressed in [true, false] {
+            harness.event(Event::PointerButton {
+                pos: at,
+                button: PointerButton::Secondary,
+                pressed,
+                modifiers: Modifiers::NONE,
+            });
+            harness.run_ok();
+        }
+    };
+    let before = harness.state().state().session.document().scene.clone();
+    click(&mut harness, at);
+    press(&mut harness, "picture-menu-line");
+    let state = harness.state().state();
+    assert_eq!(state.window.appearance.view, ViewName::Profile);
+    assert_eq!(state.session.document().scene, before, "nothing is turned");
+    let [from, to] = state.window.line.0;
+    assert!(from.y == to.y && to.x - from.x > 0.5, "{from} to {to}");
+    let at = picture_place(&harness).center() + vec2(30.0, -30.0);
+    click(&mut harness, at);
+    press(&mut harness, "picture-menu-light");
+    let lights = &harness.state().state().session.document().scene.lights;
+    assert_eq!(lights.len(), before.lights.len() + 1);
+    assert_eq!(harness.state().state().session.light, before.lights.len());
+}
+
+#[test]
+fn a_removed_light_comes_back_from_the_notice() {
+    let mut harness = window("three-lights");
+    let before = harness.state().state().session.document().scene.clone();
+    harness
+        .get_by_label(&english!("lights-remove", number = 2))
+        .click_accesskit();
+    harness.run_ok();
+    assert_eq!(
+        harness
+            .state()
+            .state()
+            .session
+            .document()
+            .scene
+            .lights
+            .len(),
+        2
+    );
+    press(&mut harness, "controls-command-undo");
+    assert_eq!(harness.state().state().session.document().scene, before);
+    assert_eq!(harness.state().state().session.said(), None);
+    // After another change, undo would take back something else.
+    harness
+        .get_by_label(&english!("lights-remove", number = 2))
+        .click_accesskit();
+    harness.run_ok();
+    harness.key_press(Key::Num1);
+    harness.run_ok();
+    assert_eq!(harness.state().state().session.said(), None);
+}
+
+#[test]
+fn a_view_stands_where_its_group_does_and_sections_stay_as_they_were_folded() {
+    let mut harness = folded("sphere");
+    press(&mut harness, "view-engine");
+    press(&mut harness, "view-below");
+    let place = |harness: &Harness<'_, App>| picture_place(harness).width();
+    let width = place(&harness);
+    for view in ["view-study", "view-stability", "view-plan"] {
+        open_view(&mut harness, view);
+        assert_eq!(place(&harness), width, "{view}");
+    }
+    let is_open = |harness: &Harness<'_, App>, title: &str| {
+        let header = harness.get_by_role_and_label(Role::DisclosureTriangle, named(title));
+        header.accesskit_node().data().is_expanded() == Some(true)
+    };
+    let camera = "controls-camera";
+    assert!(!is_open(&harness, camera));
+    harness
+        .get_by_role_and_label(Role::DisclosureTriangle, named(camera))
+        .click_accesskit();
+    harness.run_ok();
+    press(&mut harness, "scenes-next");
+    assert!(is_open(&harness, camera), "it was opened by hand");
 }

@@ -218,7 +218,14 @@ fn sections_open_where_the_scene_is_about_them() {
             "glass-ball",
             &["controls-material", "controls-transparency"],
         ),
-        ("shadows", &["controls-material", "controls-surroundings"]),
+        (
+            "shadows",
+            &[
+                "controls-material",
+                "controls-lights",
+                "controls-surroundings",
+            ],
+        ),
     ] {
         assert_eq!(open(&folded(name)), expected, "{name}");
     }

@@ -69,7 +69,7 @@ fn what_is_seen_is_copied_as_a_link_and_opened_by_pasting_it() {
     );
     first.run();
     assert_eq!(
-        first.state().state().session.notice.as_deref(),
+        first.state().state().session.said(),
         Some(english!("link-copied"))
     );
 
@@ -268,16 +268,16 @@ fn a_notice_goes_with_what_it_speaks_of() {
     copied(&mut harness);
     harness.run();
     press(&mut harness, "scenes-next");
-    assert_eq!(harness.state().state().session.notice, None);
+    assert_eq!(harness.state().state().session.said(), None);
     // The notice about an opened link refers to the open scene.
     paste(&mut harness, "?scene=torus");
     assert_eq!(
-        harness.state().state().session.notice.as_deref(),
+        harness.state().state().session.said(),
         Some(english!("link-opened"))
     );
     undo(&mut harness);
     assert_eq!(
-        harness.state().state().session.notice,
+        harness.state().state().session.said(),
         None,
         "and not about what was before"
     );
@@ -295,7 +295,7 @@ fn a_notice_is_told_for_a_while_where_there_is_no_bar_for_it() {
         harness.step();
     }
     assert!(harness.query_by_label(english!("link-copied")).is_none());
-    assert_eq!(harness.state().state().session.notice, None);
+    assert_eq!(harness.state().state().session.said(), None);
 }
 
 #[test]

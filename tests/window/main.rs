@@ -5,6 +5,7 @@
 #[macro_use]
 mod common;
 
+mod claims;
 mod conditions_panel;
 mod controls;
 mod course;

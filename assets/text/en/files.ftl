@@ -46,6 +46,7 @@ samples-tip = More samples make smoother edges and take longer
 vectors = Vectors
 vectors-shown = as shown in the window
 keys = Keyboard and mouse
+keys-search = Search keys
 analysis-not-saved = The analysis could not be saved
 opening = Opening { $path }
 not-opened = The file could not be opened

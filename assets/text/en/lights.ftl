@@ -7,6 +7,7 @@ lights-number = Light { $number }
 lights-named = Light { $number }, { $name }
 lights-off = { $name }: off, because it is muted or another light is on solo
 lights-remove = Remove light { $number }
+lights-removed = Light { $number } is removed
 lights-mute = Mute
     .name = Mute light { $number }
     .tip = Switches this light off.

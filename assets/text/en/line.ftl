@@ -35,9 +35,7 @@ line-error-no-mode = no shading mode, expected at least one
 line-phong-bands = Phong shading weakens Mach bands but does not remove them: the slope still jumps, only by less.
 
 # Its plots
-line-intensity = intensity
 line-perceived = perceived brightness
-line-mode-title = { $mode }: intensity and perceived brightness
 line-intensity-title = Intensity and perceived brightness
 line-slope-title = Slope of the intensity
 line-slope-note = Mach bands appear where the slope jumps.
@@ -69,7 +67,7 @@ line-scan-error-background = pixel { $x },{ $y } shows the background, expected 
 line-scan-error-step = --step { $step }: no such step, expected 0 to { $last } or last
 line-scan-error-line = --line { $y }: not a scan line of the polygon, expected { $first } to { $last } or last
 line-scan-refused = This polygon cannot be scanned: { $why }.
-line-scan-background = The probe is on the background. Double-click the object, or drag the ring onto it.
+line-scan-background = The probe is on the background. Click the object, or drag the ring onto it.
 line-scan-figure-title = Scan conversion: { $mode } shading, face { $face }
 line-scan-alternative = Scan conversion: { $caption }
 line-scan-report-title = face { $face }, { $corners } corners, { $mode } shading: { $what }

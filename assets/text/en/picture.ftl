@@ -1,6 +1,12 @@
 # The picture in the middle
 picture-name = Picture, { $mode } shading
 picture-drawing = drawing…
+picture-menu-point = The colour of this pixel
+picture-menu-scan = Scan conversion of this polygon
+picture-menu-line = Intensity along a line through here
+picture-menu-light = Add a light here
+picture-menu-settings = Show its settings
+picture-menu-enlarged = Enlarged
 picture-half-constant = Constant ambient light
 picture-half-bounce = One bounce
 
@@ -11,7 +17,7 @@ picture-brightest-of = brightest { $value } of { $truth }
 picture-rms-error = RMS error { $value }
 picture-error-line = mean { $mean }   RMS { $rms }   maximum { $greatest }
 picture-caption = Pane { $number }: { $name }
-picture-caption-tip = Click for the pane’s menu. Drag to another pane to change the order.
+picture-caption-tip = Click to choose its shading mode, or what else to do with the pane. Drag to another pane to change the order.
 picture-make-reference = Use as reference
 picture-move-earlier = Move earlier
 picture-move-later = Move later

@@ -10,10 +10,11 @@ point-check-short = Check: |R| = { $r }. N is not a unit vector, |N| = { $n }, s
 
 # The view Point
 point-pixel = Pixel { $x }, { $y }
+point-pixel-of-pane = { $pixel } of “{ $pane }”
 point-stored-tip = The stored colour: red, green and blue, 0 to 255
 point-place-face = At the pixel’s centre: face { $face }, depth { $depth }
 point-place-surface = At the pixel’s centre: true surface, depth { $depth }
-point-background = The probe is on the background. Double-click the object, or drag the ring onto it.
+point-background = The probe is on the background. Click the object, or drag the ring onto it.
 point-vectors = Vectors
 point-vectors-of = Vectors, light { $light }
 point-no-light = The scene has no light. Add one to see L, R and H.
@@ -93,7 +94,7 @@ point-sum = sum
 point-sum-reflected = I reflected
 point-sum-before-cueing = I before depth cueing
 point-sum-cued = I with depth cueing
-point-clamped = clamped to 1
+point-clamped = clamped
 point-scaled = scaled
 point-stored = stored
 point-hatched = A value is above 1: the pixel is hatched in black and white.

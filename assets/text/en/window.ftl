@@ -40,6 +40,9 @@ welcome-explore = Explore this one
 welcome-open = Open a model
 menu = Menu
 in-equation = in the equation
+notice-folder = Show in folder
+window-scene-reset = The scene is as it was opened
+opened-over = Opened; the changes to { $name } are not saved
 
 ## Find a command
 
@@ -48,5 +51,6 @@ find-hint = A command, a setting, a scene, a lesson
 find-none = Nothing is called “{ $sought }”.
 find-view = View
 find-setting = Setting
+find-letter = Letter
 find-scene = Scene
 find-lesson = Lesson

@@ -46,6 +46,7 @@ samples-tip = 取樣越多，邊緣越平滑，也越花時間
 vectors = 向量
 vectors-shown = 如視窗中所示
 keys = 鍵盤與滑鼠
+keys-search = 搜尋按鍵
 analysis-not-saved = 無法儲存分析結果
 opening = 正在開啟 { $path }
 not-opened = 無法開啟檔案

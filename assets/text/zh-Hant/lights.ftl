@@ -7,6 +7,7 @@ lights-number = 光源 { $number }
 lights-named = 光源 { $number }：{ $name }
 lights-off = { $name }：目前關閉，因為已停用，或有其他光源設為「單獨顯示」
 lights-remove = 移除光源 { $number }
+lights-removed = 已移除光源 { $number }
 lights-mute = 停用
     .name = 停用光源 { $number }
     .tip = 停用這個光源。

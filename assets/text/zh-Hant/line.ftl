@@ -35,9 +35,7 @@ line-error-no-mode = 沒有著色法，至少需要一種
 line-phong-bands = Phong 著色減弱馬赫帶（Mach bands），但不會消除：斜率仍會跳變，只是幅度較小。
 
 # Its plots
-line-intensity = 亮度
 line-perceived = 感知亮度
-line-mode-title = { $mode }：亮度與感知亮度
 line-intensity-title = 亮度（intensity）與感知亮度（perceived brightness）
 line-slope-title = 亮度的斜率（slope）
 line-slope-note = 斜率跳變之處會出現馬赫帶。
@@ -68,7 +66,7 @@ line-scan-error-background = 像素 { $x },{ $y } 是背景，應選看得見物
 line-scan-error-step = --step { $step }：沒有這一步，應為 0 到 { $last }，或 last
 line-scan-error-line = --line { $y }：不是這個多邊形的掃描線，應為 { $first } 到 { $last }，或 last
 line-scan-refused = 無法掃描這個多邊形：{ $why }。
-line-scan-background = 探測點在背景上。請在物體上按兩下，或把圓環拖到物體上。
+line-scan-background = 探測點在背景上。請在物體上按一下，或把圓環拖到物體上。
 line-scan-figure-title = 掃描轉換：{ $mode } 著色，第 { $face } 面
 line-scan-alternative = 掃描轉換：{ $caption }
 line-scan-report-title = 第 { $face } 面，{ $corners } 個頂點，{ $mode } 著色：{ $what }

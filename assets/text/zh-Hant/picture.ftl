@@ -1,6 +1,12 @@
 # The picture in the middle
 picture-name = 圖片，{ $mode } 著色
 picture-drawing = 繪製中…
+picture-menu-point = 這個像素的顏色
+picture-menu-scan = 這個多邊形的掃描轉換
+picture-menu-line = 通過此處的亮度曲線
+picture-menu-light = 在此新增光源
+picture-menu-settings = 顯示其設定
+picture-menu-enlarged = 放大
 picture-half-constant = 固定的環境光
 picture-half-bounce = 一次反射
 
@@ -11,7 +17,7 @@ picture-brightest-of = 最亮 { $value }（參考 { $truth }）
 picture-rms-error = 均方根誤差 { $value }
 picture-error-line = 平均 { $mean }   均方根 { $rms }   最大 { $greatest }
 picture-caption = 窗格 { $number }：{ $name }
-picture-caption-tip = 按一下開啟窗格的選單；拖曳到另一個窗格可改變順序。
+picture-caption-tip = 按一下選擇著色法或其他操作；拖曳到另一個窗格可改變順序。
 picture-make-reference = 設為參考
 picture-move-earlier = 往前移
 picture-move-later = 往後移

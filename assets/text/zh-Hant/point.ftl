@@ -10,10 +10,11 @@ point-check-short = 驗算：|R| = { $r }。N 不是單位向量（|N| = { $n }�
 
 # 「點」檢視
 point-pixel = 像素 { $x }, { $y }
+point-pixel-of-pane = 「{ $pane }」的{ $pixel }
 point-stored-tip = 儲存的顏色：紅、綠、藍，0 到 255
 point-place-face = 像素中心處：面 { $face }，深度 { $depth }
 point-place-surface = 像素中心處：真實表面，深度 { $depth }
-point-background = 探測點落在背景上。請按兩下物體，或將圓圈拖到物體上。
+point-background = 探測點落在背景上。請按一下物體，或將圓圈拖到物體上。
 point-vectors = 向量（vectors）
 point-vectors-of = 向量（vectors），光源 { $light }
 point-no-light = 場景中沒有光源。加入一個光源，才有 L、R 與 H。

@@ -40,6 +40,9 @@ welcome-explore = 探索這個場景
 welcome-open = 開啟模型
 menu = 選單
 in-equation = （方程式中）
+notice-folder = 在資料夾中顯示
+window-scene-reset = 場景已恢復為開啟時的樣子
+opened-over = 已開啟；{ $name } 的變更尚未儲存
 
 ## 尋找指令
 
@@ -48,5 +51,6 @@ find-hint = 指令、設定、場景、單元
 find-none = 沒有叫做「{ $sought }」的項目。
 find-view = 檢視
 find-setting = 設定
+find-letter = 符號
 find-scene = 場景
 find-lesson = 單元

@@ -39,6 +39,8 @@ pub struct Overlay {
     pub lights: Vec<LightHandle>,
     /// The letters of vectors and angles.
     pub labels: Vec<Label>,
+    /// The pane of the side view, pixels.
+    pub side_view: Option<Area>,
     /// Drawings with their own halos, the later over the earlier.
     drawings: Vec<Drawing>,
     style: Style,
@@ -74,6 +76,7 @@ impl Overlay {
             arcs: vec![],
             lights: vec![],
             labels: vec![],
+            side_view: None,
             drawings: vec![],
             style,
         };
@@ -99,10 +102,17 @@ impl Overlay {
             overlay
                 .drawings
                 .push(style.drawing(equation.lobe(&sketch, scene, &options.layers)));
-            (overlay.arrows, overlay.arcs) = equation.draw(&mut sketch, true, &options.layers);
+            // The side view has the angles where the vectors hide one another.
+            let mut layers = options.layers.clone();
+            layers.retain(|layer| corner.is_none() || *layer != OverlayLayer::Angles);
+            (overlay.arrows, overlay.arcs) = equation.draw(&mut sketch, true, &layers);
         }
-        let corners = corner.iter().map(|corner| corner.pane);
-        let taken: Vec<Area> = corners.chain(options.covered.iter().copied()).collect();
+        overlay.side_view = corner.as_ref().map(|corner| corner.pane);
+        let taken: Vec<Area> = overlay
+            .side_view
+            .into_iter()
+            .chain(options.covered.iter().copied())
+            .collect();
         overlay.take(&mut sketch, &taken);
         if let Some(corner) = &mut corner {
             overlay.take(corner, &[]);

@@ -3,20 +3,26 @@
 use super::digits::digits;
 use super::filled::FilledPart;
 use super::letters::{attenuation_law, equation_letters, plain_formula};
+use super::overlay::{VectorsShown, draw_vectors};
 use super::products::{Here, LightHere, Product};
 use super::{CueTerms, Probe, ProbeHit, probe};
 use crate::analysis::report::{
-    Answer, Cell, Column, Part, Report, ReportContext, Section, Table, cells,
+    Answer, Cell, Column, Figure, Part, Report, ReportContext, Section, Table, cells,
 };
 use crate::analysis::sampling::{REFERENCE_SAMPLES, SamplingError, sampling_error};
 use crate::analysis::{Question, Subject, Watch};
 use crate::figure::palette::Vector;
+use crate::figure::{Paper, PlotStyle};
 use crate::scene::Choice;
 use crate::text;
 use crate::text::fixed;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
+use std::f64::consts::FRAC_PI_2;
+
+/// Side of the figure of the vectors, in pixels.
+const SIDE: u32 = 960;
 
 /// The question for the equation at one pixel.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -32,6 +38,20 @@ pub struct Probed {
     pub probe: Probe,
     /// Sampling error for each light; none unless it is an area light that shines.
     pub sampling: Vec<Option<SamplingError>>,
+    /// The light whose vectors the figure shows; without one, the first that the point faces.
+    pub light: Option<usize>,
+}
+
+impl Probed {
+    /// Creates the answer without sampling errors; its figure shows the vectors of `light`.
+    pub fn of(probe: Probe, light: usize) -> Self {
+        let lights = probe.hit.as_ref().map_or(0, |hit| hit.lights.len());
+        Self {
+            probe,
+            sampling: vec![None; lights],
+            light: Some(light),
+        }
+    }
 }
 
 impl Question for ProbeQuestion {
@@ -48,7 +68,11 @@ impl Question for ProbeQuestion {
         let sampling = (0..lights)
             .map(|light| sampling_error(&mut renderer, &subject.scene, light))
             .collect();
-        Ok(Probed { probe, sampling })
+        Ok(Probed {
+            probe,
+            sampling,
+            light: None,
+        })
     }
 }
 
@@ -130,6 +154,38 @@ impl Answer for Probed {
             report.section("").note(note);
         }
         report
+    }
+
+    fn figure(
+        &self,
+        about: &ReportContext<'_>,
+        size: Option<[u32; 2]>,
+        paper: Paper,
+    ) -> Option<Figure> {
+        let (scene, hit) = (about.scene, self.probe.hit.as_ref()?);
+        let here = Here { scene, hit };
+        let is_lit = |light: &LightHere<'_>| light.terms.theta < FRAC_PI_2;
+        let light = self
+            .light
+            .or_else(|| here.lights().position(|light| is_lit(&light)));
+        let size = size.unwrap_or([SIDE; 2]);
+        let style = PlotStyle::of(size, 1, paper);
+        let width = f64::from(size[0].min(size[1]));
+        let drawing = draw_vectors(
+            here,
+            light.unwrap_or(0),
+            VectorsShown::Angles,
+            width,
+            &style,
+        )?;
+        let [x, y] = self.probe.pixel;
+        let title = text!(
+            "point-report-surface",
+            x = x,
+            y = y,
+            depth = format_number(hit.depth)
+        );
+        Some(Figure::Drawing { drawing, title })
     }
 
     fn value(&self, _: &ReportContext<'_>) -> Value {

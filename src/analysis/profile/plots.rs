@@ -63,26 +63,6 @@ fn ends(profile: &Profile) -> [f64; 2] {
     [x(profile.samples.first()), x(profile.samples.last())]
 }
 
-/// Returns the plots of a report: for each mode its intensity with the perceived brightness, on the same scale for
-/// all; then the slopes, and perceived minus actual, of all modes together.
-pub fn profile_plots(profile: &Profile, request: &ProfileQuestion) -> Vec<Plot> {
-    let plotter = ProfilePlotter::new(profile, Abscissa::Distance, true);
-    let y = plotter.intensity_axis(&profile.traces.iter().collect::<Vec<_>>());
-    let panels = profile.traces.iter().map(|trace| {
-        let mode = trace.mode.label();
-        let actual = plotter.curve(trace, &trace.intensity, Dash::Solid);
-        let actual = Curve {
-            name: text!("line-intensity").to_owned(),
-            ..actual
-        };
-        let title = text!("line-mode-title", mode = mode);
-        let curves = vec![actual, plotter.perceived(trace)];
-        plotter.plot(PlotKind::Profile, &title, y.clone(), curves)
-    });
-    let others = [plotter.slopes(None), plotter.added(request, None)];
-    panels.chain(others).collect()
-}
-
 /// A view of one mode among others.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Compared {

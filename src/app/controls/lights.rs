@@ -100,9 +100,7 @@ fn list_ui(ui: &mut Ui, session: &mut Session, requests: &mut Requests) {
         }
     }
     if let Some(index) = removed {
-        session.shown.scene.lights.remove(index);
-        session.light -= usize::from(session.light > index);
-        session.keep_chosen();
+        session.remove_light(index);
     }
     ui.horizontal(|ui| {
         if ui.button(text!("lights-add")).clicked() {

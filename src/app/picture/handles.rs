@@ -9,7 +9,7 @@ mod light;
 mod vertex;
 
 pub use beam::{aim_at, cursor, open_to};
-pub use light::{REACH, apart, drag_light, scale_light, start};
+pub use light::{REACH, apart, drag_light, put_light, scale_light, start};
 pub use vertex::{drag_to as drag_vertex, paint as paint_vertices, push as push_vertex};
 
 use crate::app::course::Course;
@@ -128,7 +128,7 @@ pub fn paint(
     place: Place,
 ) {
     if visible(painter.ctx(), window, place) {
-        light::paint(painter, session, view, place);
+        light::paint(painter, session, window, view, place);
     }
 }
 

@@ -3,7 +3,7 @@
 use super::appearance::{Appearance, ViewName};
 use crate::analysis::Format;
 use crate::analysis::scan::ScanLevel;
-use crate::scene::{CompareView, Light, ShadingMode};
+use crate::scene::{CompareView, Light, ShadingMode, Symbol};
 use std::path::PathBuf;
 
 /// A request to the window.
@@ -19,11 +19,15 @@ pub enum Action {
     Find,
     /// Shows the row of the parameter with this key.
     Seek(&'static str),
+    /// Shows the controls of a symbol of the equation.
+    SeekSymbol(Symbol),
     /// Opens the built-in scene at this distance from the present one, in their order.
     NextScene(isize),
     Save,
     SaveAs,
     SaveTo(PathBuf),
+    /// Shows this folder in the desktop's file manager.
+    ShowFolder(PathBuf),
     Export,
     CopyPicture,
     /// Copies the link of the current view to the clipboard.
@@ -46,6 +50,8 @@ pub enum Action {
     ResetScene,
     /// Restores the view and the layout of the window as at the first start.
     ResetLayout,
+    /// Restores the scene as it was opened, and the view and the layout of the window.
+    ResetAll,
     /// Resets the value of the focused row to that of the opened scene.
     ResetRow,
     /// Gives the picture the focus, so that the arrow keys move the probe.
@@ -99,6 +105,7 @@ pub enum Action {
     LoadStage,
     /// Shows the scene that the right answer is about.
     ShowAnswer,
+    Manual,
     Keys,
     About,
     /// Closes the window; asks first if there are unsaved changes.

@@ -199,7 +199,7 @@ impl ViewName {
 }
 
 /// The overlays drawn over the picture.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Overlays {
     /// N, L, R or H, and V at the probe's point.
@@ -210,6 +210,11 @@ pub struct Overlays {
     pub construction: bool,
     /// The plane of N and L, seen from its side.
     pub side_view: bool,
+    /// True if that side view appears by itself where vectors point at the viewer.
+    pub side_view_where_needed: bool,
+    /// True if the side view is enlarged.
+    #[serde(skip)]
+    pub side_view_enlarged: bool,
     /// The light that the point reflects in every direction.
     pub lobe: bool,
     /// H, even for models that do not need it.
@@ -220,6 +225,24 @@ pub struct Overlays {
     pub face_normals: bool,
     /// A needle at each vertex.
     pub vertex_normals: bool,
+}
+
+impl Default for Overlays {
+    fn default() -> Self {
+        Self {
+            vectors: false,
+            angles: false,
+            construction: false,
+            side_view: false,
+            side_view_where_needed: true,
+            side_view_enlarged: false,
+            lobe: false,
+            half_vector: false,
+            handles: false,
+            face_normals: false,
+            vertex_normals: false,
+        }
+    }
 }
 
 impl Overlays {

@@ -31,14 +31,14 @@ impl History {
     }
 
     /// Records the document at the end of a frame. While `held` (the pointer is down), changes accumulate; `time` is in
-    /// seconds.
-    pub fn observe(&mut self, document: &Document, held: bool, time: f64) {
+    /// seconds. Returns whether the document has begun a new step.
+    pub fn observe(&mut self, document: &Document, held: bool, time: f64) -> bool {
         if held {
             self.last = None;
-            return;
+            return false;
         }
         if self.settled == *document {
-            return;
+            return false;
         }
         let change = change(&self.settled, document);
         let goes_on = self
@@ -54,6 +54,7 @@ impl History {
         }
         self.future.clear();
         self.last = Some((change, time));
+        !goes_on
     }
 
     /// Undoes the last step.

@@ -107,6 +107,8 @@ pub enum Grip {
     Mark,
     /// The line of a wipe.
     Wipe,
+    /// The side view of the vectors, which a click enlarges.
+    SideView,
     /// The camera about its target.
     Camera,
 }

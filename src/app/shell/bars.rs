@@ -24,7 +24,8 @@ use crate::scene::{Choice, ShadingMode};
 use crate::text::{Language, text};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align, Button, ComboBox, Label, Layout, MenuBar, RichText, Sense, TextWrapMode, Ui, vec2,
+    Align, Button, ComboBox, EventFilter, Key, Label, Layout, MenuBar, Modifiers, Popup, Response,
+    RichText, Sense, TextWrapMode, Ui, vec2,
 };
 
 /// The window width below which the menus fold into one, and the modes into a list, in points.
@@ -77,9 +78,26 @@ fn each_menu_ui(ui: &mut Ui, session: &Session, window: &mut WindowState, reques
         .iter()
         .filter_map(|menu| SECTIONS.iter().find(|section| section.key == *menu))
     {
-        ui.menu_button(section.title(), |ui| {
+        let shown = ui.menu_button(section.title(), |ui| {
             menu_ui(ui, session, window, requests, section.key);
         });
+        opens_by_arrow(&shown.response);
+    }
+}
+
+/// Opens the menu of the focused button when the arrow key down is pressed.
+fn opens_by_arrow(button: &Response) {
+    let (ctx, menu) = (&button.ctx, Popup::default_response_id(button));
+    if !button.has_focus() || Popup::is_id_open(ctx, menu) {
+        return;
+    }
+    let filter = EventFilter {
+        vertical_arrows: true,
+        ..EventFilter::default()
+    };
+    ctx.memory_mut(|memory| memory.set_focus_lock_filter(button.id, filter));
+    if ctx.input_mut(|input| input.consume_key(Modifiers::NONE, Key::ArrowDown)) {
+        Popup::open_id(ctx, menu);
     }
 }
 
@@ -272,6 +290,7 @@ pub fn stages_ui(
     session: &mut Session,
     window: &mut WindowState,
     course: &Course,
+    requests: &mut Requests,
     engine: &Engine,
 ) {
     ui.add_space(2.0);
@@ -283,7 +302,7 @@ pub fn stages_ui(
                 ui.label(RichText::new(text!("course-hidden")).weak());
             }
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                said_ui(ui, session, TextWrapMode::Truncate);
+                said_ui(ui, session, requests, TextWrapMode::Truncate);
             });
         });
         ui.add_space(2.0);
@@ -332,7 +351,7 @@ pub fn stages_ui(
             {
                 window.show_view(ViewName::Plan);
             }
-            said_ui(ui, session, TextWrapMode::Truncate);
+            said_ui(ui, session, requests, TextWrapMode::Truncate);
         });
     });
     ui.add_space(2.0);

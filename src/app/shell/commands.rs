@@ -6,6 +6,7 @@ use crate::app::course::Course;
 use crate::app::picture::{handles, orbit};
 use crate::app::session::action::{Action, Requests, Turn, Walk};
 use crate::app::session::appearance::{Appearance, ViewName};
+use crate::app::session::notice::Notice;
 use crate::app::session::place::ProbePoint;
 use crate::app::session::window::WindowState;
 use crate::app::shell::state::AppState;
@@ -216,9 +217,9 @@ fn edit() -> Section {
         .line()
         .item("copy", "Ctrl + C", Action::CopyPicture)
         .item("code", "Ctrl + U", Action::Code)
-        .item("find", "Ctrl + K", Action::Find)
         .line()
         .item("reset-scene", "", Action::ResetScene)
+        .item("reset-all", "", Action::ResetAll)
         .keys("reset-row", "Ctrl + R", [Action::ResetRow])
         .keys("next-field", "Tab", [])
         .keys("leave", "Esc", [])
@@ -255,6 +256,11 @@ fn view() -> Section {
             "side-view",
             "",
             show(|appearance| &mut appearance.overlay.side_view),
+        )
+        .item(
+            "side-view-where-needed",
+            "",
+            show(|appearance| &mut appearance.overlay.side_view_where_needed),
         )
         .item("lobe", "B", show(|appearance| &mut appearance.overlay.lobe))
         .item(
@@ -360,6 +366,8 @@ fn course() -> Section {
 
 fn help() -> Section {
     Section::new("help")
+        .item("find", "Ctrl + K", Action::Find)
+        .item("manual", "", Action::Manual)
         .item("keys", "F1", Action::Keys)
         .keys("menus", "F10", [Action::Menus])
         .item("about", "", Action::About)
@@ -468,7 +476,7 @@ impl AppState {
             Action::ResetCamera | Action::Orbit(_) | Action::Pan(_) | Action::Zoom(_)
         );
         if moves && self.course.asks_point() {
-            self.session.notice = Some(text!("course-camera-still").to_owned());
+            self.session.notice = Some(text!("course-camera-still").into());
             return None;
         }
         let camera = &mut self.session.shown.scene.camera;
@@ -491,7 +499,13 @@ impl AppState {
             }
             Action::ResetScene => {
                 let opened = self.session.opened().clone();
+                let changed = self.session.document().scene != opened;
                 self.session.put_scene(opened);
+                self.session.notice = Some(if changed {
+                    Notice::undoable(text!("window-scene-reset"))
+                } else {
+                    text!("window-scene-reset").into()
+                });
             }
             Action::Shade { mode, renormalise } => {
                 self.session.shown.scene.shading.mode = mode;
@@ -549,7 +563,8 @@ impl AppState {
     fn add_light(&mut self, light: Light, size: [u32; 2]) {
         let scene = &mut self.session.shown.scene;
         if scene.lights.len() >= Scene::MAX_LIGHTS {
-            self.session.notice = Some(text!("controls-most-lights", most = Scene::MAX_LIGHTS));
+            let text = text!("controls-most-lights", most = Scene::MAX_LIGHTS);
+            self.session.notice = Some(text.into());
             return;
         }
         let light = handles::apart(light, scene, size);

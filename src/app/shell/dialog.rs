@@ -37,6 +37,7 @@ pub enum Dialog {
     LinkCode(LinkCode),
     Scenes,
     Find,
+    Manual,
     Keys,
     About,
 }

@@ -1,14 +1,16 @@
 //! The dialogs of the window, and the handling of their answers.
 
 use super::code::{self, Writer, code_ui};
-use super::commands::SECTIONS;
+use super::commands::{Command, SECTIONS};
 use super::dialog::{Dialog, ExportForm, FileTask};
 use super::files::Files;
 use super::film::film_ui;
 use super::find::{Finder, find_ui};
 use super::links;
 use crate::app::controls::scenes::{Gallery, scenes_ui};
+use crate::app::course::prose_ui;
 use crate::app::session::action::Action;
+use crate::app::session::window::WindowState;
 use crate::app::shell::state::AppState;
 use crate::app::shell::state::Leaving;
 use crate::app::system;
@@ -23,6 +25,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Context, DragValue, Grid, Id, Key, Label, Modal, ProgressBar, RichText, ScrollArea, Ui,
 };
+use egui_commonmark::CommonMarkCache;
 use std::path::{Path, PathBuf};
 
 /// Shows the dialog, if any, and the progress of work on a file.
@@ -55,7 +58,7 @@ pub fn dialog_ui(ctx: &Context, state: &mut AppState, files: &mut Files) {
     }
     let shown = Modal::new(Id::unique("dialog")).show(ctx, |ui| {
         let width: f32 = match dialog {
-            Dialog::Keys => 620.0,
+            Dialog::Keys | Dialog::Manual => 620.0,
             Dialog::Scenes => (ctx.content_rect().width() - 64.0).min(1020.0),
             Dialog::Code(_) => code::width(ui),
             _ => 480.0,
@@ -98,6 +101,7 @@ pub fn dialog_ui(ctx: &Context, state: &mut AppState, files: &mut Files) {
             state.window.own.put(Writer::default());
             state.window.own.change(Gallery::leave);
             state.window.own.change(Finder::leave);
+            state.window.own.put(SoughtKeys::default());
             state.leaving = Leaving::No;
             ctx.request_repaint();
         }
@@ -178,6 +182,7 @@ pub fn perform(ctx: &Context, state: &mut AppState, files: &mut Files, dialog: D
         | Dialog::LinkCode(_)
         | Dialog::Scenes
         | Dialog::Find
+        | Dialog::Manual
         | Dialog::Keys
         | Dialog::About => {}
     }
@@ -231,11 +236,12 @@ fn contents_ui(ui: &mut Ui, dialog: &mut Dialog, state: &mut AppState) -> Choice
             ];
             question_ui(ui, text!("restore-work"), &text, &answers)
         }
-        Dialog::Page(form) => links::page_ui(ui, form),
+        Dialog::Page(form) => links::page_ui(ui, form, &mut state.requests),
         Dialog::LinkCode(_) => Choice::Leave,
         Dialog::Scenes => scenes_ui(ui, &mut state.window, &mut state.requests),
         Dialog::Find => find_ui(ui, &mut state.window, &mut state.requests),
-        Dialog::Keys => keys_ui(ui),
+        Dialog::Manual => manual_ui(ui, &mut state.window),
+        Dialog::Keys => keys_ui(ui, &mut state.window),
         Dialog::About => question_ui(
             ui,
             concat!("shading-lab ", env!("CARGO_PKG_VERSION")),
@@ -370,9 +376,56 @@ fn shape([width, height]: [u32; 2]) -> f64 {
     f64::from(width) / f64::from(height.max(1))
 }
 
-fn keys_ui(ui: &mut Ui) -> Choice {
+/// The manual of the window, whose lines on pictures and on the next page mean nothing here.
+const MANUAL: &str = include_str!("../../../docs/window.md");
+
+/// The formulas of the manual as laid out.
+#[derive(Default)]
+struct Manual(CommonMarkCache);
+
+fn manual_ui(ui: &mut Ui, window: &mut WindowState) -> Choice {
+    let lines = MANUAL.lines();
+    let kept = lines.filter(|line| !line.starts_with("![") && !line.starts_with("Next:"));
+    let text: Vec<_> = kept.collect();
+    let height = ui.ctx().content_rect().height() - 140.0;
+    ScrollArea::vertical()
+        .max_height(height.max(80.0))
+        .auto_shrink([false, true])
+        .show(ui, |ui| {
+            window
+                .own
+                .change(|manual: &mut Manual| prose_ui(ui, &mut manual.0, &text.join("\n")));
+        });
+    ui.add_space(12.0);
+    if ui.button(text!("close")).clicked() {
+        Choice::Leave
+    } else {
+        Choice::Stay
+    }
+}
+
+/// The text sought among the keys.
+#[derive(Default)]
+struct SoughtKeys(String);
+
+fn keys_ui(ui: &mut Ui, window: &mut WindowState) -> Choice {
+    let mut sought: SoughtKeys = window.own.take();
     ui.heading(text!("keys"));
     ui.add_space(8.0);
+    let field = text_field(&mut sought.0)
+        .hint_text(text!("keys-search"))
+        .desired_width(f32::INFINITY);
+    let field = named(ui.add(field), Role::SearchInput, text!("keys-search"));
+    if ui.memory(|memory| memory.focused().is_none()) {
+        field.request_focus();
+    }
+    ui.add_space(8.0);
+    let wanted = sought.0.trim().to_lowercase();
+    let is_sought = |command: &Command| {
+        let does = command.does()?;
+        let text = format!("{} {does}", command.keys()).to_lowercase();
+        text.contains(&wanted).then_some(does)
+    };
     let height = ui.ctx().content_rect().height() - 140.0;
     ScrollArea::vertical()
         .max_height(height.clamp(80.0, 440.0))
@@ -386,10 +439,15 @@ fn keys_ui(ui: &mut Ui) -> Choice {
                 .striped(!narrow)
                 .show(ui, |ui| {
                     for section in &*SECTIONS {
+                        if !section.commands.iter().any(|one| is_sought(one).is_some()) {
+                            continue;
+                        }
                         ui.label(RichText::new(section.title()).strong());
                         ui.end_row();
                         for command in &section.commands {
-                            let Some(does) = command.does() else { continue };
+                            let Some(does) = is_sought(command) else {
+                                continue;
+                            };
                             ui.label(RichText::new(command.keys()).monospace());
                             if narrow {
                                 ui.end_row();
@@ -400,6 +458,7 @@ fn keys_ui(ui: &mut Ui) -> Choice {
                     }
                 });
         });
+    window.own.put(sought);
     ui.add_space(12.0);
     if ui.button(text!("close")).clicked() {
         Choice::Leave

@@ -16,6 +16,7 @@ use crate::app::session::action::Action;
 use crate::app::session::appearance::profile::ProfileAppearance;
 use crate::app::session::appearance::{Overlays, ViewName};
 use crate::app::session::document::Document;
+use crate::app::session::notice::Notice;
 use crate::app::session::place::{ProbePoint, ProfileLine};
 use crate::app::session::recovery;
 use crate::app::session::window::WindowState;
@@ -320,7 +321,8 @@ impl Files {
                 picture(&mut renderer, &sized, 4, None, &mut progress).ok_or_else(String::new)?;
             hand_in(&path, &frame, &scene, &lesson, &record, &name)
                 .map_err(|error| error.to_string())?;
-            let notice = text!("course-handed-in", path = path.display().to_string());
+            let text = text!("course-handed-in", path = path.display().to_string());
+            let notice = Notice::written(text, &path);
             Ok(move |state: &mut AppState| state.session.notice = Some(notice.clone()))
         });
     }
@@ -396,7 +398,8 @@ impl Files {
         let title = std::mem::take(&mut self.title);
         self.start(ctx, title, text!("not-exported"), move |_| {
             save_picture(&work.path, &frame, &work.scene).map_err(|error| error.to_string())?;
-            let notice = text!("exported", path = work.path.display().to_string());
+            let text = text!("exported", path = work.path.display().to_string());
+            let notice = Notice::written(text, &work.path);
             Ok(move |state: &mut AppState| state.session.notice = Some(notice.clone()))
         });
     }
@@ -410,7 +413,8 @@ impl Files {
                 let written = write_whole(path, |out| out.write_all(bytes));
                 written.map_err(|error| error.to_string())?;
             }
-            let notice = text!("exported", path = path.display().to_string());
+            let text = text!("exported", path = path.display().to_string());
+            let notice = Notice::written(text, path);
             Ok(move |state: &mut AppState| state.session.notice = Some(notice.clone()))
         });
     }

@@ -8,6 +8,7 @@ use crate::app::views::GROUPS;
 use crate::app::widgets::dialog::Choice;
 use crate::app::widgets::focus::named;
 use crate::app::widgets::theme::text_field;
+use crate::app::widgets::typeset::letters;
 use crate::lesson::{LESSONS, are_there};
 use crate::scene::parameter::Parameter;
 use crate::scene::presets;
@@ -102,13 +103,13 @@ fn distance(word: &str, name: &str) -> Option<usize> {
             return Some(1);
         }
         let mistyped = strsim::osa_distance(word, known);
-        (length >= 4 && mistyped <= (length + 1) / 4).then_some(2 + mistyped)
+        (length >= 3 && mistyped <= (length + 1) / 4).then_some(2 + mistyped)
     };
     let nearest = name.split(separate).filter_map(near).min();
     nearest.or_else(|| name.contains(word).then_some(2))
 }
 
-/// Returns everything that can be found: commands, views, settings, scenes and lessons.
+/// Returns everything that can be found: commands, views, settings, letters, scenes and lessons.
 fn entries() -> Vec<Entry> {
     let empty = String::new;
     let mut entries = Vec::new();
@@ -132,6 +133,13 @@ fn entries() -> Vec<Entry> {
         };
         let help = || parameter.help().to_owned();
         entries.push(Entry::new(action, text!("find-setting"), name, help));
+    }
+    // A letter whose setting has it in its name is there already.
+    let is_setting = |letter: &str| Parameter::all().any(|one| one.letter == letter);
+    for (letter, symbol) in letters().filter(|(letter, _)| !is_setting(letter)) {
+        let name = || format!("{letter} {}", symbol.meaning());
+        let action = Action::SeekSymbol(symbol);
+        entries.push(Entry::new(action, text!("find-letter"), name, empty));
     }
     for preset in presets::ALL {
         let action = Action::OpenBuiltIn(preset.name.to_owned());
@@ -240,7 +248,10 @@ mod tests {
             ("exprot picture", "Export"),
             ("fog", "Seek(\"depth_cueing.by\")"),
             ("mist", "Seek(\"depth_cueing.by\")"),
+            ("fgo", "Seek(\"depth_cueing.by\")"),
             ("exponent", "Seek(\"material.n\")"),
+            ("normal", "SeekSymbol(Normal)"),
+            ("法線", "SeekSymbol(Normal)"),
             ("teapot", "OpenBuiltIn(\"teapot\")"),
             ("茶壺", "OpenBuiltIn(\"teapot\")"),
             ("reset scene", "ResetScene"),

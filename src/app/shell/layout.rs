@@ -14,7 +14,7 @@
 //! The picture keeps nearly half of the window's width. If there is no space for both panels, the one opened last is
 //! shown. The drawer of a narrow window holds the controls or a view.
 
-use super::bars;
+use super::{bars, welcome};
 use crate::app::controls;
 use crate::app::course::Course;
 use crate::app::engine::Engine;
@@ -146,6 +146,10 @@ impl Layout {
                 );
             });
         }
+        let AppState {
+            window, requests, ..
+        } = state;
+        welcome::welcome_ui(ui, window, requests, low);
         Some(self.picture_ui(ui, state, engine))
     }
 
@@ -221,7 +225,7 @@ fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, size: Vec2) {
 
     if window.appearance.stages {
         Panel::bottom("stages").show(ui, |ui| {
-            bars::stages_ui(ui, session, window, course, engine);
+            bars::stages_ui(ui, session, window, course, requests, engine);
         });
     }
     Panel::right("rail")

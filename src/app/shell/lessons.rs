@@ -263,7 +263,7 @@ impl AppState {
     pub fn set_as_target(&mut self) {
         match as_target(&self.session) {
             Some(lesson) => self.open_lesson(Arc::new(lesson), false),
-            None => self.session.notice = Some(text!("course-target-file").to_owned()),
+            None => self.session.notice = Some(text!("course-target-file").into()),
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Links: copying the link to the current view, opening one, and showing it to an audience as a QR code.
 
 use super::dialog::{Dialog, LinkCode, PageForm};
-use crate::app::session::action::{Action, Turn};
+use crate::app::session::action::{Action, Requests, Turn};
 use crate::app::session::appearance::ViewName;
 use crate::app::session::document::{Document, Origin};
 use crate::app::session::place::{ProbePoint, ProfileLine};
@@ -103,7 +103,7 @@ impl AppState {
                 if self.open(document) {
                     self.window.seek_highlight = shown.probe.is_none();
                     self.show(&shown);
-                    self.session.notice = Some(text!("link-opened").to_owned());
+                    self.session.notice = Some(text!("link-opened").into());
                 }
             }
             Err(error) => {
@@ -118,8 +118,11 @@ impl AppState {
             Ok(Written { link, left_out }) => {
                 ctx.copy_text(link);
                 self.session.notice = Some(match left_out {
-                    None => text!("link-copied").to_owned(),
-                    Some(path) => text!("link-copied-model", path = name_of(&path)),
+                    None if self.window.appearance.page.is_empty() => {
+                        text!("link-copied-text").into()
+                    }
+                    None => text!("link-copied").into(),
+                    Some(path) => text!("link-copied-model", path = name_of(&path)).into(),
                 });
             }
             Err(error) => self.no_link(&error.to_string()),
@@ -215,10 +218,27 @@ fn name_of(path: &std::path::Path) -> String {
 }
 
 /// Shows the question for the page's address.
-pub fn page_ui(ui: &mut Ui, form: &mut PageForm) -> Choice {
+pub fn page_ui(ui: &mut Ui, form: &mut PageForm, requests: &mut Requests) -> Choice {
     let mut choice = Choice::Stay;
     ui.heading(text!("link-page"));
     ui.add_space(8.0);
+    if form.then_code {
+        // Sharing works at once, without any page.
+        ui.label(text!("link-share-text"));
+        ui.horizontal_wrapped(|ui| {
+            for (name, action) in [
+                (text!("link-copy-text"), Action::CopyLink),
+                (text!("controls-command-save-as"), Action::SaveAs),
+                (text!("controls-command-export"), Action::Export),
+            ] {
+                if ui.button(name).clicked() {
+                    requests.ask(action);
+                    choice = Choice::Leave;
+                }
+            }
+        });
+        ui.add_space(12.0);
+    }
     ui.label(text!("link-page.sentence"));
     ui.add_space(8.0);
     let field = text_field(&mut form.address)

@@ -1,6 +1,7 @@
 //! The latest notice or warning in a line: in the bottom bar, or over the picture if there is no bar.
 
 use crate::app::session::Session;
+use crate::app::session::action::{Action, Requests};
 use crate::app::session::window::WindowState;
 use crate::app::widgets::sign::{Sign, sign_button};
 use crate::text::text;
@@ -21,8 +22,9 @@ struct ShownNotice {
 pub fn expire(ctx: &Context, session: &mut Session, window: &mut WindowState) {
     let now = ctx.input(|input| input.time);
     let mut shown: ShownNotice = window.own.take();
-    if shown.text != session.notice {
-        shown.text.clone_from(&session.notice);
+    let text = session.notice.as_ref().map(|notice| &notice.text);
+    if shown.text.as_ref() != text {
+        shown.text = text.cloned();
         shown.since = now;
     }
     if shown.text.is_some() {
@@ -37,10 +39,19 @@ pub fn expire(ctx: &Context, session: &mut Session, window: &mut WindowState) {
     window.own.put(shown);
 }
 
-/// Shows the notice or the warning, wrapped or on one line; a warning can be dismissed.
-pub fn said_ui(ui: &mut Ui, session: &mut Session, wrap: TextWrapMode) {
+/// Shows the notice or the warning, wrapped or on one line. A notice may offer an action; a warning can be dismissed.
+pub fn said_ui(ui: &mut Ui, session: &mut Session, requests: &mut Requests, wrap: TextWrapMode) {
     if let Some(notice) = &session.notice {
-        ui.add(Label::new(notice).wrap_mode(wrap));
+        let name = match notice.offer {
+            Some(Action::ShowFolder(_)) => text!("notice-folder"),
+            _ => text!("controls-command-undo"),
+        };
+        let offer = notice.offer.clone().filter(|_| ui.button(name).clicked());
+        ui.add(Label::new(&notice.text).wrap_mode(wrap));
+        if let Some(action) = offer {
+            requests.ask(action);
+            session.notice = None;
+        }
     } else if let Some(warning) = &session.warning {
         let words = RichText::new(warning).color(ui.visuals().warn_fg_color);
         let dismissed = sign_button(ui, Sign::Close, text!("dismiss"));

@@ -5,8 +5,10 @@ use crate::app::session::Session;
 use crate::app::session::action::Requests;
 use crate::app::session::appearance::ViewName;
 use crate::app::session::document::{CoursePart, Document, Origin};
+use crate::app::session::notice::Notice;
 use crate::app::session::window::WindowState;
 use crate::app::shell::dialog::Dialog;
+use crate::text::text;
 use std::path::PathBuf;
 
 /// The state of the window: a session, its appearance, and the course. Each panel is a function of the parts
@@ -35,8 +37,14 @@ impl AppState {
     /// Shows another document, in the view that its scene names; undo returns to the current one. Returns
     /// whether the document is shown, see [`Session::replace`].
     pub fn open(&mut self, document: Document) -> bool {
+        let changed = self.session.modified();
+        let before = self.session.document().origin.name();
         if !self.replace(document) {
             return false;
+        }
+        if changed {
+            let text = text!("opened-over", name = before);
+            self.session.notice = Some(Notice::undoable(text));
         }
         let Document {
             scene,

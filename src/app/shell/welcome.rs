@@ -1,30 +1,22 @@
-//! The welcome over the picture at the first start: a description of the program, and ways to begin.
+//! The welcome below the picture at the first start: a description of the program, and ways to begin.
 
 use crate::app::session::action::Requests;
 use crate::app::session::action::{Action, Turn};
 use crate::app::session::window::WindowState;
 use crate::text::text;
-use eframe::egui::{Align2, Area, Button, Context, Frame, Id, Order, Rect, RichText, Ui, vec2};
+use eframe::egui::{Button, Panel, RichText, Ui};
 
-/// The picture height below which no text covers it, in points.
-const LOW: f32 = 320.0;
-
-/// Shows a card at the bottom of the picture until one of its buttons is clicked.
-pub fn welcome_ui(ctx: &Context, window: &mut WindowState, requests: &mut Requests, picture: Rect) {
+/// Shows a card below the picture, which is fitted into what is left, until one of its buttons is clicked. In a `low` window
+/// the buttons stand alone.
+pub fn welcome_ui(ui: &mut Ui, window: &mut WindowState, requests: &mut Requests, low: bool) {
     if !window.welcome {
         return;
     }
-    let width = (picture.width() - 32.0).min(520.0);
-    Area::new(Id::unique("welcome"))
-        .order(Order::Middle)
-        .pivot(Align2::CENTER_BOTTOM)
-        .fixed_pos(picture.center_bottom() - vec2(0.0, 16.0))
-        .show(ctx, |ui| {
-            Frame::window(ui.style()).show(ui, |ui| {
-                ui.set_width((width - 32.0).max(0.0));
-                card_ui(ui, window, requests, picture.height() < LOW);
-            });
-        });
+    Panel::bottom("welcome").show(ui, |ui| {
+        ui.add_space(6.0);
+        card_ui(ui, window, requests, low);
+        ui.add_space(6.0);
+    });
 }
 
 fn card_ui(ui: &mut Ui, window: &mut WindowState, requests: &mut Requests, low: bool) {

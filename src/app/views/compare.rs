@@ -13,7 +13,10 @@ use crate::app::widgets::focus;
 use crate::app::widgets::theme::text_field;
 use crate::scene::compare::{DIFFERENCE, GAIN};
 use crate::scene::shading::{INTERPOLATION, MODE};
-use crate::scene::{ChoiceOption, Compare, CompareView, Object, Pane, Scene, setting_words};
+use crate::scene::{
+    Choice as _, ChoiceOption, Compare, CompareView, Object, Pane, Scene, ShadingMode,
+    setting_words,
+};
 use crate::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Align, Button, Key, Layout, RichText, Ui};
@@ -330,10 +333,20 @@ fn figures_ui(
     });
 }
 
-/// Shows the actions for a pane.
+/// Shows the shading modes of a pane, and the actions for it.
 pub fn menu_ui(ui: &mut Ui, session: &Session, requests: &mut Requests, pane: usize) {
     let scene = &session.document().scene;
     let (last, reference) = (scene.pane_count() - 1, scene.reference_pane());
+    let present = session.panes.scene(pane).shading.mode;
+    for &mode in ShadingMode::VALUES {
+        if ui.radio(mode == present, mode.label()).clicked() {
+            let renormalise = true;
+            requests.ask(Action::Activate(pane));
+            requests.ask(Action::Shade { mode, renormalise });
+            ui.close();
+        }
+    }
+    ui.separator();
     let mut asked = None;
     let mut item = |enabled: bool, text: &str, action: Action| {
         let button = Button::new(text);

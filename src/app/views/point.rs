@@ -121,30 +121,31 @@ fn sum_ui(
     here: Here<'_>,
     probe: &Probe,
 ) {
-    pixel_ui(ui, probe, here.hit);
+    pixel_ui(ui, session, probe, here.hit);
     ui.add_space(8.0);
     filled_ui(ui, session, here);
     ui.add_space(4.0);
+    let light = session.light;
     export_ui(ui, session, window, requests, "probe", || {
-        let sampling = vec![None; here.hit.lights.len()];
-        Some((
-            Box::new(Probed {
-                probe: probe.clone(),
-                sampling,
-            }),
-            engine.drawn()?.clone(),
-        ))
+        let answer = Probed::of(probe.clone(), light);
+        Some((Box::new(answer), engine.drawn()?.clone()))
     });
     ui.add_space(4.0);
 }
 
 /// Shows the pixel, its stored colour, and the position of its centre on the object.
-fn pixel_ui(ui: &mut Ui, probe: &Probe, hit: &ProbeHit) {
+fn pixel_ui(ui: &mut Ui, session: &Session, probe: &Probe, hit: &ProbeHit) {
     let [x, y] = probe.pixel;
+    let mut pixel = text!("point-pixel", x = x, y = y);
+    let scene = &session.document().scene;
+    if scene.shown_panes().len() > 1 {
+        let pane = scene.pane_name(session.panes.active);
+        pixel = text!("point-pixel-of-pane", pixel = pixel, pane = pane);
+    }
     let [r, g, b] = hit.stored;
     heading_ui(ui, Some(hit.stored), |ui| {
-        ui.horizontal(|ui| {
-            ui.label(RichText::new(text!("point-pixel", x = x, y = y)).strong());
+        ui.horizontal_wrapped(|ui| {
+            ui.label(RichText::new(pixel).strong());
             ui.label(RichText::new(format!("{r:>3} {g:>3} {b:>3}")).monospace())
                 .on_hover_text(text!("point-stored-tip"));
         });

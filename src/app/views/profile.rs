@@ -58,6 +58,8 @@ pub fn profile_ui(
     requests: &mut Requests,
     engine: &Engine,
 ) {
+    let own = session.shown.scene.shading.mode;
+    window.appearance.profile.follow(own);
     let wide = ui.available_width() >= WIDE;
     if !wide {
         ui.label(text!("line-drag-ends"));
@@ -90,7 +92,6 @@ pub fn profile_ui(
     if size.contains(&0) {
         return;
     }
-    let own = session.shown.scene.shading.mode;
     let question = window
         .appearance
         .profile

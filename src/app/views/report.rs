@@ -5,6 +5,7 @@ use crate::analysis::{Analysis, Answer, Format, Question, Report, ReportContext}
 use crate::app::session::Session;
 use crate::app::session::action::{Action, Requests};
 use crate::app::session::document::Document;
+use crate::app::session::notice::Notice;
 use crate::app::session::window::WindowState;
 use crate::app::widgets::background::{progress_ui, wake};
 use crate::app::widgets::drawing::{height, plot_style, plot_ui};
@@ -469,18 +470,46 @@ pub fn export_ui(
     let Some((answer, scene)) = answer() else {
         return;
     };
-    let export = Export {
+    if let Some(format) = format {
+        return export(
+            session,
+            window,
+            requests,
+            analysis.name,
+            format,
+            answer,
+            scene,
+        );
+    }
+    if copy {
+        let name = session.document().origin.name();
+        let export = Export {
+            answer,
+            scene,
+            name,
+        };
+        ui.ctx().copy_text(export.answer.text(&export.about()));
+        session.notice = Some(text!("report-copied", name = analysis.name).into());
+    }
+}
+
+/// Asks where to save the answer of `analysis` to a question about `scene`.
+pub fn export(
+    session: &Session,
+    window: &mut WindowState,
+    requests: &mut Requests,
+    analysis: &'static str,
+    format: Format,
+    answer: Box<dyn Answer>,
+    scene: Scene,
+) {
+    let name = session.document().origin.name();
+    window.own.put(Export {
         answer,
         scene,
-        name: session.document().origin.name(),
-    };
-    if copy {
-        ui.ctx().copy_text(export.answer.text(&export.about()));
-        session.notice = Some(text!("report-copied", name = analysis.name));
-    } else if let Some(format) = format {
-        window.own.put(export);
-        requests.ask(Action::SaveAnswer(analysis.name, format));
-    }
+        name,
+    });
+    requests.ask(Action::SaveAnswer(analysis, format));
 }
 
 /// Writes the answer that is about to be saved, in the format that the path's extension names.
@@ -499,6 +528,7 @@ pub fn save(session: &mut Session, window: &WindowState, path: &Path) -> Result<
         (None, Paper::LIGHT),
     )
     .map_err(|e| e.to_string())?;
-    session.notice = Some(text!("report-saved", path = path.display().to_string()));
+    let text = text!("report-saved", path = path.display().to_string());
+    session.notice = Some(Notice::written(text, path));
     Ok(())
 }

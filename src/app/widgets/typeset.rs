@@ -65,6 +65,14 @@ const LETTERS: [Letter; 27] = [
     ("Idc", "I", "dc", Symbol::Depth, "point-letter-idc"),
 ];
 
+/// Returns each letter of the formulas as text, with its symbol.
+pub fn letters() -> impl Iterator<Item = (String, Symbol)> {
+    let exponent = std::iter::once(("n".to_owned(), Symbol::Exponent));
+    let others = LETTERS.iter();
+    exponent
+        .chain(others.map(|(_, text, low, symbol, _)| (format!("{}{low}", text.trim()), *symbol)))
+}
+
 /// Splits a formula whose letters stand in braces, as in [`Here::filled`](crate::analysis::probe::Here::filled), into
 /// pieces. Letters have the `colour`, vectors their own. `here` returns the value of a letter at the pixel, or an empty
 /// string.

@@ -65,7 +65,8 @@ fn a_spot_lights_cone_is_typed() {
     );
     let mut wide = scene(&harness).clone();
     wide.lights[0].cone = 500.0;
-    let reason = harness.state().state().session.notice.clone();
+    let reason = harness.state().state().session.said();
+    let reason = reason.map(str::to_owned);
     let refused = wide.validate().map_err(|error| error.to_string());
     assert_eq!(reason, refused.err(), "as a scene file would be");
     // A number that would take all memory is refused before it is drawn.

@@ -91,8 +91,6 @@ pub(super) struct Focus<'a> {
     pub n: DVec3,
     /// True if N·L > 0, without which there is no reflection to draw.
     pub lit: bool,
-    /// The vectors whose angle the specular term depends on.
-    pub lobe_between: (DVec3, DVec3),
 }
 
 impl<'a> Equation<'a> {
@@ -112,17 +110,11 @@ impl<'a> Equation<'a> {
             } else {
                 n
             };
-            let lobe_between = if phong {
-                (terms.r, hit.view)
-            } else {
-                (n, terms.h)
-            };
             Focus {
                 index,
                 terms,
                 n,
                 lit: lit(terms),
-                lobe_between,
             }
         });
         Self {
@@ -143,7 +135,8 @@ impl<'a> Equation<'a> {
         lobe.map_or_else(Vec::new, |lobe| lobe::draw(sketch, &lobe, scene))
     }
 
-    /// Draws the side view in a corner of `picture`, if it is requested and fits: vectors and angles of one light.
+    /// Draws the side view in a corner of `picture`, if it is requested or needed, and fits: vectors and angles of one
+    /// light.
     pub fn side_view(
         &self,
         picture: Area,
@@ -151,17 +144,22 @@ impl<'a> Equation<'a> {
         options: &OverlayOptions,
     ) -> Option<Sketch> {
         let (focus, v) = (self.focus.as_ref()?, self.hit.view.try_normalize()?);
-        let sound = focus.n != DVec3::ZERO && focus.terms.l.is_finite();
-        if !options.layers.contains(&OverlayLayer::SideView) || !sound {
+        let Focus { terms, n, lit, .. } = focus;
+        let sound = *n != DVec3::ZERO && terms.l.is_finite();
+        let needed = options.side_view_where_needed
+            && options.layers.contains(&OverlayLayer::Vectors)
+            && *lit
+            && side::is_needed(sketch, [*n, terms.l, terms.r]);
+        if !sound || !(needed || options.layers.contains(&OverlayLayer::SideView)) {
             return None;
         }
-        let pane = side::pane(picture, sketch.origin, &sketch.style)?;
-        let lobe_between = if focus.lit {
-            focus.lobe_between
-        } else {
-            (v, v)
-        };
-        let mut side = side::sketch(pane, [focus.n, focus.terms.l, v], lobe_between, options)?;
+        let pane = side::pane(
+            picture,
+            sketch.origin,
+            &sketch.style,
+            options.side_view_enlarged,
+        )?;
+        let mut side = side::sketch(pane, [*n, terms.l, v], options)?;
         let mut layers = vec![OverlayLayer::Vectors, OverlayLayer::Angles];
         layers.extend(
             options
@@ -288,7 +286,7 @@ impl<'a> Equation<'a> {
                 sketch.letter(
                     name,
                     size,
-                    vector.colour(),
+                    sketch.style.colour(vector),
                     anchor,
                     along.normalize_or_zero(),
                     clearance,
@@ -343,7 +341,7 @@ impl<'a> Equation<'a> {
 /// its point as a dot, or its fletching as a cross, in a circle; circles about one place nest.
 fn draw_arrow(sketch: &mut Sketch, arrow: &Arrow, circles: &mut Vec<(DVec2, f64)>) -> f64 {
     let style = sketch.style;
-    let (colour, dashes) = (arrow.vector.colour(), arrow.vector.dashes());
+    let (colour, dashes) = (style.colour(arrow.vector), arrow.vector.dashes());
     let way = arrow.tip - arrow.tail;
     let (along, length) = (way.normalize_or_zero(), way.length());
     if arrow.head == ArrowHead::Plain {

@@ -1,39 +1,40 @@
 //! The vectors seen from the side, in a corner of the picture.
 //!
 //! V points at the eye, so that in the picture it is a point and φ is seen edge-on. From the side, perpendicular to
-//! the plane of N and L with N upwards and L on the left, the figure is that of the textbooks; it is seen slightly
-//! from above, so that a V outside the plane is recognisable, and turned about N where V would hide behind another
-//! vector.
+//! the plane of N and L with N upwards and L on the left, the figure is that of the textbooks: N, L and R have their
+//! true lengths and angles. A vector outside the plane appears shorter.
 
 use crate::analysis::overlay::{OverlayOptions, Sketch, Style};
 use crate::figure::{Area, Shape};
 use crate::scene::{Projection, View};
 use glam::{DVec2, DVec3};
 
-/// Side of the pane: the preferred share of the picture's shorter side, the maximum share, and the minimum in text
-/// sizes.
-const SIDE: [f64; 3] = [0.35, 0.6, 8.5];
+/// Side of the pane: its share of the picture's shorter side as an inset and when it is enlarged, and the minimum in
+/// text sizes.
+const SIDE: [f64; 2] = [0.35, 0.72];
+const LEAST_SIDE: f64 = 8.5;
+/// Sine of the angle to the line of sight below which a vector points at the viewer.
+const HEAD_ON: f64 = 0.45;
 /// Length of a unit vector in the pane's side: twice as much fits above the point, which R's construction needs.
 const UNIT: f64 = 0.36;
 /// Distance of the point below the pane's middle; less where an L from behind the surface would leave the pane.
 const DROP: [f64; 2] = [0.26, 0.45];
-/// Elevation from which the surface is seen, radians.
-const TILT: f64 = 0.22;
-/// Maximum turn about N, radians, so that L stays on the left; the number of steps searched each way; and the cost of
-/// a turn's square relative to the visible share of the worst angle.
-const TURN: f64 = 1.1;
-const TURNS: u32 = 60;
-const RELUCTANCE: f64 = 0.2;
-/// Radius of the disc that represents the surface, in unit vectors.
-const DISC: f64 = 0.62;
+/// Extent of the surface beside the point and its thickness below it, in unit vectors.
+const SURFACE_SIZE: [f64; 2] = [0.72, 0.07];
 /// Grey of the surface, and the opacity of it and of the pane's background.
 const SURFACE: [u8; 3] = [128; 3];
 const OPAQUE: [f64; 2] = [0.35, 0.88];
 
+/// Returns whether two of the vectors point at the viewer or away, so that they hide one another.
+pub(super) fn is_needed(sketch: &Sketch, vectors: [DVec3; 3]) -> bool {
+    let is_head_on = |vector: &DVec3| sketch.slant(*vector).abs() < HEAD_ON;
+    vectors.iter().filter(|vector| is_head_on(vector)).count() >= 2
+}
+
 /// Returns the pane in the corner farthest from `point`; none in a picture too small for it.
-pub(super) fn pane(picture: Area, point: DVec2, style: &Style) -> Option<Area> {
+pub(super) fn pane(picture: Area, point: DVec2, style: &Style, enlarged: bool) -> Option<Area> {
     let shorter = (picture.max - picture.min).min_element();
-    let side = (SIDE[0] * shorter).max(SIDE[2] * style.text);
+    let side = (SIDE[usize::from(enlarged)] * shorter).max(LEAST_SIDE * style.text);
     if side > SIDE[1] * shorter {
         return None;
     }
@@ -47,11 +48,10 @@ pub(super) fn pane(picture: Area, point: DVec2, style: &Style) -> Option<Area> {
 pub(super) fn sketch(
     pane: Area,
     [n, l, v]: [DVec3; 3],
-    lobe_between: (DVec3, DVec3),
     options: &OverlayOptions,
 ) -> Option<Sketch> {
     let side = (pane.max - pane.min).min_element();
-    let view = view(in_pane(pane, [n, l]), [n, l, v], lobe_between);
+    let view = view(in_pane(pane, [n, l]), n, [l, v]);
     let style = Style::new(2.3 * side, options);
     let mut sketch = Sketch::new(view, style, pane, DVec3::ZERO, Some(1.0), side)?;
     let ground = Shape::area(pane.corners(), style.halo_colour).plain();
@@ -61,17 +61,17 @@ pub(super) fn sketch(
     Some(sketch)
 }
 
-/// Draws a disc for the surface about the point.
+/// Draws a section of the surface below the point.
 pub(super) fn draw_surface(sketch: &mut Sketch, n: DVec3) {
-    let (across, into) = n.any_orthonormal_pair();
-    let rim = Shape::ring(DVec2::ZERO, DISC, 0.0, SURFACE).points;
-    let rim: Option<Vec<DVec2>> = rim
+    let across = n.cross(sketch.view.forward).normalize_or_zero();
+    let [beside, below] = SURFACE_SIZE;
+    let corners = [(-1.0, 0.0), (1.0, 0.0), (1.0, 1.0), (-1.0, 1.0)];
+    let corners: Option<Vec<DVec2>> = corners
         .into_iter()
-        .map(|p| sketch.end(across * p.x + into * p.y))
+        .map(|(x, y)| sketch.end(across * (beside * x) - n * (below * y)))
         .collect();
-    sketch
-        .shapes
-        .extend(rim.map(|rim| Shape::area(rim, SURFACE).plain().faded(OPAQUE[0])));
+    let area = corners.map(|corners| Shape::area(corners, SURFACE).plain().faded(OPAQUE[0]));
+    sketch.shapes.extend(area);
 }
 
 /// Position of the point and length of a unit vector.
@@ -91,52 +91,19 @@ fn in_pane(pane: Area, [n, l]: [DVec3; 2]) -> Frame {
     }
 }
 
-/// Returns the view, turned about N by the smallest angle that shows the angles and V at a fair share of their size.
-/// All vectors are unit vectors.
-pub(super) fn view(frame: Frame, [n, l, v]: [DVec3; 3], lobe_between: (DVec3, DVec3)) -> View {
-    let shown = |view: &View| {
-        [(n, l), lobe_between, (v, DVec3::ZERO)]
-            .iter()
-            .fold(1.0, |least: f64, (from, to)| {
-                let between = *from - *to;
-                let across = between - view.forward * between.dot(view.forward);
-                // Vectors that coincide have no angle to show.
-                if between.length() < 1e-6 {
-                    least
-                } else {
-                    least.min(across.length() / between.length())
-                }
-            })
-    };
-    let straight = view_turned(frame, [n, l, v], 0.0);
-    let (mut best, mut most) = (straight, shown(&straight));
-    for step in 1..=TURNS {
-        for side in [1.0, -1.0] {
-            let turn = side * TURN * f64::from(step) / f64::from(TURNS);
-            let turned = view_turned(frame, [n, l, v], turn);
-            let merit = shown(&turned) - RELUCTANCE * turn * turn;
-            if merit > most {
-                (best, most) = (turned, merit);
-            }
-        }
-    }
-    best
-}
-
-fn view_turned(frame: Frame, [n, l, v]: [DVec3; 3], turn: f64) -> View {
-    let aside = |vector: DVec3| (vector - n * vector.dot(n)).try_normalize();
-    let right = aside(-l)
-        .or_else(|| aside(v))
+/// Returns the view of the plane of `n` and the first of `aside`, with `n` upwards and the other on the left. Where the
+/// first coincides with `n`, the next decides. All are unit vectors.
+pub(super) fn view(frame: Frame, n: DVec3, aside: [DVec3; 2]) -> View {
+    let right = aside
+        .into_iter()
+        .zip([-1.0, 1.0])
+        .find_map(|(vector, sign)| (sign * (vector - n * vector.dot(n))).try_normalize())
         .unwrap_or_else(|| n.any_orthonormal_vector());
-    let into = n.cross(right);
-    let (sine, cosine) = turn.sin_cos();
-    let (right, into) = (right * cosine + into * sine, into * cosine - right * sine);
-    let (sine, cosine) = TILT.sin_cos();
-    let (forward, up) = (into * cosine - n * sine, n * cosine + into * sine);
+    let forward = n.cross(right);
     View {
         eye: forward * -4.0,
         right,
-        up,
+        up: n,
         forward,
         centre: frame.origin,
         scale: frame.unit,
@@ -166,25 +133,30 @@ mod tests {
         #![proptest_config(properties::config(file!()))]
 
         #[test]
-        fn n_points_up_l_to_the_left_and_v_is_never_a_point(n in unit(), l in unit(), v in unit()) {
+        fn n_l_and_r_have_their_true_lengths_and_angles(n in unit(), l in unit(), v in unit()) {
             let r = 2.0 * n.dot(l) * n - l;
-            let view = view(in_pane(PANE, [n, l]), [n, l, v], (r, v));
+            let view = view(in_pane(PANE, [n, l]), n, [l, v]);
             prop_assert!((view.right.cross(view.up) + view.forward).length() < 1e-9);
-            let at = |vector: DVec3| view.project(vector).expect("in front").0 - view.centre;
-            prop_assert!(at(n).y < -0.9 * UNIT * 300.0 && at(n).x.abs() < 1e-6, "N is at {}", at(n));
+            let at = |vector: DVec3| (view.project(vector).expect("in front").0 - view.centre) / view.scale;
+            prop_assert!((at(n) - DVec2::NEG_Y).length() < 1e-6, "N is at {}", at(n));
             prop_assert!(at(l).x < 1e-6, "L is at {}", at(l));
-            prop_assert!(at(v).length() > 0.25 * UNIT * 300.0, "V is at {}", at(v));
+            for (a, b) in [(n, l), (n, r), (l, r)] {
+                prop_assert!((at(a).length() - 1.0).abs() < 1e-6);
+                prop_assert!((at(a).dot(at(b)) - a.dot(b)).abs() < 1e-6);
+            }
         }
     }
 
     #[test]
     fn coinciding_vectors_still_have_a_side() {
         let y = DVec3::Y;
-        let view = view(in_pane(PANE, [y; 2]), [y; 3], (y, y));
-        assert!(
-            (view.right.cross(view.up) + view.forward).length() < 1e-9,
-            "{view:?}"
-        );
+        for v in [y, DVec3::X] {
+            let view = view(in_pane(PANE, [y; 2]), y, [y, v]);
+            assert!(
+                (view.right.cross(view.up) + view.forward).length() < 1e-9,
+                "{view:?}"
+            );
+        }
     }
 
     #[test]
@@ -194,7 +166,9 @@ mod tests {
             max: DVec2::new(800.0, 600.0),
         };
         let style = Style::new(600.0, &OverlayOptions::default());
-        let far = pane(picture, DVec2::new(100.0, 100.0), &style).expect("room enough");
+        let far = pane(picture, DVec2::new(100.0, 100.0), &style, false).expect("room enough");
+        let large = pane(picture, DVec2::new(100.0, 100.0), &style, true).expect("room enough");
+        assert!(large.holds(&far) && picture.holds(&large));
         assert!(far.min.x > 400.0 && far.min.y > 300.0 && picture.holds(&far));
         let small = Area {
             min: DVec2::ZERO,
@@ -204,7 +178,8 @@ mod tests {
             pane(
                 small,
                 DVec2::ZERO,
-                &Style::new(60.0, &OverlayOptions::default())
+                &Style::new(60.0, &OverlayOptions::default()),
+                false
             ),
             None
         );

@@ -13,7 +13,7 @@ use glam::{DVec2, DVec3};
 /// Margins about the vectors for their letters, in ems: beside, above and below.
 const MARGIN: [f64; 3] = [2.4, 1.6, 1.0];
 /// Extent of the surface beside and below the point, in unit vectors.
-const SURFACE: [f64; 2] = [0.64, 0.15];
+const SURFACE: [f64; 2] = [0.74, 0.15];
 /// Size of the letters relative to plots, and width of a step's lines relative to an arrow.
 const LETTERS: f64 = 1.15;
 const STRONG: f64 = 1.9;
@@ -93,13 +93,12 @@ pub fn draw_vectors(
         halo_colour: paper.ground,
         ..Style::of_text(LETTERS * style.text, Halo::Light)
     };
-    let lobe_between = if focus.lit {
-        focus.lobe_between
-    } else {
-        (v, v)
-    };
     let vectors = [focus.n, focus.terms.l, v];
-    let seen_from = |origin, unit| view(Frame { origin, unit }, vectors, lobe_between);
+    // H lies in the plane of L and V, which seldom is that of N.
+    let halfway = shown == VectorsShown::Step(ConstructionStep::Halfway);
+    let up = focus.terms.h.try_normalize().filter(|_| halfway);
+    let up = up.unwrap_or(focus.n);
+    let seen_from = |origin, unit| view(Frame { origin, unit }, up, [focus.terms.l, v]);
     // As large as the width allows, but not taller than wide.
     let through = here.hit.transmission.and_then(|through| through.t);
     let all = vectors
@@ -123,7 +122,9 @@ pub fn draw_vectors(
     };
     let view = seen_from(DVec2::new(0.5 * width, margin[1] + unit), unit);
     let mut sketch = Sketch::new(view, letters, pane, DVec3::ZERO, Some(1.0), unit)?;
-    draw_surface(&mut sketch, focus.n);
+    if !halfway {
+        draw_surface(&mut sketch, focus.n);
+    }
     let surfaces = sketch.shapes.len();
     draw_lines(&mut sketch, focus, shown);
     equation.draw_vectors(&mut sketch, false, |vector| shown.vector(vector));

@@ -6,6 +6,7 @@ use crate::app::widgets::focus::{aside, escaped, switch_named};
 use crate::scene::Rgb;
 use crate::text;
 use eframe::egui::accesskit::Role;
+use eframe::egui::style::HandleShape;
 use eframe::egui::{
     Button, DragValue, Response, Slider, SliderClamping, Stroke, StrokeKind, Tooltip, Ui,
     WidgetInfo, vec2,
@@ -225,6 +226,7 @@ pub fn slider_and_field(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
     let (range, name, tip, before) = (&spec.range, spec.about.name(), spec.about.tip, *value);
     let slider = Slider::new(value, range.span.clone())
         .show_value(false)
+        .handle_shape(HandleShape::Rect { aspect_ratio: 0.5 })
         .clamping(SliderClamping::Edits)
         .logarithmic(range.logarithmic)
         .smart_aim(!range.logarithmic)
@@ -277,11 +279,8 @@ pub fn slider_and_field(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
 
 /// Rounds a number to three significant digits.
 fn rounded(value: f64) -> f64 {
-    if value == 0.0 || !value.is_finite() {
-        return value;
-    }
-    let unit = 10_f64.powf(value.abs().log10().floor() - 2.0);
-    (value / unit).round() * unit
+    // By its digits, so that no 1.1400000000000001 stands in files and links.
+    format!("{value:.2e}").parse().unwrap_or(value)
 }
 
 /// Shows a field for one number, or for arithmetic that gives one.

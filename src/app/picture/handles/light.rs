@@ -2,9 +2,8 @@
 //!
 //! A light keeps its distance while it is dragged: it moves on the sphere through it about the object's
 //! centre, and dragged past the sphere's rim it moves to the other side. A directional light has no position,
-//! so its handle slides on a sphere in the picture, filled on the side that faces the viewer, hollow on the
-//! other. A light behind the viewer or outside the picture has a marker at the edge that points to it.
-//! Dragged along the edge, the light moves round the object; dragged inwards, it moves towards the viewer.
+//! and a light behind the viewer or outside the picture none that is seen: the handle of either slides on a sphere
+//! in the picture, in the direction of the light, filled on the side that faces the viewer, hollow on the other.
 
 use super::beam::{self, MARGIN, on_sphere};
 use crate::app::controls::row::swatch;
@@ -13,7 +12,7 @@ use crate::app::session::place::{Place, tidy};
 use crate::app::session::window::WindowState;
 use crate::app::session::window::{Grip, LightStart};
 use crate::app::widgets::letter::letter;
-use crate::app::widgets::lines::{exact, line};
+use crate::app::widgets::lines::{exact, line, outline};
 use crate::app::widgets::palette;
 use crate::app::widgets::theme::TEXT;
 use crate::figure::palette::Vector;
@@ -21,9 +20,9 @@ use crate::figure::{Area, Placer, Wish};
 use crate::scene::{CompareView, Light, LightKind, ObjectKind, Scene, View};
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Vec2, pos2, vec2};
 use glam::{DVec2, DVec3};
-use std::f64::consts::PI;
+use std::f64::consts::TAU;
 use std::ops::RangeInclusive;
-/// The radius of the sphere on which directional lights' handles slide, as a fraction of the picture's
+/// The radius of the sphere on which the handles of directional and of far lights slide, as a fraction of the picture's
 /// shorter side at the depth of its centre.
 const SPHERE: f64 = 0.42;
 /// The radius of a handle, in points.
@@ -34,9 +33,8 @@ pub const REACH: f32 = 14.0;
 const CAPTION: f32 = 34.0;
 /// The width of the figures of a difference, in points.
 const FIGURES: f32 = 300.0;
-/// The minimum angle between a light and the viewer's direction, in radians, so that its marker at the edge
-/// can be dragged.
-const LEAST_ANGLE: f64 = 0.25;
+/// The number of points of the outline of a sphere.
+const ROUND: u32 = 96;
 /// The distances from the object's centre to which lights can be moved by hand, in world units.
 const DISTANCES: RangeInclusive<f64> = 1e-3..=1e6;
 
@@ -47,8 +45,8 @@ enum Marker {
     Point,
     /// A directional light; `front` if it is on the viewer's side of the sphere.
     Directional { front: bool },
-    /// A light outside the picture, with the unit vector that points to it.
-    Edge(Vec2),
+    /// A light outside the picture, likewise on the sphere, with the unit vector that points to it.
+    Far { front: bool, way: Vec2 },
 }
 
 /// Returns the centre of the object, about which lights are dragged: that of the unit sphere, or of the
@@ -93,12 +91,16 @@ pub fn paint_stem(
         return;
     };
     for (index, light) in scene.lights.iter().enumerate() {
-        let (at, _) = marker(light, view, middle, place);
-        let wanted = match window.drag {
-            Some(drag) => drag.grip == Grip::Light(index),
-            None => near(at),
-        };
-        if wanted {
+        let (at, marker) = marker(light, view, middle, place, held_far(window, index));
+        let dragged = window.drag.map(|drag| drag.grip == Grip::Light(index));
+        if dragged == Some(true) {
+            let radius = match marker {
+                Marker::Point => light.position.distance(middle),
+                Marker::Directional { .. } | Marker::Far { .. } => sphere_radius(view, middle),
+            };
+            paint_arc(painter, view, place, middle, radius);
+        }
+        if dragged.unwrap_or_else(|| near(at)) {
             let ends = [exact(at), place.exact_point(foot)];
             for (width, colour) in [
                 (3.5, Color32::from_black_alpha(110)),
@@ -111,14 +113,43 @@ pub fn paint_stem(
     }
 }
 
+/// Draws the outline of the sphere on which a light is dragged.
+fn paint_arc(painter: &Painter, view: &View, place: Place, middle: DVec3, radius: f64) {
+    let points = (0..ROUND).map(|k| {
+        let (sine, cosine) = (f64::from(k) / f64::from(ROUND) * TAU).sin_cos();
+        let at = middle + (view.right * cosine + view.up * sine) * radius;
+        Some(place.exact_point(view.project(at)?.0))
+    });
+    if let Some(points) = points.collect::<Option<Vec<_>>>() {
+        for (width, colour) in [
+            (3.0, Color32::from_black_alpha(90)),
+            (1.0, palette::vector(Vector::L).gamma_multiply(0.7)),
+        ] {
+            outline(painter, &points, Stroke::new(width, colour));
+        }
+    }
+}
+
+/// Returns whether light `index` is being dragged from outside the picture. Its handle stays on the sphere meanwhile.
+fn held_far(window: &WindowState, index: usize) -> bool {
+    window
+        .drag
+        .is_some_and(|drag| drag.grip == Grip::Light(index) && !drag.start.in_picture)
+}
+
 /// Draws the lights' handles; the chosen light is emphasised, and lights that are off look unlit.
-pub fn paint(painter: &Painter, session: &Session, view: &View, place: Place) {
+pub fn paint(
+    painter: &Painter,
+    session: &Session,
+    window: &WindowState,
+    view: &View,
+    place: Place,
+) {
     let scene = &session.shown.scene;
     let (middle, soloing) = (middle(scene, view), scene.soloing());
-    let markers: Vec<(Pos2, Marker)> = scene
-        .lights
-        .iter()
-        .map(|light| marker(light, view, middle, place))
+    let lights = scene.lights.iter().enumerate();
+    let markers: Vec<(Pos2, Marker)> = lights
+        .map(|(index, light)| marker(light, view, middle, place, held_far(window, index)))
         .collect();
     for (index, (light, (at, marker))) in scene.lights.iter().zip(&markers).enumerate() {
         let colour = light.shines(soloing).then(|| swatch(light.color));
@@ -147,7 +178,7 @@ impl Marker {
         match self {
             Self::Point => (away, RADIUS + 2.0),
             Self::Directional { .. } => (away, RADIUS + 7.0),
-            Self::Edge(way) => (way.rot90(), RADIUS + 5.0),
+            Self::Far { .. } => (away, RADIUS + 14.0),
         }
     }
 }
@@ -162,7 +193,7 @@ pub fn covered(scene: &Scene, view: &View, place: Place) -> Vec<Area> {
     let middle = middle(scene, view);
     let foot = foot(view, middle, place);
     let covered = |light| {
-        let (at, marker) = marker(light, view, middle, place);
+        let (at, marker) = marker(light, view, middle, place, false);
         let (way, clearance) = marker.number(at, foot);
         let handle = Rect::from_center_size(at, Vec2::splat(2.0 * RADIUS + 4.0));
         let number = Rect::from_center_size(at + way * (clearance + TEXT * 0.6), vec2(20.0, TEXT));
@@ -244,35 +275,57 @@ fn paint_numbers(
 /// Returns the positions of the lights' handles.
 pub fn places(scene: &Scene, view: &View, place: Place) -> Vec<Pos2> {
     let middle = middle(scene, view);
-    let at = |light| marker(light, view, middle, place).0;
+    let at = |light| marker(light, view, middle, place, false).0;
     scene.lights.iter().map(at).collect()
 }
 
-/// Returns the position and the marker of a light's handle.
-fn marker(light: &Light, view: &View, middle: DVec3, place: Place) -> (Pos2, Marker) {
-    let directional = light.kind == LightKind::Directional;
-    let world = if directional {
-        middle - light.direction.normalize_or(DVec3::NEG_Y) * sphere_radius(view, middle)
-    } else {
-        light.position
-    };
+/// Returns the position and the marker of a light's handle; a `far` light's is on the sphere wherever it is.
+fn marker(light: &Light, view: &View, middle: DVec3, place: Place, far: bool) -> (Pos2, Marker) {
     let inner = place.rect.shrink(MARGIN * 0.5);
-    let seen = view
-        .project(world)
-        .map(|(pixel, _)| place.point(pixel))
-        .filter(|at| inner.contains(*at));
-    let Some(at) = seen else {
-        return at_edge(world, view, place);
+    let directional = light.kind == LightKind::Directional;
+    if !directional && !far {
+        let seen = view.project(light.position);
+        let at = seen.map(|(pixel, _)| place.point(pixel));
+        if let Some(at) = at.filter(|at| inner.contains(*at)) {
+            return (at, Marker::Point);
+        }
+    }
+    let towards = if directional {
+        -light.direction
+    } else {
+        light.position - middle
     };
-    let front = (world - middle).dot(view.forward) <= 0.0;
-    (
-        at,
-        if directional {
-            Marker::Directional { front }
-        } else {
-            Marker::Point
-        },
-    )
+    let towards = towards.normalize_or(DVec3::Y);
+    let on_screen = |at: DVec3| view.project(at).map(|(pixel, _)| place.point(pixel));
+    let handle = on_screen(middle + towards * sphere_radius(view, middle));
+    let at = handle.unwrap_or(place.rect.center());
+    let at = at.max(inner.min).min(inner.max);
+    let front = towards.dot(view.forward) <= 0.0;
+    if directional {
+        return (at, Marker::Directional { front });
+    }
+    let way = on_screen(middle).map_or(Vec2::ZERO, |foot| at - foot);
+    let way = if way.length() > 1.0 {
+        way.normalized()
+    } else {
+        vec2(0.0, -1.0)
+    };
+    (at, Marker::Far { front, way })
+}
+
+/// Returns `light` moved, or turned if it is directional, so that it is seen at `pixel`: halfway between the viewer and the
+/// camera's target, so that the target is lit.
+pub fn put_light(light: Light, scene: &Scene, view: &View, pixel: DVec2) -> Light {
+    let depth = 0.5 * scene.camera.distance();
+    let position = tidy(view.unproject(pixel, depth), view.world_per_pixel(depth));
+    if light.kind == LightKind::Directional {
+        Light {
+            direction: middle(scene, view) - position,
+            ..light
+        }
+    } else {
+        Light { position, ..light }
+    }
 }
 
 /// Returns `light` moved, or turned if it is directional, so that its handle is as far as possible from those
@@ -289,24 +342,9 @@ pub fn apart(light: Light, scene: &Scene, size: [u32; 2]) -> Light {
         size,
         pixels_per_point: 1.0,
     };
-    let handle = |light: &Light| marker(light, &view, middle, place).0;
+    let handle = |light: &Light| marker(light, &view, middle, place, false).0;
     let taken: Vec<Pos2> = lights.iter().map(handle).collect();
-    let depth = 0.5 * camera.distance();
-    let unit = view.world_per_pixel(depth);
-    let moved = |pixel: DVec2| {
-        let position = tidy(view.unproject(pixel, depth), unit);
-        if light.kind == LightKind::Directional {
-            Light {
-                direction: middle - position,
-                ..light.clone()
-            }
-        } else {
-            Light {
-                position,
-                ..light.clone()
-            }
-        }
-    };
+    let moved = |pixel: DVec2| put_light(light.clone(), scene, &view, pixel);
     // More positions than lights, so that some are free.
     let count = 4 + (f64::from(u32::try_from(lights.len()).unwrap_or(u32::MAX))).sqrt() as u32;
     let share = |index: u32| (f64::from(index) + 0.5) / f64::from(count);
@@ -333,31 +371,13 @@ fn sphere_radius(view: &View, middle: DVec3) -> f64 {
     SPHERE * 2.0 * view.centre.min_element() * view.world_per_pixel(depth)
 }
 
-/// Returns the position and the marker of a light outside the picture.
-fn at_edge(world: DVec3, view: &View, place: Place) -> (Pos2, Marker) {
-    let from_eye = world - view.eye;
-    let across = vec2(
-        from_eye.dot(view.right) as f32,
-        -from_eye.dot(view.up) as f32,
-    );
-    let way = if across.length() > 0.0 && across.is_finite() {
-        across.normalized()
-    } else {
-        vec2(0.0, -1.0)
-    };
-    let half = place.rect.size() / 2.0 - vec2(MARGIN, MARGIN);
-    let reach =
-        (half.x.max(1.0) / way.x.abs().max(1e-6)).min(half.y.max(1.0) / way.y.abs().max(1e-6));
-    (place.rect.center() + way * reach, Marker::Edge(way))
-}
-
 /// Returns the state of light `index` at the start of a drag.
 pub fn start(scene: &Scene, index: usize, view: &View, place: Place) -> LightStart {
     let middle = middle(scene, view);
     let Some(light) = scene.lights.get(index) else {
         return LightStart::default();
     };
-    let (at, marker) = marker(light, view, middle, place);
+    let (at, marker) = marker(light, view, middle, place, false);
     LightStart {
         offset: if light.kind == LightKind::Directional {
             -light.direction
@@ -365,7 +385,7 @@ pub fn start(scene: &Scene, index: usize, view: &View, place: Place) -> LightSta
             light.position - middle
         },
         pixel: place.pixel(at),
-        in_picture: !matches!(marker, Marker::Edge(_)),
+        in_picture: matches!(marker, Marker::Point),
     }
 }
 
@@ -378,48 +398,21 @@ pub fn drag_light(scene: &mut Scene, index: usize, view: &View, start: &LightSta
         return;
     };
     let front = start.offset.dot(view.forward) < 0.0;
-    if light.kind == LightKind::Directional {
-        let way = on_sphere(view, pixel, middle, sphere_radius(view, middle), front);
-        if way.is_finite() && way.length() > 0.5 {
-            light.direction = tidy(-way, 1e-3);
-        }
+    let reach = start.offset.length();
+    let radius = if start.in_picture {
+        reach
+    } else {
+        sphere_radius(view, middle)
+    };
+    let way = on_sphere(view, pixel, middle, radius, front);
+    if !way.is_finite() || way.length() < 0.5 {
         return;
     }
-    let reach = start.offset.length();
-    let way = if start.in_picture {
-        on_sphere(view, pixel, middle, reach, front)
-    } else {
-        round_the_edge(view, middle, start, pixel)
-    };
-    let moved = middle + way * reach;
-    if moved.is_finite() && way.length() > 0.5 {
-        light.position = tidy(moved, reach * 1e-3);
+    if light.kind == LightKind::Directional {
+        light.direction = tidy(-way, 1e-3);
+    } else if (middle + way * reach).is_finite() {
+        light.position = tidy(middle + way * reach, reach * 1e-3);
     }
-}
-
-/// Returns the unit direction from the object's centre to a light whose marker was dragged from the picture's
-/// edge to `pixel`. Seen from the viewer, the direction turns as the pointer does, and its angle to the
-/// viewer is proportional to the pointer's distance from the centre.
-fn round_the_edge(view: &View, middle: DVec3, start: &LightStart, pixel: DVec2) -> DVec3 {
-    let Some((centre, _)) = view.project(middle) else {
-        return DVec3::ZERO;
-    };
-    let [from, to] = [start.pixel - centre, pixel - centre];
-    let (viewer, offset) = (view.towards_eye(middle), start.offset.normalize_or_zero());
-    let angle =
-        offset.angle_between(viewer).max(LEAST_ANGLE) * to.length() / from.length().max(1.0);
-    let side = (offset - viewer * offset.dot(viewer)).try_normalize();
-    let side = side.unwrap_or((view.right * from.x - view.up * from.y).normalize_or(view.up));
-    // Pixel rows count downwards, so that their angles are clockwise.
-    let angle_round = from.angle_to(to);
-    let turn = DVec2::from_angle(if angle_round.is_finite() {
-        -angle_round
-    } else {
-        0.0
-    });
-    let around = side * turn.x + viewer.cross(side) * turn.y;
-    let (sine, cosine) = angle.min(PI).sin_cos();
-    viewer * cosine + around * sine
 }
 
 /// Multiplies the distance of light `index` from the object's centre. Does nothing for a directional light.
@@ -471,15 +464,18 @@ fn paint_light(painter: &Painter, at: Pos2, marker: Marker, colour: Option<Color
             let fill = if front { fill } else { hollow };
             painter.circle(at, RADIUS - 1.5, fill, ring);
         }
-        Marker::Edge(way) => {
-            let side = way.rot90();
-            let points = vec![
-                at + way * 11.0,
-                at - way * 7.0 + side * 9.0,
-                at - way * 7.0 - side * 9.0,
-            ];
+        Marker::Far { front, way } => {
+            let (tip, foot, side) = (
+                at + way * (RADIUS + 12.0),
+                at + way * (RADIUS + 3.0),
+                way.rot90(),
+            );
+            let points = vec![tip, foot + side * 5.5, foot - side * 5.5];
             painter.add(Shape::closed_line(points.clone(), halo));
-            painter.add(Shape::convex_polygon(points, fill, ring));
+            painter.add(Shape::convex_polygon(points, rim, Stroke::NONE));
+            painter.circle_stroke(at, RADIUS - 1.5, halo);
+            let fill = if front { fill } else { hollow };
+            painter.circle(at, RADIUS - 1.5, fill, ring);
         }
     }
     if colour.is_none() {
@@ -567,28 +563,22 @@ mod tests {
     }
 
     #[test]
-    fn a_light_outside_the_picture_goes_round_the_object_with_the_pointer() {
+    fn a_light_outside_the_picture_follows_the_pointer_at_its_distance() {
         let from = DVec3::new(2.4, 3.0, 3.2);
         let mut scene = with(LightKind::Point, from);
         let start = start(&scene, 0, &view(), place());
         assert!(!start.in_picture);
         drag_light(&mut scene, 0, &view(), &start, start.pixel);
         assert!((scene.lights[0].position - from).length() < 0.02, "no jump");
-        let middle = DVec2::new(400.0, 300.0);
-        let offset = start.pixel - middle;
-        for (pixel, [x, y]) in [
-            (middle + offset.perp(), [1.0, -1.0]),
-            (middle - offset, [-1.0, -1.0]),
-            (middle - offset.perp(), [-1.0, 1.0]),
-        ] {
-            drag_light(&mut scene, 0, &view(), &start, pixel);
-            let at = scene.lights[0].position;
-            assert!((at.length() - from.length()).abs() < 0.02);
-            assert!(at.x * x > 0.5 && at.y * y > 0.5 && at.z > 0.0, "{at}");
+        for by in [[-113.0, 33.0], [60.0, -20.0], [-200.0, 120.0]].map(DVec2::from_array) {
+            drag_light(&mut scene, 0, &view(), &start, start.pixel + by);
+            let moved = handle(&scene) - start.pixel;
+            assert!((moved - by).length() < 2.0, "{by} moved it {moved}");
+            assert!((scene.lights[0].position.length() - from.length()).abs() < 0.02);
         }
-        drag_light(&mut scene, 0, &view(), &start, middle);
+        drag_light(&mut scene, 0, &view(), &start, DVec2::new(400.0, 300.0));
         let at = scene.lights[0].position.normalize();
-        assert!(at.z > 0.99, "inwards is to the viewer: {at}");
+        assert!(at.z > 0.99, "the middle is towards the viewer: {at}");
     }
 
     #[test]

@@ -14,6 +14,9 @@ pub struct ProfileAppearance {
     /// Modes compared with the picture's own.
     #[serde(skip)]
     pub added: Vec<ShadingMode>,
+    /// The picture's own mode when the profile was last shown.
+    #[serde(skip)]
+    pub own: Option<ShadingMode>,
     /// True if the picture is shown as it is perceived.
     #[serde(skip)]
     pub perceived: bool,
@@ -31,6 +34,7 @@ impl Default for ProfileAppearance {
     fn default() -> Self {
         Self {
             added: Vec::new(),
+            own: None,
             perceived: false,
             edges: true,
             brightness: true,
@@ -53,7 +57,19 @@ impl ProfileAppearance {
     /// Clears the comparison, as when a scene is opened.
     pub fn begin(&mut self) {
         self.added.clear();
+        self.own = None;
         self.perceived = false;
+    }
+
+    /// Takes note of the picture's own mode. While others are compared with it, the one before stays among them.
+    pub fn follow(&mut self, own: ShadingMode) {
+        let before = self.own.replace(own).filter(|before| *before != own);
+        if let Some(before) = before
+            && !self.added.is_empty()
+            && !self.added.contains(&before)
+        {
+            self.added.push(before);
+        }
     }
 
     /// Returns the question for a profile between two points, in the picture's mode and the added ones.
