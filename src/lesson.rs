@@ -12,6 +12,7 @@ mod class_sheet;
 mod control;
 mod grade;
 mod hand_in;
+mod hint;
 mod html;
 mod kinds;
 mod lab;
@@ -42,6 +43,7 @@ pub use hand_in::{
     ANSWERS_KEYWORD, HandIn, HandInError, MAX_NAME, answer_parts, hand_in, hand_in_bytes,
     read_hand_in,
 };
+pub use hint::{CurveFault, Hint, Side};
 pub use kinds::kind::AnyKind;
 pub use kinds::{
     Answer, CURVE_POINTS, Choice, ChoiceOption, Curve, CurveOf, Extreme, Find, Goal, Item, Kind,
@@ -51,7 +53,7 @@ pub use kinds::{
 pub use lab::{Lab, LabPlace};
 pub use links::{may_open, without_closed_links};
 pub use prose::Prose;
-pub use question::Question;
+pub use question::{AnswerKey, Question, Wrong};
 pub use read::keys::Term;
 pub use record::{Answered, Record};
 pub use stage::{OVERLAYS, Stage, Staged};
@@ -78,8 +80,8 @@ use std::path::{Path, PathBuf};
 /// // The engine works the answer out from the step's scene.
 /// let staged = step.stage.load(None)?;
 /// let lab = Lab::new(&staged);
-/// let solution = question.solve(lab.place(&staged), 1)?;
-/// let grade = question.grade(&Answer::right(&solution), &solution, lab.place(&staged));
+/// let key = question.solve_all(lab.place(&staged), 1)?;
+/// let grade = question.grade(&Answer::right(&key.right), &key, lab.place(&staged));
 /// assert!(grade.expect("an answer of the right kind").right);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -217,7 +219,7 @@ impl Lesson {
             path: path.to_owned(),
             error,
         });
-        checked.map(|()| lesson)
+        checked.map(|_| lesson)
     }
 
     /// Longest file, in bytes.

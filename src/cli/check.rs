@@ -6,7 +6,7 @@ use super::output::{Failure, print, print_json, spinner};
 use clap::Args;
 use serde_json::{Value, json};
 use shading_lab::document::{LoadError, Loaded};
-use shading_lab::lesson::{Lesson, OpenError, check};
+use shading_lab::lesson::{Lesson, LessonProblem, OpenError, check};
 use shading_lab::scene::{Choice, ProblemLocation};
 use shading_lab::text::{Language, in_language, text};
 use std::path::{Path, PathBuf};
@@ -24,7 +24,8 @@ pub struct Check {
 /// Content of a valid file.
 enum Sound {
     Scene(Box<Loaded>),
-    Lesson(Box<Lesson>),
+    /// The lesson, with remarks on its questions.
+    Lesson(Box<Lesson>, Vec<LessonProblem>),
 }
 
 impl Check {
@@ -67,7 +68,7 @@ impl Check {
                 error,
             });
             drop(working);
-            return checked.map(|()| Sound::Lesson(Box::new(lesson)));
+            return checked.map(|remarks| Sound::Lesson(Box::new(lesson), remarks));
         }
         let arguments = SceneArguments {
             source: Some(self.file.clone()),
@@ -89,12 +90,19 @@ impl Check {
 impl Sound {
     fn line(&self, name: &str) -> String {
         match self {
-            Self::Lesson(lesson) => text!(
-                "cli-check-lesson",
-                name = name,
-                steps = lesson.steps.len(),
-                questions = questions(lesson)
-            ),
+            Self::Lesson(lesson, remarks) => {
+                let sound = text!(
+                    "cli-check-lesson",
+                    name = name,
+                    steps = lesson.steps.len(),
+                    questions = questions(lesson)
+                );
+                let remark = |remark: &LessonProblem| {
+                    let LessonProblem { line, words } = remark;
+                    format!("\n{name}:{line}: {words}")
+                };
+                sound + &remarks.iter().map(remark).collect::<String>()
+            }
             Self::Scene(loaded) => {
                 let scene = &loaded.scene;
                 let [width, height] = scene.image.size;
@@ -115,10 +123,14 @@ impl Sound {
 
     fn object(&self, name: &str) -> Value {
         let about = match self {
-            Self::Lesson(lesson) => json!({
-                "kind": "lesson", "name": lesson.name, "title": lesson.title,
-                "steps": lesson.steps.len(), "questions": questions(lesson),
-            }),
+            Self::Lesson(lesson, remarks) => {
+                let remark = |remark: &LessonProblem| json!({ "line": remark.line, "message": remark.words });
+                let remarks: Vec<Value> = remarks.iter().map(remark).collect();
+                json!({
+                    "kind": "lesson", "name": lesson.name, "title": lesson.title,
+                    "steps": lesson.steps.len(), "questions": questions(lesson), "remarks": remarks,
+                })
+            }
             Self::Scene(loaded) => {
                 let scene = &loaded.scene;
                 let warnings: Vec<String> = loaded.warning().into_iter().collect();

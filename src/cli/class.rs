@@ -145,7 +145,9 @@ fn object(class: &Class) -> Value {
                 (None, given) => Some(given.is_some_and(Given::is_right)),
             },
             "score": given.and_then(|given| Some(given.grade?.score)),
+            "model": given.and_then(|given| given.grade?.model),
             "prediction": given.map(|given| value(&given.answered.prediction)),
+            "prediction_model": given.and_then(|given| given.predicted?.model),
             "looked_up": given.map(|given| given.answered.looked_up),
             "tries": given.map(|given| given.answered.tries),
             "seconds": given.map(|given| given.answered.seconds),
@@ -167,8 +169,9 @@ fn object(class: &Class) -> Value {
             "question": question + 1,
             "answered": group.given(question).count(),
             "share_right": group.share_right(question),
-            "solution": group.questions[question].solution,
+            "solution": group.questions[question].solution(),
             "spread": spread(&predicted),
+            "models": models(group, question),
         })
     };
     let questions: Vec<Value> = class
@@ -185,6 +188,22 @@ fn object(class: &Class) -> Value {
     json!({ "rows": rows, "unreadable": unreadable, "questions": questions })
 }
 
+/// Returns the wrong models of a question, with how many first answers agree with each.
+fn models(group: &Group, question: usize) -> Vec<Value> {
+    let counted = group.models(question);
+    let answered = group.given(question).count().max(1);
+    let says = group.questions[question].says.iter().enumerate();
+    let named = says.filter(|(_, says)| !says.trim().is_empty());
+    let row = |(model, says): (usize, &String)| {
+        let found = counted.iter().find(|(known, _)| *known == model);
+        let count = found.map_or(0, |(_, count)| *count);
+        json!({
+            "model": model, "says": says, "count": count, "share": count as f64 / answered as f64,
+        })
+    };
+    named.map(row).collect()
+}
+
 fn csv(class: &Class) -> String {
     let heads = [
         "file",
@@ -195,7 +214,8 @@ fn csv(class: &Class) -> String {
         "share_right",
     ];
     let most = class.groups.iter().map(|group| group.questions.len()).max();
-    let questions = (1..=most.unwrap_or(0)).flat_map(|n| [format!("q{n}"), format!("q{n}_right")]);
+    let columns = |n| ["", "_right", "_model"].map(|part| format!("q{n}{part}"));
+    let questions = (1..=most.unwrap_or(0)).flat_map(columns);
     let columns = heads.into_iter().map(str::to_owned).chain(questions);
     let mut table = Table::new(columns.map(Column::key));
     for (group, student) in in_order(class) {
@@ -213,6 +233,8 @@ fn csv(class: &Class) -> String {
             let given = given.as_ref();
             row.push(given.map(|given| cell(&given.answered.answer)).into());
             row.push(u64::from(given.is_some_and(Given::is_right)).into());
+            let model = given.and_then(|given| given.grade?.model);
+            row.push(model.map(|model| model.to_string()).into());
         }
         row.resize(table.columns.len(), Cell::Empty);
         table.rows.push(row);
@@ -324,7 +346,11 @@ fn question_line(group: &Group, index: usize) -> String {
             .collect();
         line += &format!("\n   {}", counts.join(", "));
     }
-    if let Some(solution) = &class_question.solution
+    for (model, count) in group.models(index) {
+        let says = class_question.says.get(model).map_or("", |says| says);
+        line += &format!("\n   {count}× {}", one_line(&without_marks(says)));
+    }
+    if let Some(solution) = class_question.solution()
         && !question.kind.asks().is_drawn()
     {
         let right = question.kind.short_solution(solution);

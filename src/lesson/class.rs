@@ -3,8 +3,8 @@
 use super::hand_in::{HandIn, digest, read_hand_in};
 use super::kinds::kind::counted;
 use super::{
-    Answer, Answered, Budget, Grade, Lab, LabPlace, Lesson, Question, Solution, Step, TooHeavy,
-    find,
+    Answer, AnswerKey, Answered, Budget, Grade, Lab, LabPlace, Lesson, Question, Solution, Step,
+    TooHeavy, find,
 };
 use crate::document::open_picture;
 use crate::render::Frame;
@@ -65,8 +65,10 @@ pub struct ClassQuestion {
     pub why: String,
     /// The texts of options or items.
     pub options: Vec<String>,
-    /// The right answer; none where each student has another, or [`Self::failure`].
-    pub solution: Option<Solution>,
+    /// What is said of each wrong model, of a choice of each option.
+    pub says: Vec<String>,
+    /// The right answer and those of the wrong models; none where each student has others, or [`Self::failure`].
+    pub key: Option<AnswerKey>,
     /// Why there is no right answer.
     pub failure: Option<String>,
     /// The picture that the students saw, of questions about a place in it.
@@ -103,6 +105,11 @@ pub struct Given {
 }
 
 impl ClassQuestion {
+    /// Returns the right answer, where all students have the same.
+    pub fn solution(&self) -> Option<&Solution> {
+        self.key.as_ref().map(|key| &key.right)
+    }
+
     /// Returns the question itself.
     pub fn question<'l>(&self, lesson: &'l Lesson) -> Option<&'l Question> {
         lesson.steps.get(self.step)?.question.as_ref()
@@ -155,6 +162,14 @@ impl Group {
             .collect();
         numbers.sort_by(f64::total_cmp);
         numbers
+    }
+
+    /// Returns the wrong models that first answers agree with, each with how often; the most frequent first.
+    pub fn models(&self, question: usize) -> Vec<(usize, usize)> {
+        counted(
+            self.given(question)
+                .filter_map(|given| given.predicted?.model),
+        )
     }
 
     /// Returns the answers that were predicted, each with how often; the most frequent first.
@@ -502,7 +517,7 @@ impl ClassQuestion {
             self.picture = Some(place.counted_picture()?);
         }
         if !question.kind.asks().is_drawn_at_random() {
-            self.solution = Some(question.solve(place, 0)?);
+            self.key = Some(question.solve_all(place, 0)?);
         }
         Ok(())
     }
@@ -515,15 +530,15 @@ impl ClassQuestion {
         given: &mut Given,
     ) -> Result<(), String> {
         let own;
-        let solution = match &self.solution {
-            Some(solution) => solution,
+        let key = match &self.key {
+            Some(key) => key,
             None => {
-                own = question.solve(place, seed)?;
+                own = question.solve_all(place, seed)?;
                 &own
             }
         };
         // What cannot be graded, such as half a curve, is not right.
-        let grade = |answer: &Answer| question.grade(answer, solution, place).unwrap_or_default();
+        let grade = |answer: &Answer| question.grade(answer, key, place).unwrap_or_default();
         let Answered {
             answer, prediction, ..
         } = &given.answered;
@@ -547,10 +562,13 @@ impl ClassQuestion {
             .map_err(|words| (question.line, words))?;
         let options = question.kind.asks().options().into_iter();
         let options: Result<_, _> = options.map(|prose| prose.filled(&place)).collect();
+        let says = question.says().into_iter();
+        let says: Result<_, _> = says.map(|prose| prose.filled(&place)).collect();
         Ok(Self {
             ask: question.ask.filled(&place)?,
             why: question.why.filled(&right)?,
             options: options?,
+            says: says?,
             ..Self::empty(step)
         })
     }
@@ -561,7 +579,8 @@ impl ClassQuestion {
             ask: String::new(),
             why: String::new(),
             options: Vec::new(),
-            solution: None,
+            says: Vec::new(),
+            key: None,
             failure: None,
             picture: None,
         }

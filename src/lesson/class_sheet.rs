@@ -3,7 +3,7 @@
 use super::class::{Class, Given, Group, spread};
 use super::html::{Element, Html, element};
 use super::kinds::kind::Predictions;
-use super::kinds::{short_answer, short_number};
+use super::kinds::{Bars, short_answer, short_number};
 use super::page::{blocks, inline, page};
 use crate::text::text;
 
@@ -150,10 +150,11 @@ fn question_part(group: &Group, index: usize) -> Option<Element> {
     });
     part = part.with(question.kind.chart(&Predictions {
         given: given.collect(),
-        right: asked.solution.as_ref(),
+        right: asked.solution(),
         options: &asked.options,
         picture: asked.picture.as_ref(),
     }));
+    part = part.with(models_part(group, index));
     if let Some(five) = spread(&group.predicted(index)) {
         let key = if question.kind.asks().predicts_number() {
             "class-predicted"
@@ -171,7 +172,7 @@ fn question_part(group: &Group, index: usize) -> Option<Element> {
         );
         part = part.line(element("p").with(words));
     }
-    if let Some(solution) = &asked.solution
+    if let Some(solution) = asked.solution()
         && !question.kind.asks().chart_tells()
     {
         let right = question.kind.short_solution(solution);
@@ -181,4 +182,20 @@ fn question_part(group: &Group, index: usize) -> Option<Element> {
         part = part.line(element("div").class("quiet").with(blocks(&asked.why)));
     }
     Some(part)
+}
+
+/// Returns the wrong models that first answers agree with, and how often each does.
+fn models_part(group: &Group, index: usize) -> Html {
+    let models = group.models(index);
+    if models.is_empty() {
+        return Html::new();
+    }
+    let answered = group.given(index).count();
+    let heading = element("p").with(element("strong").with(text!("class-models")));
+    let bars = Bars::new(answered);
+    let bars = models.into_iter().fold(bars, |bars, (model, count)| {
+        let says = group.questions[index].says.get(model);
+        bars.with(inline(says.map_or("", |says| says)), count, false)
+    });
+    Html::new().line(heading).with(bars.table())
 }

@@ -43,6 +43,16 @@ pub(super) fn along(slider: &Slider, fraction: f64) -> f64 {
     settable(slider, value)
 }
 
+/// Returns the fraction of a slider at which a value is.
+pub(super) fn share(slider: &Slider, value: f64) -> f64 {
+    let (from, to) = (slider.from, slider.to);
+    if slider.logarithmic && from > 0.0 {
+        (value.max(from) / from).ln() / (to / from).ln()
+    } else {
+        (value - from) / (to - from)
+    }
+}
+
 /// Returns a value as near as the slider can be set.
 pub(super) fn settable(slider: &Slider, value: f64) -> f64 {
     if slider.decimals == 0 {

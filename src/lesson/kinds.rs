@@ -10,11 +10,13 @@ mod number;
 mod order;
 mod point;
 mod settings;
+mod shape;
 mod value;
 
 pub use choice::{Choice, ChoiceOption, RightIf};
 pub use curve::{CURVE_POINTS, Curve, CurveOf};
 pub use extreme::Extreme;
+pub(super) use lettered::Bars;
 pub use lettered::letter;
 pub use matching::{Match, MatchValues, picture_distance};
 pub use number::short_number;
@@ -25,7 +27,7 @@ pub use value::Value;
 
 use super::html::Html;
 use super::read::keys::{KeyReader, Keys};
-use super::{Grade, LabPlace};
+use super::{AnswerKey, Grade, LabPlace};
 use crate::render::Frame;
 use kind::{AnyKind, Predictions, Printed, QuestionKind};
 use serde::{Deserialize, Serialize};
@@ -91,6 +93,24 @@ macro_rules! kinds {
                 }
             }
 
+            /// Returns the keys by which a wrong model is given.
+            pub(super) fn model_keys(&self) -> &'static [&'static str] {
+                match self {
+                    $(Self::$name(_) => <$name as QuestionKind>::MODEL_KEYS,)+
+                }
+            }
+
+            /// Finds the answer of a wrong model in a scene.
+            pub(super) fn solve_wrong(
+                &self,
+                place: LabPlace<'_>,
+                seed: u64,
+            ) -> Result<Solution, String> {
+                match self {
+                    $(Self::$name(kind) => kind.solve_wrong(place, seed).map(Solution::$name),)+
+                }
+            }
+
             /// Finds the right answer in a scene.
             pub(super) fn solve(&self, place: LabPlace<'_>, seed: u64) -> Result<Solution, String> {
                 match self {
@@ -110,12 +130,33 @@ macro_rules! kinds {
             pub(super) fn grade(
                 &self,
                 given: &Answer,
-                right: &Solution,
+                key: &AnswerKey,
                 place: LabPlace<'_>,
             ) -> Option<Grade> {
-                match (self, given, right) {
+                match (self, given, &key.right) {
                     $((Self::$name(kind), Answer::$name(given), Solution::$name(right)) => {
-                        kind.grade(given, right, place)
+                        let wrong = key.wrong.iter().map(|wrong| match wrong {
+                            Solution::$name(wrong) => Some(wrong),
+                            _ => None,
+                        });
+                        let wrong: Vec<_> = wrong.collect::<Option<_>>()?;
+                        kind.grade(given, right, &wrong, place)
+                    })+
+                    _ => None,
+                }
+            }
+
+            /// Returns how many tolerances the answer of a wrong model is away from the right one.
+            pub(super) fn separation(
+                &self,
+                wrong: &Solution,
+                right: &Solution,
+                place: LabPlace<'_>,
+            ) -> Option<f64> {
+                match (self, wrong, right) {
+                    $((Self::$name(kind), Solution::$name(wrong), Solution::$name(right)) => {
+                        let off = kind.off(&$name::right(wrong), right, place)?;
+                        Some(off / kind.tolerance())
                     })+
                     _ => None,
                 }

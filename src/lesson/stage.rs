@@ -61,6 +61,9 @@ impl Stage {
     /// Longest settings of a step, with those that it takes over, in bytes.
     pub const MAX_SETTINGS: usize = 1 << 15;
 
+    /// The farthest that a place may be from the middle of the picture, in units of its shorter side.
+    pub const FARTHEST: f64 = 8.0;
+
     /// Loads the scene; files are looked for in `folder`.
     ///
     /// # Errors
@@ -119,7 +122,7 @@ impl Stage {
 
     /// Checks what can be checked without loading anything.
     pub(super) fn check(&self) -> Result<(), String> {
-        let far = |place: &DVec2| !(place.x.abs() <= 8.0 && place.y.abs() <= 8.0);
+        let far = |place: &DVec2| !place.to_array().iter().all(|x| x.abs() <= Self::FARTHEST);
         let places = self.probe.iter().chain(self.line.iter().flatten());
         if places.into_iter().any(far) {
             return Err(text!("lesson-far").to_owned());

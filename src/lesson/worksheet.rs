@@ -6,7 +6,7 @@ use super::class::ClassQuestion;
 use super::html::{Element, Html, element};
 use super::kinds::kind::Printed;
 use super::page::{blank_picture, blocks, inline, page, picture};
-use super::{Budget, Lab, Lesson, LessonError, Question, Stage, Staged, Step};
+use super::{Budget, Lab, Lesson, LessonError, Question, Solution, Stage, Staged, Step};
 use crate::analysis::comparison::{comparison_sheet, draw_panes, panes_on_sheet};
 use crate::analysis::normals::{NormalField, VertexNormal, draw_normals};
 use crate::analysis::overlay::{OverlayLayer, OverlayOptions};
@@ -181,12 +181,11 @@ impl StepPart {
             question: None,
         };
         if let Some(asks) = &step.question {
-            let mut asked = ClassQuestion::filled(index, asks, place).map_err(wrong)?;
+            let asked = ClassQuestion::filled(index, asks, place).map_err(wrong)?;
             let target = asks.kind.asks().shows_target();
-            if sheet.answers || target && sheet.samples > 0 {
-                let solution = asks.solve(place, sheet.seed);
-                asked.solution = Some(solution.map_err(question)?);
-            }
+            let wanted = sheet.answers || target && sheet.samples > 0;
+            let right = wanted.then(|| asks.solve(place, sheet.seed));
+            let right = right.transpose().map_err(question)?;
             let printed = Printed {
                 ask: &asked.ask,
                 options: &asked.options,
@@ -196,10 +195,10 @@ impl StepPart {
                 seed: sheet.seed,
                 without_pictures: sheet.samples == 0,
             };
-            let blank = asks.kind.blank(&printed, asked.solution.as_ref());
+            let blank = asks.kind.blank(&printed, right.as_ref());
             part.question = Some(QuestionPart {
                 blank: blank.map_err(question)?.line(rules()),
-                answer: answer(&asked, asks, &frame),
+                answer: answer(&asked, asks, right.as_ref(), &frame),
                 ask: asked.ask,
             });
         }
@@ -208,8 +207,13 @@ impl StepPart {
 }
 
 /// Returns the right answer and its explanation as HTML.
-fn answer(asked: &ClassQuestion, question: &Question, picture: &Frame) -> Html {
-    let Some(right) = &asked.solution else {
+fn answer(
+    asked: &ClassQuestion,
+    question: &Question,
+    right: Option<&Solution>,
+    picture: &Frame,
+) -> Html {
+    let Some(right) = right else {
         return Html::new();
     };
     let drawing = question.kind.drawing(right, picture);

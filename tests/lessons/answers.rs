@@ -4,7 +4,7 @@
 use crate::common::lessons::EVERY_KIND;
 use glam::DVec2;
 use shading_lab::lesson::{
-    Answer, CURVE_POINTS, Grade, Lab, Lesson, Question, Solution, Staged, check,
+    Answer, AnswerKey, CURVE_POINTS, Grade, Lab, Lesson, Question, Solution, Staged, check,
 };
 use shading_lab::scene::Scene;
 use std::process::Command;
@@ -42,6 +42,11 @@ impl Room {
         self.question.solve(place, 1).expect("a solution")
     }
 
+    fn key(&self) -> AnswerKey {
+        let place = self.lab.place(&self.staged);
+        self.question.solve_all(place, 1).expect("a solution")
+    }
+
     fn refused(&self) -> String {
         let place = self.lab.place(&self.staged);
         self.question.solve(place, 1).expect_err("no solution")
@@ -49,7 +54,7 @@ impl Room {
 
     fn grade(&self, answer: &Answer) -> Grade {
         let place = self.lab.place(&self.staged);
-        let grade = self.question.grade(answer, &self.solve(), place);
+        let grade = self.question.grade(answer, &self.key(), place);
         grade.unwrap_or_else(|| panic!("{answer:?} cannot be graded"))
     }
 
@@ -85,17 +90,13 @@ fn an_answer_of_another_kind_is_not_graded() {
         .collect();
     for room in &rooms {
         let place = room.lab.place(&room.staged);
-        let solution = room.solve();
+        let key = room.key();
         for answer in &answers {
-            let same =
-                std::mem::discriminant(answer) == std::mem::discriminant(&Answer::right(&solution));
+            let same = std::mem::discriminant(answer)
+                == std::mem::discriminant(&Answer::right(&key.right));
             if !same {
                 assert!(!answer.fits(&room.question.kind), "{answer:?}");
-                assert_eq!(
-                    room.question.grade(answer, &solution, place),
-                    None,
-                    "{answer:?}"
-                );
+                assert_eq!(room.question.grade(answer, &key, place), None, "{answer:?}");
             }
         }
     }
@@ -255,7 +256,7 @@ fn a_curve_is_compared_point_by_point() {
     }
     let moved = |by: f64| Answer::Curve(curve.iter().map(|[_, y]| Some(y + by)).collect());
     room.marks(&[
-        moved(0.11),
+        moved(0.16),
         moved(-0.5),
         Answer::Curve(vec![Some(0.0); CURVE_POINTS]),
         Answer::Curve(vec![Some(1.0); CURVE_POINTS]),
@@ -271,7 +272,7 @@ fn a_curve_is_compared_point_by_point() {
     };
     assert!(room.grade(&drawn(60)).right);
     let place = room.lab.place(&room.staged);
-    assert_eq!(room.question.grade(&drawn(40), &room.solve(), place), None);
+    assert_eq!(room.question.grade(&drawn(40), &room.key(), place), None);
 
     let flat = Room::new(
         "\"material.n=4\"]",
@@ -416,4 +417,185 @@ fn a_pane_is_called_as_its_step_says() {
         room.staged.scene.compare.panes[0].set,
         ["reflection.model=blinn"]
     );
+}
+
+/// Returns the feedback to an answer, with the question's own words.
+fn feedback(room: &Room, answer: &Answer) -> String {
+    let place = room.lab.place(&room.staged);
+    let says = room.question.says().into_iter();
+    let says: Vec<String> = says
+        .map(|prose| prose.filled(&place).expect("a text"))
+        .collect();
+    let names = room.question.names().into_iter();
+    let names: Vec<String> = names
+        .map(|prose| prose.filled(&place).expect("a text"))
+        .collect();
+    let grade = room.grade(answer);
+    room.question
+        .feedback(&grade, &says, &names)
+        .unwrap_or_default()
+}
+
+#[test]
+fn an_answer_nearer_to_a_wrong_model_is_not_right() {
+    let question = "kind = \"value\"\nanswer = \"1/9\"\ntolerance = 0.1\nfrom = 0\nto = 1\n\
+        [[wrong]]\nanswer = \"1/3\"\nsays = \"Linear.\"\n[[wrong]]\nanswer = \"1/27\"\nsays = \"Cubic {{ 1/27 | 2 }}.\"";
+    let room = Room::new("\"material.n=4\"]", question);
+    let verdict = |value: f64| {
+        let grade = room.grade(&Answer::Value(value));
+        (grade.right, grade.model)
+    };
+    assert_eq!(verdict(1.0 / 9.0), (true, None));
+    // Within the tolerance, on either side of half-way to 1/27.
+    assert_eq!(verdict(0.075), (true, None));
+    assert_eq!(verdict(0.073), (false, Some(1)));
+    assert_eq!(room.grade(&Answer::Value(0.073)).score, 0.0);
+    // Beyond the tolerance of every model, however near to one of them.
+    assert_eq!(verdict(0.44), (false, None));
+    assert_eq!(feedback(&room, &Answer::Value(0.3)), "Linear.");
+    assert_eq!(feedback(&room, &Answer::Value(0.03)), "Cubic 0.04.");
+    assert_eq!(
+        feedback(&room, &Answer::Value(0.44)),
+        english!("lesson-hint-high")
+    );
+    assert_eq!(feedback(&room, &Answer::Value(1.0 / 9.0)), "");
+}
+
+#[test]
+fn each_kind_says_where_an_answer_is_off() {
+    let angle = "kind = \"curve\"\nx = [0, 90]\ny = [0, 1]\nunit = \"°\"\nanswer = \"cos(x)\"";
+    let room = Room::new("\"material.n=4\"]", angle);
+    let curve = |of: fn(f64) -> f64| {
+        let points = (0..CURVE_POINTS).map(|index| {
+            let x = 90.0 * index as f64 / (CURVE_POINTS - 1) as f64;
+            Some(of(x))
+        });
+        Answer::Curve(points.collect())
+    };
+    let cos = |x: f64| x.to_radians().cos();
+    for (of, words) in [
+        (
+            (|x| 0.5 + 0.5 * x.to_radians().cos()) as fn(f64) -> f64,
+            "Too high beyond",
+        ),
+        (|_| 0.9, "Too high beyond"),
+        (|x| x.to_radians().cos() - 0.25, "Too low everywhere"),
+        (
+            |x| if x < 45.0 { 0.5 } else { x.to_radians().cos() },
+            "Too low up to",
+        ),
+    ] {
+        let words_given = feedback(&room, &curve(of));
+        assert!(words_given.starts_with(words), "{words}: {words_given}");
+        assert!(
+            words.ends_with("everywhere") || words_given.ends_with("°."),
+            "{words_given}"
+        );
+    }
+    let wave = feedback(
+        &room,
+        &curve(|x| x.to_radians().cos() + 0.08 * (12.0 * x).to_radians().sin()),
+    );
+    assert!(wave.contains("slope") || wave.contains("steep"), "{wave}");
+    assert!(room.grade(&curve(|x| x.to_radians().cos() + 0.02)).right);
+    assert!(
+        room.grade(&Answer::Curve(
+            (0..CURVE_POINTS)
+                .map(|index| Some(cos(90.0 * index as f64 / 64.0)))
+                .collect()
+        ))
+        .right
+    );
+
+    let place = "kind = \"point\"\nfind = \"greatest\"\nof = \"1 - length(probe.position)\"\ntolerance = 0.03";
+    let place = place.replace(
+        "length(probe.position)",
+        "abs(probe.position[0]) - abs(probe.position[1])",
+    );
+    let room = Room::new("\"light.0.direction=[0,0,-1]\"]", &place);
+    let far = feedback(&room, &Answer::Point([0.2, 0.0]));
+    assert!(far.starts_with(english!("lesson-hint-out")), "{far}");
+    assert!(far.contains("of its maximum"), "{far}");
+    assert_eq!(
+        feedback(&room, &Answer::Point([0.49, 0.49])),
+        english!("lesson-hint-beside")
+    );
+
+    let line =
+        "kind = \"point\"\nfind = \"zero\"\nof = \"probe.position[0] - 0.3\"\ntolerance = 0.03";
+    let room = Room::new("\"light.0.direction=[0,0,-1]\"]", line);
+    assert_eq!(
+        feedback(&room, &Answer::Point([-0.2, 0.2])),
+        english!("lesson-hint-left")
+    );
+
+    let item = |n: u32| format!("[[item]]\ntext = \"n is {n}\"\nset = [\"material.n={n}\"]\n");
+    let items = [item(5), item(50), item(500)].concat();
+    let room = Room::new(
+        "\"material.n=1\"]",
+        &format!("kind = \"order\"\nby = \"scene.material.n\"\n{items}"),
+    );
+    let moved = feedback(&room, &Answer::Order(vec![1, 2, 0]));
+    assert_eq!(
+        moved,
+        english!("lesson-hint-late", item = "n is 5", places = 2)
+    );
+    let score = room.grade(&Answer::Order(vec![1, 0, 2])).score;
+    assert!((score - 2.0 / 3.0).abs() < 1e-12, "{score}");
+
+    let setting = "kind = \"settings\"\ncontrol = \"material.n\"\nreach = \"half_width\"\nequals = \"10\"\ntolerance = 0.5\n\
+        [[wrong]]\nequals = \"5\"\nsays = \"Whole.\"\n[[wrong]]\nanswer = \"10\"\nsays = \"Degrees.\"";
+    let room = Room::new("\"material.n=5\"]", setting);
+    assert_eq!(feedback(&room, &Answer::Settings(10.0)), "Degrees.");
+    assert_eq!(feedback(&room, &Answer::Settings(182.0)), "Whole.");
+    assert_eq!(
+        feedback(&room, &Answer::Settings(600.0)),
+        english!("lesson-hint-control-high", name = "n")
+    );
+}
+
+#[test]
+fn check_refuses_wrong_models_that_cannot_be_told_apart() {
+    let lesson = |wrong: &str| {
+        let source = format!(
+            "+++\nlesson = 1\nname = \"a\"\ntitle = \"A\"\n+++\n## A\n```step\nscene = \"sphere\"\n```\n```question\nask = \"?\"\n\
+             kind = \"value\"\nanswer = \"0.5\"\ntolerance = 0.1\nfrom = 0\nto = 1\n{wrong}```\n"
+        );
+        check(&Lesson::read(&source, None).expect("a lesson"))
+    };
+    let wrong = |answer: &str| format!("[[wrong]]\nsays = \"No.\"\nanswer = \"{answer}\"\n");
+    let remarks = lesson(&wrong("0.7")).expect("sound");
+    assert_eq!(remarks.len(), 1);
+    assert_eq!(
+        (remarks[0].line, &*remarks[0].words),
+        (18, &*english!("lesson-apart", number = 1, apart = "2.0"))
+    );
+    let none = lesson("").expect("sound");
+    assert_eq!(none[0].words, english!("lesson-no-wrong"));
+    for (wrongs, words) in [
+        (
+            wrong("0.5"),
+            english!("lesson-wrong-near", apart = "0.00", least = "0.5"),
+        ),
+        (
+            wrong("0.54"),
+            english!("lesson-wrong-near", apart = "0.40", least = "0.5"),
+        ),
+        (
+            wrong("1.5"),
+            english!("lesson-wrong-value-outside", value = "1.5000"),
+        ),
+        (
+            [wrong("0.7"), wrong("0.7")].concat(),
+            english!("lesson-wrong-same", other = 1),
+        ),
+        (wrong("scene.nothing"), "scene.nothing".to_owned()),
+        (
+            "[[wrong]]\nanswer = \"0.7\"\nsays = \"{{ scene.nothing }}\"\n".to_owned(),
+            "scene.nothing".to_owned(),
+        ),
+    ] {
+        let error = lesson(&wrongs).expect_err("refused").to_string();
+        assert!(error.contains(&words), "{wrongs}: {error}");
+    }
 }

@@ -54,7 +54,7 @@ fn no_lesson_takes_a_tenth_of_the_work_that_it_may() {
                 step.text.filled(&place).expect("a text");
                 if let Some(question) = &step.question {
                     question.why.filled(&place).expect("a text");
-                    question.solve(place, 7).expect("a solution");
+                    question.solve_all(place, 7).expect("a solution");
                 }
                 lab.work() + work_of_pictures(step, &staged)
             };
@@ -156,18 +156,18 @@ fn the_right_answer_scores_full_marks_and_a_wrong_one_does_not() {
             let staged = step.stage.load(None).expect("a scene");
             let lab = Lab::new(&staged);
             let place = lab.place(&staged);
-            let solution = question.solve(place, 7).expect("a solution");
+            let key = question.solve_all(place, 7).expect("a solution");
             let what = format!("{}, {}", lesson.name, step.title);
-            let right = Answer::right(&solution);
+            let right = Answer::right(&key.right);
             assert!(right.fits(&question.kind), "{what}");
-            let grade = question.grade(&right, &solution, place).expect("a grade");
+            let grade = question.grade(&right, &key, place).expect("a grade");
             assert!(grade.right && grade.score >= 0.999, "{what}: {grade:?}");
-            let wrong = wrong_answers(question, &solution, &staged);
+            let wrong = wrong_answers(question, &key.right, &staged);
             for answer in &wrong {
-                let grade = question.grade(answer, &solution, place).unwrap_or_default();
+                let grade = question.grade(answer, &key, place).unwrap_or_default();
                 assert!(
                     !grade.right && grade.score < 1.0,
-                    "{what}: {answer:?} counts as right: {solution:?}"
+                    "{what}: {answer:?} counts as right: {key:?}"
                 );
             }
             assert!(!wrong.is_empty(), "{what}: every answer is right");
@@ -198,8 +198,8 @@ fn half_of_the_change_along_the_scan_line_is_in_its_middle() {
     let staged = step.stage.load(None).expect("a scene");
     let lab = Lab::new(&staged);
     let place = lab.place(&staged);
-    let solution = question.solve(place, 1).expect("a solution");
-    let Solution::Point(places) = &solution else {
+    let key = question.solve_all(place, 1).expect("a solution");
+    let Solution::Point(places) = &key.right else {
         panic!("places");
     };
     assert!(places[0].length() < 0.01, "{places:?}");
@@ -210,7 +210,7 @@ fn half_of_the_change_along_the_scan_line_is_in_its_middle() {
         (0.0, 0.1, false),
         (0.1, 0.0, false),
     ] {
-        let grade = question.grade(&Answer::Point([x, y]), &solution, place);
+        let grade = question.grade(&Answer::Point([x, y]), &key, place);
         assert_eq!(grade.map(|grade| grade.right), Some(right), "({x}, {y})");
     }
 }
@@ -223,24 +223,34 @@ fn without_words(step: &Step) -> String {
         let mut question = question.clone();
         question.line = 0;
         (question.ask, question.why) = Default::default();
-        match &mut question.kind {
-            Kind::Choice(kind) => {
-                kind.options
-                    .iter_mut()
-                    .for_each(|option| option.text = Default::default());
-            }
-            Kind::Order(kind) => {
-                kind.items
-                    .iter_mut()
-                    .for_each(|item| item.text = Default::default());
-            }
-            Kind::Curve(kind) => (kind.x_name, kind.y_name) = Default::default(),
-            Kind::Value(kind) => kind.unit.clear(),
-            _ => {}
+        clear_words(&mut question.kind);
+        for wrong in &mut question.wrong {
+            wrong.line = 0;
+            wrong.says = Default::default();
+            clear_words(&mut wrong.kind);
         }
         question
     });
     format!("{stage:?} {question:?}")
+}
+
+/// Clears the words of a kind of question.
+fn clear_words(kind: &mut Kind) {
+    match kind {
+        Kind::Choice(kind) => {
+            for option in &mut kind.options {
+                (option.text, option.says) = Default::default();
+            }
+        }
+        Kind::Order(kind) => {
+            kind.items
+                .iter_mut()
+                .for_each(|item| item.text = Default::default());
+        }
+        Kind::Curve(kind) => (kind.x_name, kind.y_name) = Default::default(),
+        Kind::Value(kind) => kind.unit.clear(),
+        _ => {}
+    }
 }
 
 #[test]

@@ -573,3 +573,187 @@ fn arithmetic_is_that_of_rust() {
         }
     }
 }
+
+#[test]
+fn a_wrong_model_is_the_question_with_other_keys() {
+    let source = [
+        ("to = 1\nunit = \"m\"", "answer = \"1\""),
+        (
+            "find = \"least\"\nof = \"probe.position[0]^2 + probe.position[1]^2\"\ntolerance = 0.06",
+            "at = [0.25, -0.5]",
+        ),
+        (
+            "find = \"zero\"\nof = \"probe.position[0]\"\ntolerance = 0.04",
+            "of = \"probe.position[1]\"",
+        ),
+        ("answer = \"cos(x)\"", "profile = \"flat\""),
+        (
+            "tolerance = 0.02\nprofile = \"phong\"",
+            "set = [\"material.n=1\"]",
+        ),
+        ("equals = \"30\"\ntolerance = 1", "answer = \"15\""),
+        ("most = true\ntolerance = 0.05", "least = true"),
+        (
+            "set = [\"material.kd=0.2\"]\ncontrols = [\"material.kd\"]",
+            "set = [\"material.kd=0.7\"]",
+        ),
+        (
+            "controls = [\"material.kd\", \"material.ks\"]",
+            "set = [\"material.kd=0.1\"]",
+        ),
+    ];
+    let source = source
+        .iter()
+        .fold(EVERY_KIND.to_owned(), |text, (after, key)| {
+            assert!(text.contains(after), "{after}");
+            let wrong = format!("{after}\n[[wrong]]\nsays = \"No: {{{{ 1 | 0 }}}}.\"\n{key}");
+            text.replacen(after, &wrong, 1)
+        });
+    let source = source.replacen("text = \"No\"", "text = \"No\"\nsays = \"1 < 2.\"", 1);
+    let lesson = Lesson::read(&source, None).unwrap_or_else(|error| panic!("{error}\n{source}"));
+    let questions: Vec<_> = lesson
+        .steps
+        .iter()
+        .filter_map(|step| step.question.as_ref())
+        .collect();
+    let wrong: Vec<_> = questions
+        .iter()
+        .flat_map(|question| &question.wrong)
+        .collect();
+    assert_eq!(wrong.len(), 9);
+    let lines = source
+        .lines()
+        .enumerate()
+        .filter(|(_, line)| line.contains("No: {{"));
+    let lines: Vec<u64> = lines.map(|(index, _)| index as u64 + 1).collect();
+    assert_eq!(
+        wrong.iter().map(|wrong| wrong.line).collect::<Vec<_>>(),
+        lines
+    );
+    assert!(
+        matches!(&wrong[1].kind, Kind::Point(Point { find: Find::At(at), .. }) if at.to_array() == [0.25, -0.5])
+    );
+    // What is not given is that of the question.
+    assert!(
+        matches!(&wrong[2].kind, Kind::Point(Point { find: Find::Zero(_), tolerance }) if *tolerance == 0.04)
+    );
+    assert!(matches!(
+        &wrong[3].kind,
+        Kind::Curve(Curve {
+            of: CurveOf::Profile(ShadingMode::Flat),
+            ..
+        })
+    ));
+    assert!(matches!(
+        &wrong[4].kind,
+        Kind::Curve(Curve {
+            of: CurveOf::Profile(ShadingMode::Phong),
+            ..
+        })
+    ));
+    assert_eq!(wrong[4].set, ["material.n=1"]);
+    assert!(matches!(
+        &wrong[5].kind,
+        Kind::Settings(Settings {
+            goal: Goal::Value(_),
+            ..
+        })
+    ));
+    assert!(matches!(
+        &wrong[6].kind,
+        Kind::Settings(Settings {
+            goal: Goal::Extreme(Extreme::Least),
+            ..
+        })
+    ));
+    assert_eq!(wrong[7].set, ["material.kd=0.2", "material.kd=0.7"]);
+    assert!(matches!(
+        &wrong[8].kind,
+        Kind::Match(Match {
+            values: MatchValues::Given,
+            ..
+        })
+    ));
+    let says = questions[0].says();
+    assert_eq!([says[0].is_empty(), says[1].is_empty()], [true, false]);
+    let without: Vec<usize> = (0..questions.len())
+        .filter(|index| !questions[*index].knows_wrong())
+        .collect();
+    assert_eq!(without, [1, 9], "choice by scenes and order have none");
+}
+
+#[test]
+fn a_wrong_model_that_is_none_is_refused_with_its_line() {
+    let value = "to = 1\nunit = \"m\"";
+    let point = "of = \"probe.position[0]\"\ntolerance = 0.04";
+    let wrong = |key: &str| format!("[[wrong]]\nsays = \"No.\"\n{key}");
+    let keys = |kind: &str| english!("lesson-wrong-keys", words = kind);
+    for (after, added, words) in [
+        (
+            value,
+            "[[wrong]]\nanswer = \"1\"".to_owned(),
+            "says".to_owned(),
+        ),
+        (value, wrong(""), keys("answer, set")),
+        (value, wrong("profile = \"flat\""), keys("answer, set")),
+        (value, wrong("answers = \"1\""), "unknown field".to_owned()),
+        (value, wrong("answer = \"1 +\""), "`answer`".to_owned()),
+        (
+            value,
+            "[[wrong]]\nsays = \" \"\nanswer = \"1\"".to_owned(),
+            "`says`".to_owned(),
+        ),
+        (
+            value,
+            "[[wrong]]\nsays = \"{{ 1\"\nanswer = \"1\"".to_owned(),
+            english!("lesson-number-open").to_owned(),
+        ),
+        (
+            point,
+            wrong("at = [0, 9]"),
+            english!("lesson-at").to_owned(),
+        ),
+        (
+            point,
+            wrong("at = [nan, 0]"),
+            english!("lesson-at").to_owned(),
+        ),
+        (point, wrong("find = \"lowest\""), "`find`".to_owned()),
+        (
+            point,
+            wrong("equals = \"1\""),
+            keys("find, of, mode, at, set"),
+        ),
+        (
+            "tolerance = 0.02\nprofile = \"phong\"",
+            wrong("profile = \"smooth\""),
+            "`profile`".to_owned(),
+        ),
+        (
+            "equals = \"30\"\ntolerance = 1",
+            wrong("most = true\nleast = true"),
+            "`equals`".to_owned(),
+        ),
+        (
+            "text = \"No\"\nholds = \"1 > 2\"",
+            wrong("answer = \"1\""),
+            english!("lesson-wrong-choice").to_owned(),
+        ),
+    ] {
+        let error = problems(after, &format!("{after}\n{added}"));
+        let first = 1 + EVERY_KIND[..EVERY_KIND.find(after).expect("there")]
+            .matches('\n')
+            .count();
+        let first = first + after.matches('\n').count() + 1;
+        let span = first as u64..=(first + added.matches('\n').count()) as u64;
+        assert!(span.contains(&error.problems[0].line), "{added}: {error}");
+        assert!(error.to_string().contains(&words), "{added}: {error}");
+        assert_eq!(error.problems.len(), 1, "{added}: {error}");
+    }
+    let many = format!("{value}\n{}", wrong("answer = \"1\"\n").repeat(9));
+    let error = problems(value, &many).to_string();
+    assert!(
+        error.contains(&english!("lesson-many-wrong", most = 8)),
+        "{error}"
+    );
+}

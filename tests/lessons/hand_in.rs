@@ -36,6 +36,9 @@ answer = "cos(60)"
 tolerance = 0.05
 from = -1
 to = 1
+[[wrong]]
+answer = "cos(45)"
+says = "That is the cosine of <45°>."
 ```
 
 ## One option
@@ -45,6 +48,7 @@ kind = "choice"
 ask = "Which is greater?"
 [[option]]
 text = "One"
+says = "Two is more than one."
 right = false
 [[option]]
 text = "Two"
@@ -373,8 +377,22 @@ fn a_class_is_graded_and_nothing_stops_at_a_bad_file() {
             );
             assert_eq!(answer["right"], knows && answered, "{student} {question}");
             assert_eq!(answer["given"].is_null(), !answered);
+            // Wrong answers to the first two questions are those of their wrong models, each the first one.
+            let model = (question < 2 && !knows).then_some(0);
+            assert_eq!(answer["model"], json!(model), "{student} {question}");
+            assert_eq!(answer["prediction_model"], answer["model"]);
         }
     }
+    let [value, choice] = [0, 1].map(|question| &object["questions"][question]["models"]);
+    let ignorant = (0..STUDENTS).filter(|student| !knows(*student)[0]).count();
+    let share = ignorant as f64 / STUDENTS as f64;
+    let row = json!({ "model": 0, "says": "That is the cosine of <45°>.", "count": ignorant, "share": share });
+    assert_eq!(value, &json!([row]));
+    assert_eq!(
+        choice.as_array().map(Vec::len),
+        Some(1),
+        "the right option is no model"
+    );
 
     let table = fs::read_to_string(folder.join("class.csv")).expect("a table");
     let mut rows = csv::Reader::from_reader(table.as_bytes());
@@ -388,6 +406,11 @@ fn a_class_is_graded_and_nothing_stops_at_a_bad_file() {
     let page = fs::read_to_string(folder.join("class.html")).expect("a page");
     assert!(page.contains("&lt;script&gt;alert(1)") && !page.contains("<script"));
     assert_eq!(page.matches(" opacity=\"0.55\"").count(), STUDENTS);
+    assert_eq!(
+        page.matches("That is the cosine of &lt;45°&gt;.").count(),
+        1
+    );
+    assert!(page.contains(english!("class-models")));
     assert!(page.contains("data:image/png;base64,") && !page.contains("http://x\">"));
 }
 
@@ -416,6 +439,7 @@ fn the_table_says_who_is_right() {
         "{}",
         String::from_utf8_lossy(&output.stderr)
     );
+    assert!(table.contains("1× That is the cosine of <45°>."), "{table}");
     let title = english!("class-title", title = "A lecturer's own", students = 3);
     assert!(table.contains(&title), "{table}");
     assert!(
@@ -512,7 +536,7 @@ fn a_spreadsheet_takes_no_name_for_a_formula() {
     let table = fs::read_to_string(folder.join("class.csv")).expect("a table");
     let rows: Vec<&str> = table.lines().skip(1).collect();
     for (row, expected) in rows.iter().zip([
-        "\"a;'+0.png\",\"Ada;'=1+1\",own-lesson,2,4,0.500,0.5,1,B,1,,0,,0",
+        "\"a;'+0.png\",\"Ada;'=1+1\",own-lesson,2,4,0.500,0.5,1,,B,1,,,0,,,0,",
         "\"a;'+1.png\",'＝1+1,own-lesson,",
         "\"a;'+2.png\",'\u{200b}=1+1,own-lesson,",
         "\"a;'+3.png\",'\u{feff}@SUM(A1),own-lesson,",

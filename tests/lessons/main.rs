@@ -10,4 +10,5 @@ mod course;
 mod format;
 mod fuzz;
 mod hand_in;
+mod models;
 mod worksheet;

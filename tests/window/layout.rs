@@ -409,7 +409,7 @@ fn every_step_of_a_lesson_fits_at_every_size_in_both_languages() {
                         let known = open.and_then(|open| open.known());
                         known.is_some_and(|known| {
                             let known = known.as_ref().expect("texts");
-                            known.solution.is_some()
+                            known.key.is_some()
                         })
                     });
                     assert!(known, "step {step}");

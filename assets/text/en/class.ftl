@@ -52,3 +52,4 @@ class-mark = Mark the place in the picture with a cross.
 class-start = Start
 class-target = Target (seed { $seed })
 class-range = A number from { $from } to { $to } { $unit }
+class-models = First answers that follow a wrong model

@@ -50,6 +50,7 @@ course-curve-whole = Draw the curve over the whole width.
 course-curve-clear = Clear
 course-curve-yours = — yours
 course-curve-right = — right
+course-curve-wrong = — the wrong model
 course-mark-yours = yours
 course-mark-right = right
 

@@ -75,3 +75,49 @@ lesson-not-right = the right answer does not count as right
 lesson-match-same = the target looks like the picture at the start
 lesson-question = the question: { $words }
 lesson-file = a lesson
+
+lesson-wrong = wrong model { $number }: { $words }
+lesson-wrong-keys = expected at least one key that changes the answer: { $words }
+lesson-wrong-choice = in a choice each wrong [[option]] has its own `says`
+lesson-many-wrong = a question has at most { $most } wrong models
+lesson-wrong-value-outside = its answer is { $value }, which cannot be entered: expected `from` to `to`
+lesson-wrong-near = its answer is { $apart } tolerances away from the right one, expected at least { $least }
+lesson-wrong-same = its answer is that of wrong model { $other }
+lesson-wrong-unfit = its answer cannot be graded
+lesson-right-says = the right option has `says`, which is for wrong ones
+lesson-apart = wrong model { $number } is { $apart } tolerances away from the right answer
+lesson-no-wrong = the question has no wrong model
+lesson-at = in units of the picture's shorter side, from its middle: expected −8 to 8
+
+lesson-hint-high = Too high.
+lesson-hint-low = Too low.
+lesson-hint-control-high = { $name } is too high.
+lesson-hint-control-low = { $name } is too low.
+lesson-hint-curve = { $fault } { $span }.
+lesson-hint-high-there = Too high
+lesson-hint-low-there = Too low
+lesson-hint-not-zero = Not zero, as it should be,
+lesson-hint-not-level = Not level, as it should be,
+lesson-hint-steep = Too steep
+lesson-hint-shallow = Not steep enough
+lesson-hint-bent = The slope changes in the wrong places
+lesson-hint-everywhere = everywhere
+lesson-hint-up-to = up to { $to }
+lesson-hint-beyond = beyond { $from }
+lesson-hint-between = between { $from } and { $to }
+lesson-hint-left = Too far to the left.
+lesson-hint-right = Too far to the right.
+lesson-hint-up = Too high in the picture.
+lesson-hint-down = Too low in the picture.
+lesson-hint-out = Too far from the middle of the picture.
+lesson-hint-in = Too near the middle of the picture.
+lesson-hint-share = { $side } The quantity there is { $share } of its maximum.
+lesson-hint-beside = That is not on the object.
+lesson-hint-early = “{ $item }” is { $places ->
+    [one] one place
+   *[other] { $places } places
+ } too early.
+lesson-hint-late = “{ $item }” is { $places ->
+    [one] one place
+   *[other] { $places } places
+ } too late.

@@ -43,3 +43,4 @@ class-mark = 請在圖片中的位置畫叉。
 class-start = 起始
 class-target = 目標（種子 { $seed }）
 class-range = { $from } 至 { $to } 的數值 { $unit }
+class-models = 符合錯誤模型的第一次作答

@@ -50,6 +50,7 @@ course-curve-whole = 請把曲線畫滿整個寬度。
 course-curve-clear = 清除
 course-curve-yours = — 你的
 course-curve-right = — 正確
+course-curve-wrong = — 錯誤模型
 course-mark-yours = 你的
 course-mark-right = 正確
 

@@ -188,8 +188,11 @@ impl Open {
     pub fn grade(&self, answer: &Answer) -> Option<Grade> {
         let staged = self.staged.as_ref()?;
         let lab = Lab::new(staged);
-        self.question()?
-            .grade(answer, self.solution()?, lab.place(staged))
+        self.question()?.grade(
+            answer,
+            self.known()?.as_ref().ok()?.key()?,
+            lab.place(staged),
+        )
     }
 }
 

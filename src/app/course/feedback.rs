@@ -37,11 +37,14 @@ fn said_ui(ui: &mut Ui, course: &mut Course, session: &mut Session) {
     let Some(answered) = answered else { return };
     if !revealed {
         if let Some(grade) = open.draft.grade {
-            wrong_ui(ui, grade);
+            wrong_ui(ui, open, grade);
         }
         return;
     }
     verdict_ui(ui, &answered);
+    if !answered.grade.right {
+        named_ui(ui, open, answered.grade);
+    }
     right_ui(ui, open, &answered, session);
     if let Some(Ok(known)) = open.known() {
         let why = known.why.clone();
@@ -52,7 +55,7 @@ fn said_ui(ui: &mut Ui, course: &mut Course, session: &mut Session) {
     }
 }
 
-fn wrong_ui(ui: &mut Ui, grade: Grade) {
+fn wrong_ui(ui: &mut Ui, open: &mut Open, grade: Grade) {
     ui.add_space(4.0);
     let words = if grade.score > 0.0 {
         let share = format!("{:.0}", 100.0 * grade.score);
@@ -61,10 +64,20 @@ fn wrong_ui(ui: &mut Ui, grade: Grade) {
         text!("course-wrong").to_owned()
     };
     let words = RichText::new(words).color(ui.visuals().warn_fg_color);
-    let label = ui.add(Label::new(words).wrap());
-    // Screen readers announce it when it appears.
-    _ = label;
+    ui.add(Label::new(words).wrap());
+    named_ui(ui, open, grade);
     ui.add(Label::new(RichText::new(text!("course-try-again")).weak()).wrap());
+}
+
+/// Shows which wrong model the answer agrees with, or where it is off.
+fn named_ui(ui: &mut Ui, open: &mut Open, grade: Grade) {
+    let words = match (open.question(), open.known()) {
+        (Some(question), Some(Ok(known))) => question.feedback(&grade, &known.says, &known.names),
+        _ => None,
+    };
+    if let Some(words) = words {
+        ui.push_id("named", |ui| prose_ui(ui, &mut open.markdown, &words));
+    }
 }
 
 fn verdict_ui(ui: &mut Ui, answered: &Answered) {

@@ -168,8 +168,7 @@ fn marked(
         ask: asked.ask.clone(),
         given,
         right: asked
-            .solution
-            .as_ref()
+            .solution()
             .filter(|_| !question.is_some_and(|question| question.kind.asks().is_drawn()))
             .map(|solution| words(&Answer::right(solution))),
         failure: asked.failure.clone(),

@@ -67,6 +67,7 @@ fn contents_ui(
     requests: &mut Requests,
 ) {
     let revealed = course.revealed();
+    let model = course.answered().and_then(|answered| answered.grade.model);
     let now = ui.input(|input| input.time);
     let Some(open) = &mut course.open else { return };
     open.draft.seen.get_or_insert(now);
@@ -86,6 +87,7 @@ fn contents_ui(
         question,
         names: &known.names,
         solution: known.right(),
+        wrong: known.wrong(model.filter(|_| revealed)),
         revealed,
         staged: open.staged.as_deref(),
         step: (open.opening, open.step),
@@ -115,7 +117,7 @@ fn check_ui(
 ) {
     let Some(open) = &course.open else { return };
     if let Some(Ok(Prepared {
-        solution: Some(Err(why)),
+        key: Some(Err(why)),
         ..
     })) = open.known()
     {

@@ -83,11 +83,10 @@ fn down_ui(ui: &mut Ui, open: &mut Open, seen: Rect) {
 fn prepare(ui: &Ui, course: &mut Course) {
     let seed = course.seed;
     let Some(open) = &mut course.open else { return };
-    if open.known().is_some_and(|known| {
-        known
-            .as_ref()
-            .map_or(true, |known| known.solution.is_some())
-    }) {
+    if open
+        .known()
+        .is_some_and(|known| known.as_ref().map_or(true, |known| known.key.is_some()))
+    {
         return;
     }
     let (opening, step) = (open.opening, open.step);
@@ -102,15 +101,15 @@ fn prepare(ui: &Ui, course: &mut Course) {
     });
     let mut known = open.work.known().cloned();
     if open.work.progress().is_none()
-        && let Some(Ok(Prepared { solution, .. })) = &mut known
-        && solution.is_none()
+        && let Some(Ok(Prepared { key, .. })) = &mut known
+        && key.is_none()
     {
         let none = if open.question().is_some() {
             text!("render-job-ended")
         } else {
             ""
         };
-        *solution = Some(Err(none.to_owned()));
+        *key = Some(Err(none.to_owned()));
     }
     if let Some(known) = known {
         open.prepared.insert(step, known);

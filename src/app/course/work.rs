@@ -4,7 +4,7 @@
 use crate::analysis::Watch;
 use crate::analysis::codec::Codec;
 use crate::jobs::Work;
-use crate::lesson::{Lab, Lesson, Prose, Solution};
+use crate::lesson::{AnswerKey, Lab, Lesson, Prose, Solution};
 use crate::text::text;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
@@ -29,7 +29,10 @@ pub struct Prepared {
     pub why: String,
     /// The texts of options and items, or of the axes of a curve.
     pub names: Vec<String>,
-    pub solution: Option<Result<Solution, String>>,
+    /// What is said of each wrong model, of a choice of each option.
+    pub says: Vec<String>,
+    /// The right answer and those of the wrong models.
+    pub key: Option<Result<AnswerKey, String>>,
     /// True if the step's numbers or its answer are taken at the probe.
     pub at_probe: bool,
 }
@@ -37,7 +40,17 @@ pub struct Prepared {
 impl Prepared {
     /// Returns the right answer, once it is known.
     pub fn right(&self) -> Option<&Solution> {
-        self.solution.as_ref()?.as_ref().ok()
+        self.key().map(|key| &key.right)
+    }
+
+    /// Returns the answer of a wrong model.
+    pub fn wrong(&self, model: Option<usize>) -> Option<&Solution> {
+        self.key()?.wrong.get(model?)
+    }
+
+    /// Returns the right answer and those of the wrong models, once they are known.
+    pub fn key(&self) -> Option<&AnswerKey> {
+        self.key.as_ref()?.as_ref().ok()
     }
 }
 
@@ -63,7 +76,8 @@ impl Work for Prepare {
             ask: String::new(),
             why: String::new(),
             names: Vec::new(),
-            solution: None,
+            says: Vec::new(),
+            key: None,
             at_probe: lab.probe_measured(),
         };
         let Some(question) = &step.question else {
@@ -73,10 +87,12 @@ impl Work for Prepare {
         prepared.why = fill(&question.why)?;
         let names = question.names().into_iter();
         prepared.names = names.map(fill).collect::<Result<_, _>>()?;
+        let says = question.says().into_iter();
+        prepared.says = says.map(fill).collect::<Result<_, _>>()?;
         prepared.at_probe = lab.probe_measured();
         // The student can read the text while the answer is computed.
         watch.found(&prepared);
-        prepared.solution = Some(question.solve(place, self.seed));
+        prepared.key = Some(question.solve_all(place, self.seed));
         prepared.at_probe = lab.probe_measured();
         Ok(prepared)
     }

@@ -6,7 +6,7 @@ use super::lettered::{Bars, letter, lettered, lettered_html};
 use crate::expression::Expression;
 use crate::lesson::html::{Html, element};
 use crate::lesson::read::keys::{KeyReader, Keys, Most};
-use crate::lesson::{Grade, LabPlace, Prose};
+use crate::lesson::{Grade, Hint, LabPlace, Prose};
 use crate::text::text;
 
 /// A choice among several options.
@@ -23,6 +23,8 @@ pub struct Choice {
 pub struct ChoiceOption {
     /// Its text.
     pub text: Prose,
+    /// A sentence that names the misconception of those who choose it; may be empty.
+    pub says: Prose,
     /// The reason why it is right, where the lesson says so or an expression decides.
     pub right: Option<RightIf>,
     /// Settings of its scene.
@@ -53,6 +55,9 @@ impl QuestionKind for Choice {
     type Answer = usize;
     type Solution = usize;
 
+    /// A wrong option says itself what is wrong with it.
+    const MODEL_KEYS: &[&str] = &[];
+
     fn read(keys: &Keys, reader: &mut KeyReader<'_, '_>) -> Option<Self> {
         if !(2..=8).contains(&keys.option.len()) {
             reader.wrong(text!("lesson-options", least = 2, most = 8));
@@ -74,6 +79,7 @@ impl QuestionKind for Choice {
             };
             options.push(ChoiceOption {
                 text: reader.prose(Some(&option.text)),
+                says: reader.prose(option.says.as_ref()),
                 right,
                 set: option.set.clone(),
             });
@@ -108,6 +114,15 @@ impl QuestionKind for Choice {
         }
     }
 
+    /// Checks that the right option does not say what is wrong with it.
+    fn check(&self, right: &usize, _: LabPlace<'_>) -> Result<(), String> {
+        let right = self.options.get(*right);
+        if right.is_some_and(|option| !option.says.is_empty()) {
+            return Err(text!("lesson-right-says").to_owned());
+        }
+        Ok(())
+    }
+
     fn right(right: &usize) -> usize {
         *right
     }
@@ -116,8 +131,29 @@ impl QuestionKind for Choice {
         *given < self.options.len()
     }
 
-    fn grade(&self, given: &usize, right: &usize, _: LabPlace<'_>) -> Option<Grade> {
-        Some(Grade::of(given == right))
+    fn tolerance(&self) -> f64 {
+        0.5
+    }
+
+    /// Returns 0 of the same option, 1 of another one.
+    fn distance(&self, given: &usize, model: &usize, _: LabPlace<'_>) -> Option<f64> {
+        Some(f64::from(u8::from(given != model)))
+    }
+
+    fn fault(&self, _: &usize, _: &usize, _: LabPlace<'_>) -> Option<Hint> {
+        None
+    }
+
+    fn grade(&self, given: &usize, right: &usize, _: &[&usize], _: LabPlace<'_>) -> Option<Grade> {
+        let is_right = given == right;
+        let option = self.options.get(*given);
+        let says = option.is_some_and(|option| !option.says.is_empty());
+        Some(Grade {
+            right: is_right,
+            score: f64::from(u8::from(is_right)),
+            model: (says && !is_right).then_some(*given),
+            ..Grade::default()
+        })
     }
 
     fn short(given: &usize) -> String {

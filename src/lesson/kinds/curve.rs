@@ -1,12 +1,13 @@
 //! A curve that is drawn.
 
 use super::kind::{AnyKind, Predictions, Printed, QuestionKind};
+use super::shape::{distance, hint, pieces};
 use crate::expression::Expression;
 use crate::figure::Drawing;
 use crate::figure::palette::Rgb8;
 use crate::lesson::html::{Html, element};
 use crate::lesson::read::keys::{KeyReader, Keys};
-use crate::lesson::{CurveAxes, Grade, LabPlace, Prose};
+use crate::lesson::{CurveAxes, Hint, LabPlace, Prose};
 use crate::render::Frame;
 use crate::scene::ShadingMode;
 use crate::text::{fixed, text};
@@ -30,9 +31,11 @@ pub struct Curve {
     pub x_name: Prose,
     /// The quantity on the vertical axis.
     pub y_name: Prose,
+    /// The unit behind abscissae; may be empty.
+    pub unit: String,
     /// The right curve.
     pub of: CurveOf,
-    /// The largest mean distance from it that counts as right, as a fraction of `y`.
+    /// The largest distance from it that counts as right, in value and shape, as a fraction of `y`.
     pub tolerance: f64,
 }
 
@@ -65,6 +68,12 @@ impl Curve {
         let mut drawing = axes.on_page();
         draw(&mut drawing);
         Html::made(drawing.to_svg(&axes.words()))
+    }
+
+    /// Returns how far a drawn curve is from another one.
+    fn difference(&self, given: &[Option<f64>], model: &Vec<[f64; 2]>) -> f64 {
+        let model = pieces(&Self::right(model), self.y);
+        distance(&pieces(given, self.y), &model)
     }
 
     /// Evaluates the right curve at its points.
@@ -115,6 +124,8 @@ impl QuestionKind for Curve {
     /// `[x, y]` at [`CURVE_POINTS`] abscissae, evenly.
     type Solution = Vec<[f64; 2]>;
 
+    const MODEL_KEYS: &[&str] = &["answer", "profile"];
+
     fn read(keys: &Keys, reader: &mut KeyReader<'_, '_>) -> Option<Self> {
         let of = match (&keys.profile, &keys.answer) {
             (Some(mode), None) => CurveOf::Profile(reader.mode("profile", mode)?),
@@ -134,6 +145,7 @@ impl QuestionKind for Curve {
             y,
             x_name: reader.prose(keys.x_name.as_ref()),
             y_name: reader.prose(keys.y_name.as_ref()),
+            unit: keys.unit.clone(),
             of,
             tolerance: tolerance?,
         })
@@ -148,11 +160,18 @@ impl QuestionKind for Curve {
             return Err(text!("lesson-curve-outside", value = value));
         }
         let mean = curve.iter().map(|[_, y]| y).sum::<f64>() / curve.len() as f64;
-        let spread = curve.iter().map(|[_, y]| (y - mean).abs()).sum::<f64>();
-        if spread / curve.len() as f64 <= self.tolerance * (high - low) {
+        let level = vec![Some(mean); curve.len()];
+        if self.difference(&level, &curve) <= self.tolerance {
             return Err(text!("lesson-curve-flat").to_owned());
         }
         Ok(curve)
+    }
+
+    /// Evaluates the curve of a wrong model, as far as it can be drawn.
+    fn solve_wrong(&self, place: LabPlace<'_>, _: u64) -> Result<Vec<[f64; 2]>, String> {
+        let [low, high] = self.y;
+        let curve = self.points(place)?.into_iter();
+        Ok(curve.map(|[x, y]| [x, y.clamp(low, high)]).collect())
     }
 
     fn right(right: &Vec<[f64; 2]>) -> Vec<Option<f64>> {
@@ -163,25 +182,29 @@ impl QuestionKind for Curve {
         given.len() == CURVE_POINTS && given.iter().flatten().all(|value| value.is_finite())
     }
 
-    /// Grades a curve by its mean distance; none where too little was drawn.
-    fn grade(
+    fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
+    /// Returns the distance of two curves in value and shape; none where too little was drawn.
+    fn distance(
+        &self,
+        given: &Vec<Option<f64>>,
+        model: &Vec<[f64; 2]>,
+        _: LabPlace<'_>,
+    ) -> Option<f64> {
+        let comparable = given.len() == model.len() && Self::is_whole(given);
+        comparable.then(|| self.difference(given, model))
+    }
+
+    fn fault(
         &self,
         given: &Vec<Option<f64>>,
         right: &Vec<[f64; 2]>,
         _: LabPlace<'_>,
-    ) -> Option<Grade> {
-        if given.len() != right.len() || !Self::is_whole(given) {
-            return None;
-        }
-        let pairs = given.iter().zip(right);
-        let distances: Vec<f64> = pairs
-            .filter_map(|(given, [_, right])| Some((given.as_ref()? - right).abs()))
-            .collect();
-        let mean = distances.iter().sum::<f64>() / distances.len() as f64;
-        Some(Grade::within(
-            mean / (self.y[1] - self.y[0]),
-            self.tolerance,
-        ))
+    ) -> Option<Hint> {
+        let right = pieces(&Self::right(right), self.y);
+        Some(hint(&pieces(given, self.y), &right, [self.x, self.y]))
     }
 
     fn short(_: &Vec<Option<f64>>) -> String {

@@ -3,7 +3,7 @@
 use crate::lesson::html::Html;
 use crate::lesson::page::blank_picture;
 use crate::lesson::read::keys::{KeyReader, Keys};
-use crate::lesson::{Grade, LabPlace, Prose};
+use crate::lesson::{Grade, Hint, LabPlace, Prose};
 use crate::render::Frame;
 
 /// The properties of a question that do not depend on the type of its answer.
@@ -73,14 +73,22 @@ pub trait AnyKind {
 pub trait QuestionKind: AnyKind + Sized {
     /// The answer of a student.
     type Answer;
-    /// The right answer.
+    /// The right answer, or that of a wrong model.
     type Solution;
+
+    /// The keys of a `[[wrong]]` by which a wrong model is given, besides `set`; none where it is given otherwise.
+    const MODEL_KEYS: &[&str];
 
     /// Reads the keys of the kind.
     fn read(keys: &Keys, reader: &mut KeyReader<'_, '_>) -> Option<Self>;
 
     /// Finds the right answer in a scene; `seed` decides what is drawn at random.
     fn solve(&self, place: LabPlace<'_>, seed: u64) -> Result<Self::Solution, String>;
+
+    /// Finds the answer of a wrong model in a scene: it need not be the only one, but one that can be given.
+    fn solve_wrong(&self, place: LabPlace<'_>, seed: u64) -> Result<Self::Solution, String> {
+        self.solve(place, seed)
+    }
 
     /// Checks what is the matter with a question whose right answer is graded as right.
     fn check(&self, _right: &Self::Solution, _place: LabPlace<'_>) -> Result<(), String> {
@@ -93,13 +101,61 @@ pub trait QuestionKind: AnyKind + Sized {
     /// Returns whether an answer can be graded: its numbers are finite, its indices exist.
     fn fits(&self, given: &Self::Answer) -> bool;
 
-    /// Grades an answer.
-    fn grade(
+    /// Returns the largest distance at which an answer counts as the same.
+    fn tolerance(&self) -> f64;
+
+    /// Returns the distance of an answer from that of a model; none where it cannot be compared.
+    fn distance(
+        &self,
+        given: &Self::Answer,
+        model: &Self::Solution,
+        place: LabPlace<'_>,
+    ) -> Option<f64>;
+
+    /// Returns the distance of an answer from the right one.
+    fn off(
         &self,
         given: &Self::Answer,
         right: &Self::Solution,
         place: LabPlace<'_>,
-    ) -> Option<Grade>;
+    ) -> Option<f64> {
+        self.distance(given, right, place)
+    }
+
+    /// Returns where a wrong answer, which is that of no wrong model, is off.
+    fn fault(
+        &self,
+        given: &Self::Answer,
+        right: &Self::Solution,
+        place: LabPlace<'_>,
+    ) -> Option<Hint>;
+
+    /// Grades an answer: right is what is within the tolerance, and no nearer to a wrong model.
+    fn grade(
+        &self,
+        given: &Self::Answer,
+        right: &Self::Solution,
+        wrong: &[&Self::Solution],
+        place: LabPlace<'_>,
+    ) -> Option<Grade> {
+        let off = self.off(given, right, place)?;
+        let mut grade = Grade::within(off, self.tolerance());
+        let far = |model: &&Self::Solution| self.distance(given, model, place);
+        let nearest = wrong
+            .iter()
+            .map(|model| far(model).unwrap_or(f64::INFINITY));
+        let nearest = nearest.enumerate().min_by(|a, b| a.1.total_cmp(&b.1));
+        if let Some((model, near)) = nearest
+            && near < off
+        {
+            (grade.right, grade.score) = (false, 0.0);
+            grade.model = (near <= self.tolerance()).then_some(model);
+        }
+        if !grade.right && grade.model.is_none() {
+            grade.hint = self.fault(given, right, place);
+        }
+        Some(grade)
+    }
 
     /// Returns the number that an answer is.
     fn number(_given: &Self::Answer) -> Option<f64> {

@@ -4,11 +4,11 @@ use super::kind::{AnyKind, Predictions, Printed, QuestionKind};
 use super::number::{control_line, short_number};
 use crate::analysis::comparison::{LinearPicture, error_figures};
 use crate::figure::short;
-use crate::lesson::control::{along, control_name, long_control_name, slider, value_of};
+use crate::lesson::control::{along, control_name, long_control_name, share, slider, value_of};
 use crate::lesson::html::{Html, element};
 use crate::lesson::page::picture;
 use crate::lesson::read::keys::{KeyReader, Keys};
-use crate::lesson::{Grade, LabPlace};
+use crate::lesson::{Hint, LabPlace};
 use crate::render::Frame;
 use crate::text::{fixed, text};
 
@@ -79,6 +79,8 @@ impl QuestionKind for Match {
     type Answer = Vec<f64>;
     type Solution = Vec<f64>;
 
+    const MODEL_KEYS: &[&str] = &["set"];
+
     fn read(keys: &Keys, reader: &mut KeyReader<'_, '_>) -> Option<Self> {
         if !(1..=8).contains(&keys.controls.len()) {
             reader.missing("controls");
@@ -129,13 +131,30 @@ impl QuestionKind for Match {
         given.len() == self.controls.len() && given.iter().all(|x| x.is_finite())
     }
 
-    fn grade(&self, given: &Vec<f64>, right: &Vec<f64>, place: LabPlace<'_>) -> Option<Grade> {
+    fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
+    /// Returns the root mean square of the difference of the two pictures.
+    fn distance(&self, given: &Vec<f64>, model: &Vec<f64>, place: LabPlace<'_>) -> Option<f64> {
         if given.len() != self.controls.len() {
             return None;
         }
         let under = |values: &[f64]| place.under(&self.settings(values)).ok();
-        let off = picture_difference(&under(given)?, &under(right)?).ok()?;
-        Some(Grade::within(off, self.tolerance))
+        picture_difference(&under(given)?, &under(model)?).ok()
+    }
+
+    /// Returns the control that is farthest from its right value, along its slider.
+    fn fault(&self, given: &Vec<f64>, right: &Vec<f64>, _: LabPlace<'_>) -> Option<Hint> {
+        let off = |(control, key): (usize, &String)| {
+            let (_, _, slider) = slider(key)?;
+            let off = share(&slider, *given.get(control)?) - share(&slider, *right.get(control)?);
+            Some((control, off))
+        };
+        let controls = self.controls.iter().enumerate().filter_map(off);
+        let (control, off) = controls.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()))?;
+        let high = off > 0.0;
+        Some(Hint::Control { control, high })
     }
 
     fn short(given: &Vec<f64>) -> String {

@@ -7,7 +7,7 @@ use crate::expression::Expression;
 use crate::lesson::html::{Html, element};
 use crate::lesson::page::picture;
 use crate::lesson::read::keys::{KeyReader, Keys};
-use crate::lesson::{Grade, LabPlace, Prose};
+use crate::lesson::{Grade, Hint, LabPlace, Prose};
 use crate::render::Frame;
 use crate::text::text;
 
@@ -42,6 +42,8 @@ impl QuestionKind for Order {
     /// The items by their numbers from 0, the least first.
     type Answer = Vec<usize>;
     type Solution = Vec<usize>;
+
+    const MODEL_KEYS: &[&str] = &["by"];
 
     fn read(keys: &Keys, reader: &mut KeyReader<'_, '_>) -> Option<Self> {
         let by = reader.expression("by", &keys.by);
@@ -83,21 +85,57 @@ impl QuestionKind for Order {
         sorted.into_iter().eq(0..self.items.len())
     }
 
-    /// Grades an order; the score is the fraction of pairs that are in the right order.
-    fn grade(&self, given: &Vec<usize>, right: &Vec<usize>, _: LabPlace<'_>) -> Option<Grade> {
-        let rank = |item: &usize| right.iter().position(|right| right == item);
+    /// No pair may be in the wrong order.
+    fn tolerance(&self) -> f64 {
+        0.5
+    }
+
+    /// Counts the pairs that are in another order.
+    fn distance(&self, given: &Vec<usize>, model: &Vec<usize>, _: LabPlace<'_>) -> Option<f64> {
+        let rank = |item: &usize| model.iter().position(|known| known == item);
         let ranks: Option<Vec<usize>> = given.iter().map(rank).collect();
-        let ranks = ranks.filter(|ranks| ranks.len() == right.len())?;
+        let ranks = ranks.filter(|ranks| ranks.len() == model.len())?;
         let pairs = (0..ranks.len()).flat_map(|b| (0..b).map(move |a| (a, b)));
-        let (mut count, mut good) = (0u32, 0u32);
-        for (a, b) in pairs {
-            count += 1;
-            good += u32::from(ranks[a] < ranks[b]);
-        }
+        let wrong = pairs.filter(|(a, b)| ranks[*a] > ranks[*b]);
+        Some(wrong.count() as f64)
+    }
+
+    /// Returns the item that is farthest from its place.
+    fn fault(&self, given: &Vec<usize>, right: &Vec<usize>, _: LabPlace<'_>) -> Option<Hint> {
+        let places = |at: usize, item: &usize| {
+            let wanted = right.iter().position(|known| known == item)?;
+            Some((*item, at.cast_signed() - wanted.cast_signed()))
+        };
+        let items = given.iter().enumerate();
+        let items = items.filter_map(|(at, item)| places(at, item));
+        let (item, places) = items.max_by_key(|(_, places)| places.unsigned_abs())?;
+        Some(Hint::Item { item, places })
+    }
+
+    /// Grades an order; the score is the fraction of pairs that are in the right order.
+    fn grade(
+        &self,
+        given: &Vec<usize>,
+        right: &Vec<usize>,
+        wrong: &[&Vec<usize>],
+        place: LabPlace<'_>,
+    ) -> Option<Grade> {
+        let off = self.distance(given, right, place)?;
+        let is_right = off == 0.0;
+        let model = wrong.iter().position(|model| *model == given);
+        let model = model.filter(|_| !is_right);
+        let pairs = (right.len() * right.len().saturating_sub(1) / 2).max(1) as f64;
+        let named = is_right || model.is_some();
         Some(Grade {
-            right: good == count,
-            score: f64::from(good) / f64::from(count.max(1)),
+            right: is_right,
+            score: if model.is_some() {
+                0.0
+            } else {
+                1.0 - off / pairs
+            },
             off: None,
+            model,
+            hint: self.fault(given, right, place).filter(|_| !named),
         })
     }
 

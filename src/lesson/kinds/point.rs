@@ -8,7 +8,7 @@ use crate::expression::Expression;
 use crate::lesson::html::{Element, Html, element};
 use crate::lesson::page::{data, picture};
 use crate::lesson::read::keys::{KeyReader, Keys};
-use crate::lesson::{Grade, LabPlace};
+use crate::lesson::{Hint, LabPlace, Side, Stage};
 use crate::render::Frame;
 use crate::scene::{Rgb, ShadingMode};
 use crate::text::{fixed, text};
@@ -42,6 +42,8 @@ pub enum Find {
     Zero(Expression),
     /// The place on the step's line where the slope jumps most in this mode.
     Corner(ShadingMode),
+    /// This place: that of a wrong model.
+    At(DVec2),
 }
 
 impl AnyKind for Point {
@@ -60,12 +62,22 @@ impl QuestionKind for Point {
     /// Any of these is right; the first stands for all of them where one is shown.
     type Solution = Vec<DVec2>;
 
+    const MODEL_KEYS: &[&str] = &["find", "of", "mode", "at"];
+
     fn read(keys: &Keys, reader: &mut KeyReader<'_, '_>) -> Option<Self> {
         let Some(find) = &keys.find else {
             reader.missing("find");
             return None;
         };
         let tolerance = reader.positive("tolerance", keys.tolerance.or(Some(NEAR)))?;
+        if let Some(at) = &keys.at {
+            if !at.get_ref().iter().all(|x| x.abs() <= Stage::FARTHEST) {
+                reader.wrong_value("at", at, text!("lesson-at"));
+                return None;
+            }
+            let find = Find::At(DVec2::from_array(*at.get_ref()));
+            return Some(Self { find, tolerance });
+        }
         let mut of = || reader.expression("of", &keys.of);
         let find = match &**find.get_ref() {
             "brightest" => Find::Brightest,
@@ -105,11 +117,29 @@ impl QuestionKind for Point {
         given.iter().all(|x| x.is_finite())
     }
 
-    fn grade(&self, given: &[f64; 2], right: &Vec<DVec2>, _: LabPlace<'_>) -> Option<Grade> {
+    fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
+    fn distance(&self, given: &[f64; 2], model: &Vec<DVec2>, _: LabPlace<'_>) -> Option<f64> {
         let given = DVec2::from_array(*given);
-        let off = right.iter().map(|place| place.distance(given));
-        let off = off.fold(f64::INFINITY, f64::min);
-        Some(Grade::within(off, self.tolerance))
+        nearest(model, given).map(|place| place.distance(given))
+    }
+
+    fn fault(&self, given: &[f64; 2], right: &Vec<DVec2>, place: LabPlace<'_>) -> Option<Hint> {
+        let given = DVec2::from_array(*given);
+        let right = nearest(right, given)?;
+        let there = place.probing(given);
+        let share = match &self.find {
+            Find::Extreme(Extreme::Greatest, of) => match there.number(of) {
+                Ok(value) => Some(value / place.probing(right).number(of).ok()?),
+                Err(_) => return Some(Hint::Beside),
+            },
+            _ => None,
+        };
+        let share = share.filter(|share| (0.0..1.0).contains(share));
+        let side = side_of(given, right);
+        Some(Hint::Place { side, share })
     }
 
     fn short([x, y]: &[f64; 2]) -> String {
@@ -171,6 +201,40 @@ impl QuestionKind for Point {
     }
 }
 
+/// Returns the nearest of several places.
+fn nearest(places: &[DVec2], to: DVec2) -> Option<DVec2> {
+    let off = |place: &DVec2| place.distance_squared(to);
+    places
+        .iter()
+        .copied()
+        .min_by(|a, b| off(a).total_cmp(&off(b)))
+}
+
+/// Returns to which side of the right place another one lies: outwards or inwards, where that is so, else along an axis.
+fn side_of(given: DVec2, right: DVec2) -> Side {
+    // Nearer than this to the middle, every direction leads outwards.
+    const MIDDLE: f64 = 0.03;
+    // cos 30°
+    const ALONG: f64 = 0.87;
+    let off = given - right;
+    let outwards = if right.length() < MIDDLE {
+        1.0
+    } else {
+        off.normalize_or_zero().dot(right.normalize())
+    };
+    if outwards >= ALONG {
+        Side::Out
+    } else if outwards <= -ALONG && off.length() < right.length() {
+        Side::In
+    } else if off.x.abs() >= off.y.abs() {
+        if off.x > 0.0 { Side::Right } else { Side::Left }
+    } else if off.y > 0.0 {
+        Side::Down
+    } else {
+        Side::Up
+    }
+}
+
 /// Returns the place that stands for all that are right.
 fn shown(right: &[DVec2]) -> DVec2 {
     right.first().copied().unwrap_or_default()
@@ -208,6 +272,7 @@ impl Find {
             Self::Brightest => brightest(place, 1.0, tolerance),
             Self::Darkest => brightest(place, -1.0, tolerance),
             Self::Corner(mode) => corner(place, *mode, tolerance),
+            Self::At(place) => Ok(vec![*place]),
             Self::Extreme(extreme, of) => {
                 let sign = extreme.sign();
                 let mut values = grid(place, of)?;

@@ -8,7 +8,7 @@ use crate::figure::short;
 use crate::lesson::control::{along, control_name, long_control_name, settable, slider};
 use crate::lesson::html::Html;
 use crate::lesson::read::keys::{KeyReader, Keys, Most};
-use crate::lesson::{Grade, LabPlace};
+use crate::lesson::{Hint, LabPlace};
 use crate::scene::parameter::Slider;
 use crate::text::{fixed, text};
 use toml::Spanned;
@@ -37,6 +37,8 @@ pub enum Goal {
     Equals(Expression),
     /// The largest or the smallest value.
     Extreme(Extreme),
+    /// This value of the control itself: what a wrong model sets.
+    Value(Expression),
 }
 
 impl AnyKind for Settings {
@@ -54,6 +56,8 @@ impl QuestionKind for Settings {
     type Answer = f64;
     type Solution = f64;
 
+    const MODEL_KEYS: &[&str] = &["answer", "equals", "most", "least"];
+
     fn read(keys: &Keys, reader: &mut KeyReader<'_, '_>) -> Option<Self> {
         let Some(control) = &keys.control else {
             reader.missing("control");
@@ -70,9 +74,15 @@ impl QuestionKind for Settings {
             (keys.most == Some(true) || own(&keys.greatest)).then_some(Extreme::Greatest),
             own(&keys.least).then_some(Extreme::Least),
         ];
-        let goal = match (&keys.equals, goals) {
-            (Some(_), [None, None]) => Goal::Equals(reader.expression("equals", &keys.equals)?),
-            (None, [Some(extreme), None] | [None, Some(extreme)]) => Goal::Extreme(extreme),
+        let value = keys.answer.as_ref().filter(|_| keys.is_wrong);
+        let goal = match (&keys.equals, value, goals) {
+            (Some(_), None, [None, None]) => {
+                Goal::Equals(reader.expression("equals", &keys.equals)?)
+            }
+            (None, Some(_), [None, None]) => {
+                Goal::Value(reader.expression("answer", &keys.answer)?)
+            }
+            (None, None, [Some(extreme), None] | [None, Some(extreme)]) => Goal::Extreme(extreme),
             _ => {
                 reader.wrong(text!("lesson-goal"));
                 return None;
@@ -103,9 +113,18 @@ impl QuestionKind for Settings {
         let at = |value: &f64| Ok((*value, self.reached(place, *value)?));
         let tried: Result<Vec<(f64, f64)>, String> = tried.iter().map(at).collect();
         match self.goal {
-            Goal::Equals(_) => self.crossing(place, &slider, &tried?),
             Goal::Extreme(_) => self.summit(place, &slider, &tried?),
+            _ => self.crossing(place, &slider, &tried?),
         }
+    }
+
+    fn solve_wrong(&self, place: LabPlace<'_>, seed: u64) -> Result<f64, String> {
+        let Goal::Value(value) = &self.goal else {
+            return self.solve(place, seed);
+        };
+        let value = place.number(value)?;
+        self.under(place, value)?;
+        Ok(value)
     }
 
     fn right(right: &f64) -> f64 {
@@ -116,12 +135,31 @@ impl QuestionKind for Settings {
         given.is_finite()
     }
 
-    fn grade(&self, given: &f64, right: &f64, place: LabPlace<'_>) -> Option<Grade> {
-        let off = match &self.goal {
-            Goal::Extreme(_) => (given - right).abs(),
-            Goal::Equals(_) => self.reached(place, *given).ok()?.abs(),
-        };
-        Some(Grade::within(off, self.tolerance))
+    fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
+    /// Returns the difference of what is reached, or for an extreme of the control's own values.
+    fn distance(&self, given: &f64, model: &f64, place: LabPlace<'_>) -> Option<f64> {
+        if matches!(self.goal, Goal::Extreme(_)) {
+            return Some((given - model).abs());
+        }
+        let reached = |value: f64| self.reached(place, value).ok();
+        Some((reached(*given)? - reached(*model)?).abs())
+    }
+
+    fn off(&self, given: &f64, right: &f64, place: LabPlace<'_>) -> Option<f64> {
+        match self.goal {
+            Goal::Extreme(_) => self.distance(given, right, place),
+            _ => Some(self.reached(place, *given).ok()?.abs()),
+        }
+    }
+
+    fn fault(&self, given: &f64, right: &f64, _: LabPlace<'_>) -> Option<Hint> {
+        Some(Hint::Control {
+            control: 0,
+            high: given > right,
+        })
     }
 
     fn number(given: &f64) -> Option<f64> {
@@ -166,6 +204,7 @@ impl Settings {
         Ok(match &self.goal {
             Goal::Equals(equals) => reached - there.number(equals)?,
             Goal::Extreme(extreme) => extreme.sign() * reached,
+            Goal::Value(_) => reached,
         })
     }
 

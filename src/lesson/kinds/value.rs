@@ -6,7 +6,7 @@ use crate::expression::Expression;
 use crate::figure::short;
 use crate::lesson::html::{Html, element};
 use crate::lesson::read::keys::{KeyReader, Keys};
-use crate::lesson::{Grade, LabPlace};
+use crate::lesson::{Hint, LabPlace};
 use crate::text::{fixed, text};
 
 /// A number from a field that takes `from` to `to`.
@@ -44,6 +44,8 @@ impl QuestionKind for Value {
     type Answer = f64;
     type Solution = f64;
 
+    const MODEL_KEYS: &[&str] = &["answer"];
+
     fn read(keys: &Keys, reader: &mut KeyReader<'_, '_>) -> Option<Self> {
         let answer = reader.expression("answer", &keys.answer);
         let tolerance = reader.positive("tolerance", keys.tolerance);
@@ -68,6 +70,15 @@ impl QuestionKind for Value {
         Ok(value)
     }
 
+    fn solve_wrong(&self, place: LabPlace<'_>, _: u64) -> Result<f64, String> {
+        let value = place.number(&self.answer)?;
+        if value < self.from || value > self.to {
+            let value = fixed(value, 4);
+            return Err(text!("lesson-wrong-value-outside", value = value));
+        }
+        Ok(value)
+    }
+
     fn right(right: &f64) -> f64 {
         *right
     }
@@ -76,8 +87,18 @@ impl QuestionKind for Value {
         given.is_finite()
     }
 
-    fn grade(&self, given: &f64, right: &f64, _: LabPlace<'_>) -> Option<Grade> {
-        Some(Grade::within((given - right).abs(), self.tolerance))
+    fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
+    fn distance(&self, given: &f64, model: &f64, _: LabPlace<'_>) -> Option<f64> {
+        Some((given - model).abs())
+    }
+
+    fn fault(&self, given: &f64, right: &f64, _: LabPlace<'_>) -> Option<Hint> {
+        Some(Hint::Number {
+            high: given > right,
+        })
     }
 
     fn number(given: &f64) -> Option<f64> {

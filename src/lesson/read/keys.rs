@@ -14,7 +14,7 @@ use toml::Spanned;
 type Text = Option<Spanned<String>>;
 
 /// The keys of a question's block, of all kinds.
-#[derive(Deserialize)]
+#[derive(Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Keys {
     pub kind: Spanned<String>,
@@ -51,10 +51,98 @@ pub struct Keys {
     pub least: Option<Spanned<Most>>,
     #[serde(default)]
     pub controls: Vec<String>,
+    #[serde(default)]
+    pub wrong: Vec<WrongKeys>,
+    /// A place, of a wrong model only: the right one is never in the file.
+    #[serde(skip)]
+    pub at: Option<Spanned<[f64; 2]>>,
+    /// They are those of a wrong model.
+    #[serde(skip)]
+    pub is_wrong: bool,
+}
+
+/// The keys of a `[[wrong]]`.
+#[derive(Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct WrongKeys {
+    pub says: Spanned<String>,
+    #[serde(default)]
+    pub set: Vec<String>,
+    pub answer: Text,
+    pub profile: Text,
+    pub find: Text,
+    pub of: Text,
+    pub mode: Text,
+    pub at: Option<Spanned<[f64; 2]>>,
+    pub by: Text,
+    pub equals: Text,
+    pub most: Option<bool>,
+    pub least: Option<bool>,
+}
+
+impl WrongKeys {
+    /// Returns the names of the keys that it has, besides what it says.
+    fn names(&self) -> impl Iterator<Item = &'static str> {
+        [
+            ("set", !self.set.is_empty()),
+            ("answer", self.answer.is_some()),
+            ("profile", self.profile.is_some()),
+            ("find", self.find.is_some()),
+            ("of", self.of.is_some()),
+            ("mode", self.mode.is_some()),
+            ("at", self.at.is_some()),
+            ("by", self.by.is_some()),
+            ("equals", self.equals.is_some()),
+            ("most", self.most.is_some()),
+            ("least", self.least.is_some()),
+        ]
+        .into_iter()
+        .filter_map(|(name, given)| given.then_some(name))
+    }
+}
+
+impl Keys {
+    /// Returns the keys of the same question with another answer: those of a wrong model go before its own.
+    pub fn of_wrong(&self, wrong: &WrongKeys) -> Self {
+        let mut keys = self.clone();
+        (keys.is_wrong, keys.wrong) = (true, Vec::new());
+        (keys.x_name, keys.y_name) = (None, None);
+        let given: Vec<&str> = wrong.names().collect();
+        // Of the keys that say the same thing in another way, one counts.
+        for ways in [
+            &["answer", "profile"][..],
+            &["answer", "equals", "most", "least"],
+        ] {
+            if ways.iter().any(|way| given.contains(way)) {
+                (keys.answer, keys.profile, keys.equals) = (None, None, None);
+                (keys.greatest, keys.most, keys.least) = (None, None, None);
+            }
+        }
+        let or = |new: &Text, old: &mut Text| {
+            if new.is_some() {
+                old.clone_from(new);
+            }
+        };
+        or(&wrong.answer, &mut keys.answer);
+        or(&wrong.profile, &mut keys.profile);
+        or(&wrong.find, &mut keys.find);
+        or(&wrong.of, &mut keys.of);
+        or(&wrong.mode, &mut keys.mode);
+        or(&wrong.by, &mut keys.by);
+        or(&wrong.equals, &mut keys.equals);
+        keys.at.clone_from(&wrong.at);
+        keys.most = wrong.most.or(keys.most);
+        keys.least = wrong
+            .least
+            .map(|least| Spanned::new(wrong.says.span(), Most::Own(least)))
+            .or(keys.least);
+        keys.set.extend(wrong.set.iter().cloned());
+        keys
+    }
 }
 
 /// The value of `greatest` or `least`.
-#[derive(Deserialize)]
+#[derive(Clone, Deserialize)]
 #[serde(untagged)]
 pub enum Most {
     Of(String),
@@ -62,18 +150,19 @@ pub enum Most {
 }
 
 /// The keys of an `[[option]]`.
-#[derive(Deserialize)]
+#[derive(Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct OptionKeys {
     pub text: Spanned<String>,
     pub holds: Text,
     pub right: Option<bool>,
+    pub says: Text,
     #[serde(default)]
     pub set: Vec<String>,
 }
 
 /// The keys of an `[[item]]`.
-#[derive(Deserialize)]
+#[derive(Clone, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ItemKeys {
     pub text: Spanned<String>,
@@ -105,12 +194,14 @@ pub struct KeyReader<'r, 's> {
     pub lesson: &'r mut Reader<'s>,
     /// The offset of the block.
     pub at: usize,
+    /// The offset of what is read: of the block, or of one of its wrong models.
+    pub whole: usize,
 }
 
 impl KeyReader<'_, '_> {
-    /// Notes a problem with the question as a whole.
+    /// Notes a problem with the question, or one of its wrong models, as a whole.
     pub fn wrong(&mut self, words: impl Into<String>) {
-        self.lesson.wrong(self.at, words);
+        self.lesson.wrong(self.whole, words);
     }
 
     /// Notes a problem with the value of a key.
@@ -191,6 +282,19 @@ impl KeyReader<'_, '_> {
             None => self.missing(key),
         }
         value.filter(is_sound)
+    }
+
+    /// Checks that a wrong model has keys, and only those by which one of this kind is given.
+    pub fn wrong_has(&mut self, wrong: &WrongKeys, known: &[&str]) -> bool {
+        let sound = |name: &str| name == "set" || known.contains(&name);
+        let given: Vec<_> = wrong.names().collect();
+        let fits = !given.is_empty() && given.into_iter().all(sound);
+        if !fits {
+            let mut words = known.to_vec();
+            words.extend((!known.contains(&"set")).then_some("set"));
+            self.wrong(text!("lesson-wrong-keys", words = words.join(", ")));
+        }
+        fits
     }
 
     /// Reads a shading mode.

@@ -148,6 +148,11 @@ impl Widget for CurveWidget {
         let drawn: Vec<[f64; 2]> = drawn
             .map(|(index, value)| [field.x_of(index), value.unwrap_or(f64::NAN)])
             .collect();
+        if let Some(Solution::Curve(wrong)) = asked.wrong {
+            let faint = rgb(ui.visuals().weak_text_color());
+            let curve = wrong.iter().copied();
+            field.drawing.draw_curve(curve, LINE, faint, 0.6);
+        }
         field.drawing.draw_curve(drawn, LINE, rgb(own_colour), 1.0);
         let right_line = rgb(right_colour(ui));
         field
@@ -172,6 +177,9 @@ impl Widget for CurveWidget {
                 if revealed {
                     ui.label(RichText::new(text!("course-curve-yours")).color(own_colour));
                     ui.label(RichText::new(text!("course-curve-right")).color(right_colour(ui)));
+                    if asked.wrong.is_some() {
+                        ui.label(RichText::new(text!("course-curve-wrong")).weak());
+                    }
                     return;
                 }
                 if !Curve::is_whole(&self.drawn) {

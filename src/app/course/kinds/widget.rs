@@ -54,6 +54,8 @@ pub struct WidgetContext<'a> {
     pub names: &'a [String],
     /// The right answer, once it is known.
     pub solution: Option<&'a Solution>,
+    /// The answer of the wrong model that the student's agrees with.
+    pub wrong: Option<&'a Solution>,
     /// True if the right answer is shown.
     pub revealed: bool,
     /// The step's scene.
