@@ -7,9 +7,27 @@ use shading_lab::lesson::{
     Answer, AnswerKey, Kind, LESSONS, Lab, LabPlace, Question, Solution, Staged, Step,
 };
 use shading_lab::text::{Language, in_language};
+use std::collections::BTreeSet;
 
-/// Every question of the course must have a wrong model.
-const EVERY_QUESTION_HAS_ONE: bool = false;
+/// Lessons whose questions do not all have wrong models yet.
+const UNFINISHED: [&str; 16] = [
+    "out-of-range",
+    "perspective-distortion",
+    "phong-shading",
+    "physics-based",
+    "reflectance",
+    "reflection-vector",
+    "scan-line",
+    "shadows",
+    "shared-vertices",
+    "silhouette",
+    "tessellation",
+    "transparency",
+    "unrepresentative-normals",
+    "vertex-normals",
+    "what-is-shading",
+    "whole-equation",
+];
 
 /// The standard deviation of a hand, as a fraction of the axis' height, and how often each curve is drawn.
 const TREMBLE: f64 = 0.03;
@@ -111,17 +129,21 @@ fn right_answers_get_full_marks_and_wrong_models_none() {
         let without = looked.iter().filter(|(_, whole, _)| !whole);
         let without: Vec<&str> = without.map(|(what, ..)| &**what).collect();
         println!(
-            "{language:?}: {} questions without a wrong model: {}",
+            "{language:?}: {} of {} questions without a wrong model",
             without.len(),
-            without.join(" ")
+            looked.len()
         );
-        assert!(without.is_empty() || !EVERY_QUESTION_HAS_ONE, "{without:?}");
-        let rows: Vec<&(String, f64)> = looked.iter().flat_map(|(.., rows)| rows).collect();
+        let lessons: BTreeSet<&str> = without
+            .iter()
+            .filter_map(|what| what.split('/').next())
+            .collect();
+        assert_eq!(lessons, BTreeSet::from(UNFINISHED), "{without:?}");
+        let rows: Vec<&(String, bool)> = looked.iter().flat_map(|(.., rows)| rows).collect();
         println!("of {DRAWN} drawings each, graded as they should be:");
         for (row, _) in &rows {
             println!("{row}");
         }
-        let failed = rows.iter().filter(|(_, least)| *least < 0.99);
+        let failed = rows.iter().filter(|(_, good)| !good);
         let failed: Vec<&str> = failed.map(|(row, _)| &**row).collect();
         assert!(rows.len() >= 21 && failed.is_empty(), "{failed:#?}");
     }
@@ -162,7 +184,7 @@ fn lines(asked: &Asked) {
 enum Hand {
     /// Each point on its own.
     Trembles,
-    /// Slowly: bows of about a quarter of the width.
+    /// Slowly: bows of about a quarter of the width, which are nearly another curve.
     Drifts,
     /// Both, as much in all.
     Both,
@@ -170,6 +192,14 @@ enum Hand {
 
 impl Hand {
     const ALL: [Self; 3] = [Self::Trembles, Self::Drifts, Self::Both];
+
+    /// Returns the least share of drawings that must be graded as they should be.
+    fn least(self) -> f64 {
+        match self {
+            Self::Trembles | Self::Both => 0.99,
+            Self::Drifts => 0.95,
+        }
+    }
 
     /// Draws a curve over axes of the given height.
     fn draw(self, curve: &[[f64; 2]], [low, high]: [f64; 2], dice: &mut Dice) -> Answer {
@@ -207,8 +237,9 @@ fn normal(dice: &mut Dice) -> f64 {
     }
 }
 
-/// Draws the right curve and those of the wrong models, and returns how often each is graded as it should be.
-fn drawn_by_hand(asked: &Asked) -> Vec<(String, f64)> {
+/// Draws the right curve and those of the wrong models, and returns for each how often it is graded as it should be, and
+/// whether that suffices.
+fn drawn_by_hand(asked: &Asked) -> Vec<(String, bool)> {
     let (Kind::Curve(kind), Solution::Curve(right)) = (&asked.question.kind, &asked.key.right)
     else {
         return Vec::new();
@@ -241,10 +272,13 @@ fn drawn_by_hand(asked: &Asked) -> Vec<(String, f64)> {
         let percent = shares
             .map(|share| format!("{:6.1} %", 100.0 * share))
             .concat();
-        let least = shares.into_iter().fold(1.0, f64::min);
+        let good = Hand::ALL
+            .iter()
+            .zip(shares)
+            .all(|(hand, share)| share >= hand.least());
         (
             format!("{:28} {name:8} off {off:.3} {percent}", asked.what),
-            least,
+            good,
         )
     };
     models.map(row).collect()
