@@ -263,12 +263,14 @@ impl App {
         if !asked.is_empty() {
             ctx.request_repaint();
         }
+        self.state.follow_lock();
         for action in asked {
             let rest = self.state.perform(action, self.room.pane);
             self.state.session.commit();
             if let Some(rest) = rest {
                 self.perform(ctx, rest);
             }
+            self.state.follow_lock();
         }
         let (held, time) = ctx.input(|input| (input.pointer.any_down(), input.time));
         let held = held || self.state.course.gliding.is_some();

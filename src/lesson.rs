@@ -55,7 +55,7 @@ pub use links::{may_open, without_closed_links};
 pub use prose::Prose;
 pub use question::{AnswerKey, Question, Wrong};
 pub use read::keys::Term;
-pub use record::{Answered, Record};
+pub use record::{Answered, Record, how_given};
 pub use stage::{OVERLAYS, Stage, Staged};
 pub use words::{in_words, without_marks};
 pub use worksheet::{Worksheet, worksheet};
@@ -112,6 +112,8 @@ pub struct Step {
     pub title: String,
     /// CommonMark, with numbers that the engine fills in.
     pub text: Prose,
+    /// The text that is shown once the question is answered; may be empty.
+    pub after: Prose,
     /// The scene, and what is shown of it.
     pub stage: Stage,
     /// The question; none in a step that only shows.

@@ -3,7 +3,7 @@
 mod sheet;
 
 pub use sheet::{
-    DrawnPane, PaneArea, caption, comparison_sheet, difference_picture, difference_scale,
+    Captions, DrawnPane, PaneArea, caption, comparison_sheet, difference_picture, difference_scale,
     draw_panes, error_line, pane_areas, pane_figures, panes_on_sheet,
 };
 

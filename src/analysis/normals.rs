@@ -161,6 +161,19 @@ impl NormalField {
         corners.iter().map(|&v| self.position(v)).collect()
     }
 
+    /// Projects the outlines of the faces whose front faces the eye, in pixels; those that reach behind the eye are
+    /// left out.
+    pub fn facing_outlines(&self, view: &View) -> Vec<Vec<DVec2>> {
+        let outline = |face: usize| -> Option<Vec<DVec2>> {
+            let corners = self.outline(u32::try_from(face).ok()?).into_iter();
+            let points: Option<Vec<DVec2>> = corners
+                .map(|corner| Some(view.project(corner)?.0))
+                .collect();
+            points.filter(|points| points.len() > 2 && runs_counter_clockwise(points))
+        };
+        (0..self.face_count()).filter_map(outline).collect()
+    }
+
     /// Returns the point of the mesh at which a vertex lies; its number does not depend on the choice of normals.
     pub fn point_of(&self, vertex: u32) -> Option<u32> {
         self.mesh.point_of_vertex(&self.vertices, vertex)
@@ -319,4 +332,10 @@ fn median_edge(mesh: &Mesh) -> f64 {
     } else {
         *lengths.select_nth_unstable_by(middle, f64::total_cmp).1
     }
+}
+/// Returns whether points of a picture run counter-clockwise, as those of a polygon whose front faces the eye.
+fn runs_counter_clockwise(points: &[DVec2]) -> bool {
+    let next = points.iter().cycle().skip(1);
+    let area: f64 = points.iter().zip(next).map(|(a, b)| a.perp_dot(*b)).sum();
+    area < 0.0
 }

@@ -433,6 +433,10 @@ fn section_ui(
         .open(open)
         .show_unindented(ui, |ui| {
             ui.add_space(2.0);
+            if session.lock.is_some() {
+                ui.label(RichText::new(text!("course-after-answer")).weak());
+                ui.disable();
+            }
             let items = section.items.iter();
             items.for_each(|item| item_ui(ui, session, window, requests, engine, item));
             ui.add_space(8.0);

@@ -13,11 +13,12 @@ mod marking;
 mod parts;
 mod prose;
 mod question;
+mod results;
 mod step;
 mod target;
 mod work;
 
-pub use data::{Course, SavedProgress};
+pub use data::{Course, Held, SavedProgress};
 pub use edges::{paint as paint_edges, watch as watch_edges};
 pub use glide::Glide;
 use handed_in::handed_in_ui;

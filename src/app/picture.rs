@@ -255,9 +255,6 @@ fn gesture(
         // Two fingers move the camera, whatever the first of them had grabbed.
         window.drag = None;
         if whole.rect.contains(fingers.start_pos) {
-            if course.asks_point() {
-                return;
-            }
             let camera = &mut session.shown.scene.camera;
             let span = camera.span(place.size.map(f64::from)).max(1.0);
             let [dx, dy] = <[f32; 2]>::from(fingers.translation_delta * place.pixels_per_point);

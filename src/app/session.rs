@@ -14,6 +14,7 @@ pub mod action;
 pub mod appearance;
 pub mod document;
 pub mod history;
+pub mod lock;
 pub mod notice;
 pub mod place;
 pub mod recovery;
@@ -27,6 +28,7 @@ use crate::text::text;
 use action::Action;
 use document::{Document, Origin};
 use history::History;
+use lock::Lock;
 use notice::Notice;
 
 /// The open document as its panes show it, and the documents that undo and redo lead to.
@@ -58,6 +60,8 @@ pub struct Session {
     pub light: usize,
     /// Index of the vertex whose position is shown, among a scene's own polygons.
     pub vertex: usize,
+    /// The lock of the open question, which keeps the scene until it is answered.
+    pub lock: Option<Lock>,
     /// A message about the last action, shown for a few seconds or until another document is opened.
     pub notice: Option<Notice>,
     /// A message about a problem with the open document, shown until it is dismissed or another document is opened.
@@ -127,16 +131,34 @@ impl Session {
 
     /// Undoes the last step.
     pub fn undo(&mut self) {
-        self.notice = None;
-        self.history.undo(&mut self.document);
-        self.return_to_origin();
+        self.travel(History::undo, History::redo);
     }
 
     /// Redoes the last step that was undone.
     pub fn redo(&mut self) {
+        self.travel(History::redo, History::undo);
+    }
+
+    /// Moves through the history, unless the lock keeps the scene. A document outside the lesson is not kept back.
+    fn travel(&mut self, there: Travel, back: Travel) {
         self.notice = None;
-        self.history.redo(&mut self.document);
+        let locked = self.lock.as_ref();
+        let locked = locked.map(|lock| (lock, self.document.clone()));
+        there(&mut self.history, &mut self.document);
+        let after = &self.document;
+        let held = locked.is_some_and(|(lock, before)| {
+            before.part == after.part && !lock.allows(&before.scene, &after.scene)
+        });
+        if held {
+            back(&mut self.history, &mut self.document);
+            self.say_locked();
+        }
         self.return_to_origin();
+    }
+
+    /// Says that the lock keeps the scene.
+    pub fn say_locked(&mut self) {
+        self.notice = Some(text!("course-locked").into());
     }
 
     /// Restores the saved state after undo or redo, which may have led to a document that was opened or saved as
@@ -192,6 +214,7 @@ impl Session {
             document,
             shown,
             panes,
+            lock,
             ..
         } = self;
         let words = |error: SceneError| {
@@ -202,6 +225,10 @@ impl Session {
         distribute(&mut document.scene, panes, &shown.scene, changes);
         mend(&mut document.scene);
         document.scene.validate().map_err(words)?;
+        let held = |lock: &Lock| !lock.allows(&panes.document, &document.scene);
+        if lock.as_ref().is_some_and(held) {
+            return Err(text!("course-locked").to_owned());
+        }
         check_mesh_memory(&document.scene, document.model.as_deref())
             .map_err(|error| error.to_string())
     }
@@ -281,9 +308,12 @@ impl Session {
         self.mark_saved();
     }
 
-    /// Replaces the document's scene, as a change that does not need to be saved.
+    /// Replaces the document's scene, as a change that does not need to be saved. The lock does not keep it: the course
+    /// shows its own scenes so.
     pub fn show_scene(&mut self, scene: Scene) {
+        let lock = self.lock.take();
         self.put_scene(scene);
+        self.lock = lock;
         self.saved.scene.clone_from(&self.document.scene);
         self.modified = self.document != self.saved;
     }
@@ -336,6 +366,9 @@ impl Session {
         active: usize,
         change: impl Fn(&mut Scene) -> Result<(), SceneError>,
     ) {
+        if self.lock.is_some() {
+            return self.say_locked();
+        }
         self.commit();
         match change(&mut self.document.scene) {
             Ok(()) => {
@@ -436,6 +469,9 @@ pub struct Panes {
     /// The scenes of the panes after the first.
     others: Vec<Scene>,
 }
+
+/// A step through the history: undo or redo.
+type Travel = fn(&mut History, &mut Document);
 
 /// A parameter and the index of the light that it belongs to.
 type Change = (&'static Parameter, usize);

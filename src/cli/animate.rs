@@ -3,7 +3,7 @@
 use super::input::{SceneArguments, output_ending_in, parse_size, whole};
 use super::output::{Failure, check_picture_target, progress_bar};
 use clap::Args;
-use shading_lab::analysis::comparison::{comparison_sheet, draw_panes, panes_on_sheet};
+use shading_lab::analysis::comparison::{Captions, comparison_sheet, draw_panes, panes_on_sheet};
 use shading_lab::animation::{
     Course, FilmFormat, MOST_FRAMES, Sweep, SweepError, USUAL_FRAMES, USUAL_RATE,
 };
@@ -112,7 +112,7 @@ fn drawn(renderer: &mut Renderer, scene: &Scene, samples: u32) -> Frame {
     let which = panes_on_sheet(scene);
     let nothing = |_: &mut Frame, _: &mut Renderer, _: &Scene| Ok::<(), Infallible>(());
     let Ok(panes) = draw_panes(renderer, scene, &which, samples, &mut |_| true, nothing);
-    comparison_sheet(scene, &panes, true)
+    comparison_sheet(scene, &panes, Captions::Figures)
 }
 
 /// A file name with a number in it, as in `frame-%03d.png`.

@@ -7,7 +7,7 @@ use super::input::{
 use super::output::{Failure, check_picture_target, progress_bar};
 use clap::Args;
 use glam::DVec2;
-use shading_lab::analysis::comparison::{comparison_sheet, draw_panes, panes_on_sheet};
+use shading_lab::analysis::comparison::{Captions, comparison_sheet, draw_panes, panes_on_sheet};
 use shading_lab::analysis::defects::{defects, draw_defects};
 use shading_lab::analysis::normals::{NormalField, draw_normals};
 use shading_lab::analysis::overlay::{OverlayLayer, OverlayOptions};
@@ -91,7 +91,12 @@ impl Render {
                 &mut progress,
                 over,
             )?;
-            comparison_sheet(scene, &panes, !self.no_captions)
+            let captions = if self.no_captions {
+                Captions::None
+            } else {
+                Captions::Figures
+            };
+            comparison_sheet(scene, &panes, captions)
         };
         Ok(save_picture(&self.output, &frame, scene)?)
     }

@@ -53,8 +53,10 @@ fn check_step(
             );
         }
     }
-    if let Err((line, words)) = step.text.filled(&place) {
-        take(line, words);
+    for prose in [&step.text, &step.after] {
+        if let Err((line, words)) = prose.filled(&place) {
+            take(line, words);
+        }
     }
     if let Some(question) = &step.question {
         let texts = [&question.ask, &question.why].into_iter();

@@ -1,7 +1,7 @@
 //! The controls that questions are about: keys of the scene that have a slider.
 
 use crate::scene::Scene;
-use crate::scene::parameter::{Parameter, Slider};
+use crate::scene::parameter::{Parameter, Slider, defaults};
 use crate::text::text;
 
 /// Returns the parameter of a key that has a slider, the light that it belongs to, and the slider.
@@ -31,6 +31,12 @@ pub fn value_of(scene: &Scene, key: &str) -> Result<f64, String> {
         }
         _ => Err(missing()),
     }
+}
+
+/// Returns whether a key of a scene can be set to a number; what depends on the rest of the scene is not checked.
+pub(super) fn settable_to(key: &str, value: f64) -> bool {
+    let limits = slider(key).and_then(|(parameter, ..)| parameter.limits(defaults()));
+    limits.is_some_and(|limits| limits.contains(value))
 }
 
 /// Returns the value at a fraction of a slider.

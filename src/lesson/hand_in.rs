@@ -24,6 +24,8 @@ const VERSION: u64 = 1;
 /// The maximum length of the text, in bytes: a lesson of [`Lesson::MAX_TEXT`] with every line's end escaped,
 /// and its answers.
 const MAX_TEXT: usize = 4 << 20;
+/// The longest time that an answer can have taken, in seconds: a forged file may say anything.
+const LONGEST: f64 = 1e7;
 /// The maximum length of a student's stored name, in characters.
 pub const MAX_NAME: usize = 100;
 
@@ -45,6 +47,24 @@ pub struct HandIn {
 }
 
 impl HandIn {
+    /// Returns the answers to a lesson as a student hands them in, in the current language.
+    pub fn new(lesson: &Lesson, record: &Record, name: &str) -> Self {
+        let mut record = record.clone();
+        record.fit(lesson);
+        let comes_along = find(&lesson.name).is_some_and(|built_in| {
+            let mut languages = Language::ALL.into_iter();
+            languages.any(|language| built_in.source(language) == lesson.source)
+        });
+        Self {
+            name: clean_name(name),
+            title: lesson.title.clone(),
+            language: language(),
+            digest: digest([&lesson.source]),
+            source: (!comes_along).then(|| lesson.source.clone()),
+            record,
+        }
+    }
+
     /// Returns whether `lesson` has exactly the text that was answered.
     pub fn is_of(&self, lesson: &Lesson) -> bool {
         digest([&lesson.source]) == self.digest
@@ -129,22 +149,16 @@ pub fn hand_in_bytes(
 }
 
 fn answers_text(lesson: &Lesson, record: &Record, name: &str, scene: &str) -> String {
-    let mut record = record.clone();
-    record.fit(lesson);
-    let comes_along = find(&lesson.name).is_some_and(|built_in| {
-        let mut languages = Language::ALL.into_iter();
-        languages.any(|language| built_in.source(language) == lesson.source)
-    });
-    let name = clean_name(name);
+    let hand_in = HandIn::new(lesson, record, name);
     let content = Content {
-        lesson: lesson.name.clone(),
-        title: lesson.title.clone(),
-        lesson_digest: digest([&lesson.source]),
-        language: language().tag().to_owned(),
-        name: (!name.is_empty()).then_some(name),
-        seed: record.seed,
-        answers: record.answers.iter().map(entry).collect(),
-        source: (!comes_along).then(|| lesson.source.clone()),
+        lesson: hand_in.record.lesson,
+        title: hand_in.title,
+        lesson_digest: hand_in.digest,
+        language: hand_in.language.tag().to_owned(),
+        name: Some(hand_in.name).filter(|name| !name.is_empty()),
+        seed: hand_in.record.seed,
+        answers: hand_in.record.answers.iter().map(entry).collect(),
+        source: hand_in.source,
     };
     let content = json!(content).to_string();
     // The opening brace belongs to the whole object.
@@ -230,7 +244,7 @@ fn answered(entry: Entry) -> Result<Answered, serde_json::Error> {
         grade: Grade::default(),
         looked_up: entry.looked_up,
         tries: entry.tries,
-        seconds: entry.seconds,
+        seconds: entry.seconds.clamp(0.0, LONGEST),
     })
 }
 

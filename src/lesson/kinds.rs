@@ -28,7 +28,6 @@ pub use value::Value;
 use super::html::Html;
 use super::read::keys::{KeyReader, Keys};
 use super::{AnswerKey, Grade, LabPlace};
-use crate::render::Frame;
 use kind::{AnyKind, Predictions, Printed, QuestionKind};
 use serde::{Deserialize, Serialize};
 
@@ -203,10 +202,14 @@ macro_rules! kinds {
             }
 
             /// Returns the HTML of the right answer as a drawing, where that says more than words.
-            pub(super) fn drawing(&self, right: &Solution, picture: &Frame) -> Option<Html> {
+            pub(super) fn drawing(
+                &self,
+                right: &Solution,
+                printed: &Printed<'_>,
+            ) -> Result<Option<Html>, String> {
                 match (self, right) {
-                    $((Self::$name(kind), Solution::$name(right)) => kind.drawing(right, picture),)+
-                    _ => None,
+                    $((Self::$name(kind), Solution::$name(right)) => kind.drawing(right, printed),)+
+                    _ => Ok(None),
                 }
             }
 

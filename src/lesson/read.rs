@@ -61,6 +61,8 @@ struct RawStep<'s> {
     at: usize,
     /// The pieces of text about the blocks.
     pieces: Vec<(usize, usize)>,
+    /// The number of pieces in front of the question.
+    before: Option<usize>,
     stage: Option<Block<'s>>,
     question: Option<Block<'s>>,
 }
@@ -158,6 +160,7 @@ impl<'s> Reader<'s> {
                             title: std::mem::take(&mut title),
                             at,
                             pieces: vec![(end, source.len())],
+                            before: None,
                             stage: None,
                             question: None,
                         });
@@ -217,40 +220,44 @@ impl<'s> Reader<'s> {
         if let Some(piece) = step.pieces.last_mut() {
             piece.1 = start;
         }
-        step.pieces.push((end, self.source.len()));
         let place = match info {
             "step" => &mut step.stage,
-            _ => &mut step.question,
+            _ => {
+                step.before = Some(step.pieces.len());
+                &mut step.question
+            }
         };
+        step.pieces.push((end, self.source.len()));
         if place.replace(block).is_some() {
             self.wrong(start, text!("lesson-block-twice", name = info));
         }
     }
 
-    fn step(&mut self, raw: RawStep<'s>, before: &Stage) -> Step {
-        let mut prose = Prose::default();
-        let pieces: Vec<&str> = raw
-            .pieces
-            .iter()
-            .map(|&(from, to)| self.source.get(from..to).unwrap_or_default())
-            .collect();
+    /// Reads pieces of text as one.
+    fn prose(&mut self, pieces: &[(usize, usize)]) -> Prose {
         // Lines are counted as they stand in the file: blocks are left out, not their lines.
         let mut text = String::new();
-        let mut at = raw.pieces.first().map_or(raw.at, |piece| piece.0);
+        let mut at = pieces.first().map_or(0, |piece| piece.0);
         let first = self.line(at);
-        for (piece, &(from, to)) in pieces.iter().zip(&raw.pieces) {
+        for &(from, to) in pieces {
             let skipped = self.line(from).saturating_sub(self.line(at));
             text.extend(std::iter::repeat_n('\n', skipped as usize));
-            text.push_str(piece);
+            text.push_str(self.source.get(from..to).unwrap_or_default());
             at = to;
         }
-        match Prose::read(&text, first) {
-            Ok(read) => prose = read,
-            Err((line, words)) => self.wrong_at(line, words),
-        }
+        Prose::read(&text, first).unwrap_or_else(|(line, words)| {
+            self.wrong_at(line, words);
+            Prose::default()
+        })
+    }
+
+    fn step(&mut self, raw: RawStep<'s>, before: &Stage) -> Step {
+        let (text, after) = raw.pieces.split_at(raw.before.unwrap_or(raw.pieces.len()));
+        let (text, after) = (self.prose(text), self.prose(after));
         let line = self.line(raw.at);
         let mut stage = Stage {
-            hide: false,
+            // What can be read off is not predicted.
+            hide: raw.question.is_some(),
             line_number: line,
             ..before.clone()
         };
@@ -263,7 +270,8 @@ impl<'s> Reader<'s> {
         let question = raw.question.as_ref().and_then(|block| self.question(block));
         Step {
             title: raw.title,
-            text: prose,
+            text,
+            after,
             stage,
             question,
             line,

@@ -1,7 +1,13 @@
 //! The answers of a student in a lesson: the window keeps them and a hand-in carries them.
 
+use super::kinds::short_answer;
 use super::{Answer, Grade, Lesson};
+use crate::text::text;
 use serde::{Deserialize, Serialize};
+
+/// The time from which on it is not shown, in seconds: after a day it says nothing about how long the student
+/// has thought.
+const DAY: f64 = 86_400.0;
 
 /// Every answer to the questions of a lesson.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -31,6 +37,18 @@ pub struct Answered {
     pub tries: u32,
     /// The time from when the question was first seen until the last answer.
     pub seconds: f64,
+}
+
+impl Answered {
+    /// Returns the first answer, if it was another one, and the last, in a few characters.
+    pub fn short(&self) -> String {
+        let [first, last] = [&self.prediction, &self.answer].map(short_answer);
+        if self.prediction == self.answer {
+            last
+        } else {
+            format!("{first} → {last}")
+        }
+    }
 }
 
 impl Record {
@@ -70,4 +88,20 @@ impl Record {
         self.answers.sort_by_key(|answered| answered.step);
         self.answers.dedup_by_key(|answered| answered.step);
     }
+}
+
+/// Describes after how many tries and how long an answer was given, and how often the right one was looked up.
+pub fn how_given(tries: u32, looked_up: u32, seconds: f64) -> Vec<String> {
+    let mut parts = Vec::new();
+    if tries > 1 {
+        parts.push(text!("course-answers-tries", count = tries));
+    }
+    if looked_up > 0 {
+        parts.push(text!("class-looked-up", count = looked_up));
+    }
+    if (1.0..DAY).contains(&seconds) {
+        let seconds = format!("{seconds:.0}");
+        parts.push(text!("course-answers-seconds", seconds = seconds));
+    }
+    parts
 }

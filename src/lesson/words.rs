@@ -46,12 +46,11 @@ pub fn in_words(lesson: &Lesson, seed: u64, answers: bool) -> Result<String, Les
             let solution = solution
                 .map_err(|words| wrong((question.line, text!("lesson-question", words = words))))?;
             let words = question.kind.solution_words(&solution, &asked.options);
-            let words = without_marks(&words);
-            let _ = writeln!(
-                right,
-                "{heading} {words}\n{}\n",
-                without_marks(asked.why.trim())
-            );
+            let after = step.after.filled(&place).map_err(wrong)?;
+            let said = [&asked.why, &after].map(|text| text.trim());
+            let said: Vec<&str> = said.into_iter().filter(|text| !text.is_empty()).collect();
+            let (words, said) = (without_marks(&words), without_marks(&said.join("\n\n")));
+            let _ = writeln!(right, "{heading} {words}\n{said}\n");
         }
     }
     if !right.is_empty() {

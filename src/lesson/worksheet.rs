@@ -6,15 +6,15 @@ use super::class::ClassQuestion;
 use super::html::{Element, Html, element};
 use super::kinds::kind::Printed;
 use super::page::{blank_picture, blocks, inline, page, picture};
-use super::{Budget, Lab, Lesson, LessonError, Question, Solution, Stage, Staged, Step};
-use crate::analysis::comparison::{comparison_sheet, draw_panes, panes_on_sheet};
+use super::{Budget, Lab, Lesson, LessonError, Question, Solution, Staged, Step};
+use crate::analysis::comparison::{Captions, comparison_sheet, draw_panes, panes_on_sheet};
 use crate::analysis::normals::{NormalField, VertexNormal, draw_normals};
 use crate::analysis::overlay::{OverlayLayer, OverlayOptions};
 use crate::analysis::probe::{draw_overlay, probe};
 use crate::analysis::profile::{ProfileQuestion, draw_profile, profile};
 use crate::figure::{Drawing, Shape};
 use crate::render::{Frame, Renderer};
-use crate::scene::{CompareView, Scene};
+use crate::scene::{Scene, View};
 use crate::text::text;
 use glam::DVec2;
 use std::convert::Infallible;
@@ -56,10 +56,10 @@ figure img { width: 100%; height: auto; display: block; }
 .pair img { width: 60mm; }
 .items { display: flex; flex-wrap: wrap; gap: 4mm; }
 .items figure { width: 36mm; }
-.items img { width: 36mm; }
 .answers { break-before: page; }
 .answer { break-inside: avoid; border-top: 0.3mm solid #bbb; padding-top: 2mm; margin-bottom: 4mm; }
 .answer img { width: 64mm; }
+.answer .items img { width: 36mm; }
 .answer .points { max-width: 64mm; }
 .answer svg { max-width: 120mm; }
 ";
@@ -164,11 +164,22 @@ impl StepPart {
                 .map_or(step.line, |question| question.line);
             wrong((line, text!("lesson-question", words = words)))
         };
-        let frame = stage_picture(&lab, step, &staged, sheet.samples);
+        // What is asked and found decides whether the probe is marked.
+        let mut solved = None;
+        if let Some(asks) = &step.question {
+            let asked = ClassQuestion::filled(index, asks, place).map_err(wrong)?;
+            let target = asks.kind.asks().shows_target();
+            let wanted = sheet.answers || target && sheet.samples > 0;
+            let right = wanted.then(|| asks.solve(place, sheet.seed));
+            solved = Some((asks, asked, right.transpose().map_err(question)?));
+        }
+        let places = |question: &Question| question.kind.asks().asks_place();
+        let probed = lab.probe_measured() && !step.question.as_ref().is_some_and(places);
+        let frame = stage_picture(&lab, step, &staged, sheet.samples, probed);
         let frame = frame.map_err(|words| wrong((step.line, words)))?;
         if !step.question.as_ref().is_some_and(own_picture) {
-            let panes = staged.scene.compare.panes.is_empty();
-            let class = if panes && frame.width < 2 * frame.height {
+            let single = staged.scene.shown_panes().len() == 1;
+            let class = if single && frame.width < 2 * frame.height {
                 "picture"
             } else {
                 "picture wide"
@@ -180,12 +191,8 @@ impl StepPart {
             section: section.with(blocks(&text)),
             question: None,
         };
-        if let Some(asks) = &step.question {
-            let asked = ClassQuestion::filled(index, asks, place).map_err(wrong)?;
-            let target = asks.kind.asks().shows_target();
-            let wanted = sheet.answers || target && sheet.samples > 0;
-            let right = wanted.then(|| asks.solve(place, sheet.seed));
-            let right = right.transpose().map_err(question)?;
+        if let Some((asks, asked, right)) = solved {
+            let after = step.after.filled(&place).map_err(wrong)?;
             let printed = Printed {
                 ask: &asked.ask,
                 options: &asked.options,
@@ -198,8 +205,10 @@ impl StepPart {
             let blank = asks.kind.blank(&printed, right.as_ref());
             part.question = Some(QuestionPart {
                 blank: blank.map_err(question)?.line(rules()),
-                answer: answer(&asked, asks, right.as_ref(), &frame),
-                ask: asked.ask,
+                answer: answer(&asked, asks, right.as_ref(), &printed)
+                    .map_err(question)?
+                    .with(blocks(&after)),
+                ask: asked.ask.clone(),
             });
         }
         Ok(part)
@@ -211,45 +220,53 @@ fn answer(
     asked: &ClassQuestion,
     question: &Question,
     right: Option<&Solution>,
-    picture: &Frame,
-) -> Html {
+    printed: &Printed<'_>,
+) -> Result<Html, String> {
     let Some(right) = right else {
-        return Html::new();
+        return Ok(Html::new());
     };
-    let drawing = question.kind.drawing(right, picture);
-    let out = drawing.unwrap_or_else(|| {
+    let out = question.kind.drawing(right, printed)?.unwrap_or_else(|| {
         let words = question.kind.solution_words(right, &asked.options);
         element("p").with(inline(&words)).into()
     });
     if asked.why.is_empty() {
-        return out;
+        return Ok(out);
     }
-    out.with(element("div").with(blocks(&asked.why)))
+    Ok(out.with(element("div").with(blocks(&asked.why))))
 }
 
-/// Draws the picture of a step as the window shows it: with its panes, or with its overlays. Leaves out the
-/// profile's curve if it would be the answer.
-fn stage_picture(lab: &Lab, step: &Step, staged: &Staged, samples: u32) -> Result<Frame, String> {
+/// Draws the picture of a step as the window shows it: with its panes, or with its overlays; with a ring round the
+/// probe if numbers are taken there. Leaves out the profile's curve if it would be the answer.
+fn stage_picture(
+    lab: &Lab,
+    step: &Step,
+    staged: &Staged,
+    samples: u32,
+    probed: bool,
+) -> Result<Frame, String> {
     if samples == 0 {
         return Ok(blank_picture());
     }
     lab.with_renderer(samples, |renderer, scene| {
         let told = step.stage.hide
             || matches!(&step.question, Some(question) if question.kind.asks().is_drawn());
-        let mut scene = scene.clone();
-        if scene.compare.panes.is_empty() {
-            let mut frame = renderer.render_supersampled(&scene, samples, &mut |_| true);
-            draw_over(&mut frame, renderer, &scene, &step.stage, staged, told);
+        if scene.shown_panes().len() == 1 {
+            let mut frame = renderer.render_supersampled(scene, samples, &mut |_| true);
+            draw_over(&mut frame, renderer, scene, step, staged, told);
+            if probed && let Some(probe) = staged.shown.probe {
+                draw_probe(&mut frame, scene, probe);
+            }
             return frame;
         }
-        if scene.compare.view == CompareView::Single {
-            scene.compare.view = CompareView::Panes;
-        }
-        let which = panes_on_sheet(&scene);
+        let which = panes_on_sheet(scene);
         let over = |_: &mut Frame, _: &mut Renderer, _: &Scene| Ok::<(), Infallible>(());
-        match draw_panes(renderer, &scene, &which, samples, &mut |_| true, over) {
-            // Captions contain numbers.
-            Ok(panes) => comparison_sheet(&scene, &panes, !step.stage.hide),
+        let captions = if step.stage.hide {
+            Captions::Names
+        } else {
+            Captions::Figures
+        };
+        match draw_panes(renderer, scene, &which, samples, &mut |_| true, over) {
+            Ok(panes) => comparison_sheet(scene, &panes, captions),
         }
     })
 }
@@ -258,13 +275,17 @@ fn draw_over(
     frame: &mut Frame,
     renderer: &mut Renderer,
     scene: &Scene,
-    stage: &Stage,
+    step: &Step,
     staged: &Staged,
     told: bool,
 ) {
+    let stage = &step.stage;
     let size = DVec2::from_array(scene.image.size.map(f64::from));
     let side = size.min_element();
     let at = |place: DVec2| size / 2.0 + place * side;
+    if stage.overlays.contains(&"edges") {
+        draw_edges(frame, renderer, scene);
+    }
     let layer = |name: &&str| match *name {
         "vectors" => Some(OverlayLayer::Vectors),
         "normals" => Some(OverlayLayer::FaceNormals),
@@ -275,10 +296,12 @@ fn draw_over(
         layers: stage.overlays.iter().filter_map(layer).collect(),
         ..OverlayOptions::default()
     };
+    let mut question = step.question.iter();
+    let follows = question.any(|question| question.kind.asks().follows_line());
     let line = staged
         .shown
         .line
-        .filter(|_| stage.overlays.contains(&"profile"));
+        .filter(|_| follows || stage.overlays.contains(&"profile"));
     if let Some([from, to]) = line {
         let question = ProfileQuestion {
             modes: vec![scene.shading.mode],
@@ -323,6 +346,31 @@ fn draw_over(
     {
         draw_overlay(&mut pixmap, scene, &probed, &options);
     }
+}
+
+/// Draws a ring round the probe.
+fn draw_probe(frame: &mut Frame, scene: &Scene, probe: DVec2) {
+    let size = DVec2::from_array(scene.image.size.map(f64::from));
+    let side = size.min_element();
+    let mut drawing = Drawing::over_picture([0x10; 3], 0.006 * side);
+    let at = size / 2.0 + probe * side;
+    let ring = Shape::ring(at, 0.016 * side, 0.005 * side, [0xff; 3]);
+    drawing.shapes.push(ring);
+    drawing.draw_over(frame);
+}
+
+/// Draws the edges of the polygons that face the eye.
+fn draw_edges(frame: &mut Frame, renderer: &Renderer, scene: &Scene) {
+    let field = NormalField::new(renderer, &scene.object);
+    let view = View::new(&scene.camera, scene.image.size);
+    let width = 0.0025 * f64::from(scene.image.size[0].min(scene.image.size[1]));
+    let mut drawing = Drawing::over_picture([0x10; 3], width);
+    for mut outline in field.facing_outlines(&view) {
+        outline.extend(outline.first().copied());
+        let line = Shape::line(outline, width, [0xff; 3]);
+        drawing.shapes.push(line.faded(0.6));
+    }
+    drawing.draw_over(frame);
 }
 
 fn pixmap(frame: &mut Frame) -> Option<PixmapMut<'_>> {

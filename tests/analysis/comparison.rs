@@ -1,14 +1,14 @@
 //! Comparison panes of one scene: their pictures, the measured differences, and the sentences about them.
 
 use shading_lab::analysis::comparison::{
-    DrawnPane, ErrorFigures, ErrorRegion, LinearPicture, PaneArea, brightest, comparison_sheet,
-    difference_picture, difference_scale, draw_panes, error_figures, pane_areas, pane_figures,
-    panes_on_sheet, region_errors,
+    Captions, DrawnPane, ErrorFigures, ErrorRegion, LinearPicture, PaneArea, brightest,
+    comparison_sheet, difference_picture, difference_scale, draw_panes, error_figures, pane_areas,
+    pane_figures, panes_on_sheet, region_errors,
 };
 use shading_lab::analysis::perception::luminance;
 use shading_lab::analysis::probe::probe;
 use shading_lab::figure::palette;
-use shading_lab::render::Renderer;
+use shading_lab::render::{Frame, Renderer};
 use shading_lab::scene::{
     Choice, Compare, CompareView, DifferenceKind, Pane, Rgb, Scene, ShadingMode, presets,
 };
@@ -147,7 +147,7 @@ fn a_wipe_has_the_one_picture_left_of_its_line_and_the_other_right_of_it() {
     let panes = drawn(&scene);
     for wipe in [0.0, 0.25, 1.0] {
         scene.compare.wipe = wipe;
-        let sheet = comparison_sheet(&scene, &panes, false);
+        let sheet = comparison_sheet(&scene, &panes, Captions::None);
         let line = (96.0 * wipe) as u32;
         for (x, y) in (0..96u32).flat_map(|x| (0..64).map(move |y| (x, y))) {
             // The line itself is drawn over both.
@@ -163,7 +163,7 @@ fn a_wipe_has_the_one_picture_left_of_its_line_and_the_other_right_of_it() {
 fn panes_stand_side_by_side_as_they_were_drawn() {
     let scene = scene(CompareView::Panes);
     let panes = drawn(&scene);
-    let sheet = comparison_sheet(&scene, &panes, false);
+    let sheet = comparison_sheet(&scene, &panes, Captions::None);
     assert_eq!([sheet.width, sheet.height], scene.image.size);
     let [width, height] = [panes[0].frame.width, panes[0].frame.height];
     assert!(width < 96 || height < 64);
@@ -175,6 +175,23 @@ fn panes_stand_side_by_side_as_they_were_drawn() {
 }
 
 #[test]
+fn names_stay_where_figures_are_hidden() {
+    let scene = scene(CompareView::Panes);
+    let panes = drawn(&scene);
+    let sheet = |captions| comparison_sheet(&scene, &panes, captions);
+    let [none, names, figures] = [Captions::None, Captions::Names, Captions::Figures].map(sheet);
+    let height = panes[0].frame.height;
+    let changed = |sheet: &Frame, rows: std::ops::Range<u32>| {
+        let mut places = rows.flat_map(|y| (0..sheet.width).map(move |x| (x, y)));
+        places.any(|(x, y)| sheet.pixel(x, y) != none.pixel(x, y))
+    };
+    // Names are at the top of a pane, figures at its bottom.
+    let bottom = height - height / 3..height;
+    assert!(changed(&names, 0..height / 2));
+    assert!(!changed(&names, bottom.clone()) && changed(&figures, bottom));
+}
+
+#[test]
 fn a_difference_of_nothing_is_even_and_gain_makes_it_stronger() {
     let mut scene = scene(CompareView::Difference);
     scene.compare.difference = DifferenceKind::Absolute;
@@ -182,7 +199,7 @@ fn a_difference_of_nothing_is_even_and_gain_makes_it_stronger() {
     let sum = |gain: f64| {
         let mut scene = scene.clone();
         scene.compare.gain = gain;
-        let sheet = comparison_sheet(&scene, &panes, false);
+        let sheet = comparison_sheet(&scene, &panes, Captions::None);
         let object = sheet
             .pixels
             .iter()
@@ -247,7 +264,7 @@ fn panes_of_one_mode_are_called_by_what_tells_them_apart() {
 #[test]
 fn what_is_drawn_over_panes_does_not_change_their_figures() {
     let scene = scene(CompareView::Panes);
-    let over = |frame: &mut shading_lab::render::Frame, renderer: &mut Renderer, scene: &Scene| {
+    let over = |frame: &mut Frame, renderer: &mut Renderer, scene: &Scene| {
         shading_lab::analysis::defects::defects(renderer, scene, [3, 3]);
         frame.pixels.fill([0, 0, 0, 255]);
         Ok::<(), Infallible>(())

@@ -1,7 +1,7 @@
 //! The window without a screen, and helpers that operate it: controls are found by role and name.
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, Modifiers, Pos2, Rect, TexturesDelta};
+use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, TexturesDelta};
 use egui_kittest::kittest::{NodeT, Queryable};
 use egui_kittest::{Harness, TestRenderer};
 use serde::Serialize;
@@ -211,6 +211,20 @@ pub fn press(harness: &mut Harness<'_, App>, key: &str) {
         .get_by_role_and_label(Role::Button, named(key))
         .click_accesskit();
     harness.run();
+}
+
+/// Opens the menu of a right click.
+pub fn right_click(harness: &mut Harness<'_, App>, at: Pos2) {
+    harness.hover_at(at);
+    for pressed in [true, false] {
+        harness.event(Event::PointerButton {
+            pos: at,
+            button: PointerButton::Secondary,
+            pressed,
+            modifiers: Modifiers::NONE,
+        });
+        harness.run_ok();
+    }
 }
 
 /// Opens a section of the panel of controls.

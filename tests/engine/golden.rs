@@ -3,7 +3,7 @@
 //! A difference writes the expected picture, the actual one and their difference to `target/golden/`. `UPDATE_GOLDEN=1` replaces
 //! the approved pictures, and the run still fails, so that they are reviewed before they are committed.
 
-use shading_lab::analysis::comparison::{comparison_sheet, draw_panes, panes_on_sheet};
+use shading_lab::analysis::comparison::{Captions, comparison_sheet, draw_panes, panes_on_sheet};
 use shading_lab::render::{Frame, Renderer};
 use shading_lab::scene::presets;
 use std::convert::Infallible;
@@ -100,7 +100,11 @@ fn every_built_in_scene_is_drawn_as_it_was() {
             &mut |_| true,
             nothing,
         );
-        let actual = colours(&comparison_sheet(&scene, &panes.unwrap_or_default(), false));
+        let actual = colours(&comparison_sheet(
+            &scene,
+            &panes.unwrap_or_default(),
+            Captions::None,
+        ));
         if let Some(message) = compare(preset.name, &actual) {
             if update {
                 write(&kept(preset.name), &actual);

@@ -166,8 +166,9 @@ fn a_value_is_that_of_the_probe() {
     room.marks(&[
         Answer::Value(value + 0.06),
         Answer::Value(value - 0.06),
-        Answer::Value(1e300),
+        Answer::Value(2.0),
     ]);
+    assert!(!Answer::Value(1e300).fits(&room.question.kind));
     assert!(room.grade(&Answer::Value(value + 0.049)).right);
     let half = room.grade(&Answer::Value(value + 0.075));
     assert!(!half.right && (half.score - 0.5).abs() < 1e-6, "{half:?}");

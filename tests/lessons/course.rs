@@ -51,7 +51,9 @@ fn no_lesson_takes_a_tenth_of_the_work_that_it_may() {
                 let staged = step.stage.load(None).expect("a scene");
                 let lab = Lab::new(&staged);
                 let place = lab.place(&staged);
-                step.text.filled(&place).expect("a text");
+                for text in [&step.text, &step.after] {
+                    text.filled(&place).expect("a text");
+                }
                 if let Some(question) = &step.question {
                     question.why.filled(&place).expect("a text");
                     question.solve_all(place, 7).expect("a solution");
@@ -298,8 +300,10 @@ fn every_lesson_asks_before_it_tells() {
             last.iter().any(|step| {
                 let staged = step.stage.load(None).expect("a scene");
                 let lab = Lab::new(&staged);
-                let text = step.text.filled(&lab.place(&staged)).expect("a text");
-                text.contains("Find out for yourself")
+                [&step.text, &step.after].into_iter().any(|text| {
+                    let text = text.filled(&lab.place(&staged)).expect("a text");
+                    text.contains("Find out for yourself")
+                })
             }),
             "{} ends without a task",
             lesson.name

@@ -17,6 +17,36 @@ fn kinds() -> Vec<Kind> {
 }
 
 #[test]
+fn text_behind_the_question_comes_after_its_answer() {
+    let question = "```question\nkind = \"choice\"\nask = \"?\"\n[[option]]\ntext = \"A\"\nright = true\n[[option]]\ntext = \"B\"\n```\n";
+    let step = "```step\nscene = \"sphere\"\n```\n";
+    let head = "+++\nlesson = 1\nname = \"after\"\ntitle = \"After\"\n+++\n\n## One\n\nBefore.\n\n";
+    let source = format!("{head}{question}\nThe reason.\n\n{step}\nMore {{{{ 1 + 1 | 0 }}}}.\n");
+    let lesson = Lesson::read(&source, None).expect("a lesson");
+    let step_read = &lesson.steps[0];
+    assert_eq!(step_read.text.plain().trim(), "Before.");
+    let after = step_read.after.plain();
+    assert!(
+        after.contains("The reason.") && after.contains("More ."),
+        "{after}"
+    );
+    assert!(!after.contains("Before"));
+    // The order of the blocks alone decides: without a question all text is shown.
+    let plain = Lesson::read(&format!("{head}{step}\nThe reason.\n"), None).expect("a lesson");
+    assert!(plain.steps[0].text.plain().contains("The reason."));
+    assert!(plain.steps[0].after.is_empty());
+    // A mistake there has its line.
+    let wrong = source.replace("1 + 1", "1 +");
+    let error = Lesson::read(&wrong, None).expect_err("a mistake");
+    let line = wrong
+        .lines()
+        .position(|line| line.contains("1 +"))
+        .expect("a line") as u64
+        + 1;
+    assert_eq!(error.problems[0].line, line);
+}
+
+#[test]
 fn every_kind_of_question_is_read() {
     let lesson = Lesson::read(EVERY_KIND, None).expect("a lesson");
     assert_eq!(
@@ -31,7 +61,12 @@ fn every_kind_of_question_is_read() {
         ("sphere", Some("equation"))
     );
     assert_eq!(first.stage.overlays, ["vectors"]);
-    assert!(first.stage.hide && !lesson.steps[1].stage.hide);
+    // Numbers are hidden while a question is open, unless the step says otherwise.
+    let hides = |index: usize| lesson.steps[index].stage.hide;
+    assert!(hides(0) && hides(1));
+    let shown = EVERY_KIND.replace("hide = true", "hide = false");
+    let shown = Lesson::read(&shown, None).expect("a lesson");
+    assert!(!shown.steps[0].stage.hide && shown.steps[1].stage.hide);
     assert_eq!(
         first.question.as_ref().map(|question| question.term),
         Some(Some(Term::Specular))

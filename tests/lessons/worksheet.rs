@@ -1,7 +1,12 @@
 //! Worksheets: every lesson becomes a page that is well formed and self-contained, and no text of a lecturer becomes markup.
 
-use shading_lab::document::load_with;
-use shading_lab::lesson::{LESSONS, Lesson, Worksheet, check, in_words, worksheet};
+use glam::DVec2;
+use shading_lab::document::{load_with, picture_bytes};
+use shading_lab::lesson::{
+    LESSONS, Lab, Lesson, Solution, Step, Worksheet, check, find, in_words, worksheet,
+};
+use shading_lab::render::Renderer;
+use shading_lab::scene::Scene;
 use shading_lab::text::{Language, in_language};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -324,7 +329,7 @@ fn a_lecturers_text_stays_text() {
         "<td>2 &amp; 3</td>",
         "A Yes &lt;u&gt;",
         "0.50 &lt;em&gt;m",
-        "B A &lt; C B &lt; A C &lt;",
+        "<p>B &lt; C &lt; A</p>",
         "specular exponent (n) = 30.00",
         "A secret.",
     ] {
@@ -346,6 +351,171 @@ fn a_lecturers_text_stays_text() {
     let other = Worksheet { seed: 2, ..WITHOUT };
     assert_ne!(written(&lesson, other), page);
     assert_eq!(written(&lesson, WITHOUT), page);
+}
+
+/// Returns the standard Base64 of bytes (RFC 4648).
+fn base64(bytes: &[u8]) -> String {
+    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut text = String::new();
+    for chunk in bytes.chunks(3) {
+        let word = chunk
+            .iter()
+            .fold(0u32, |word, byte| word << 8 | u32::from(*byte));
+        let word = word << (8 * (3 - chunk.len()));
+        for place in 0..4 {
+            let digit = DIGITS[(word >> (18 - 6 * place)) as usize & 63];
+            text.push(if place <= chunk.len() {
+                char::from(digit)
+            } else {
+                '='
+            });
+        }
+    }
+    text
+}
+
+/// Returns a scene in the size in which lessons draw it.
+fn in_lab(mut scene: Scene) -> Scene {
+    let shorter = scene.image.size.into_iter().fold(u32::MAX, u32::min);
+    if shorter > Lab::SIDE {
+        let scaled = |side| side * Lab::SIDE / shorter;
+        scene.image.size = scene.image.size.map(scaled);
+    }
+    scene
+}
+
+/// Returns a scene's picture as it is inside a page.
+fn printed(scene: &Scene) -> String {
+    let frame = Renderer::default().render(scene).clone();
+    base64(&picture_bytes(&frame, None).expect("a picture"))
+}
+
+/// Returns the parts of a page that have this class, up to the next part that has.
+fn parts<'p>(page: &'p str, class: &str) -> Vec<&'p str> {
+    let start = format!("<div class=\"{class}\">");
+    page.split(&start).skip(1).collect()
+}
+
+#[test]
+fn no_picture_shows_the_answer_and_the_key_marks_the_picture_of_the_answer() {
+    for (name, index) in [
+        ("unrepresentative-normals", 0),
+        ("shared-vertices", 0),
+        ("perspective-distortion", 1),
+    ] {
+        let lesson = find(name).expect("a lesson").lesson();
+        let asked = lesson.steps[..index].iter();
+        let before = asked.filter(|step| step.question.is_some()).count();
+        let step = &lesson.steps[index];
+        let mut staged = step.stage.load(None).expect("a scene");
+        staged.scene = in_lab(staged.scene);
+        assert!(
+            !staged.scene.compare.panes.is_empty(),
+            "{name}: panes that stay away"
+        );
+        let page = written(&lesson, WITH_ANSWERS);
+        let (sheet, key) = page
+            .split_once("<section class=\"answers\">")
+            .expect("a key");
+        // The step shows a single picture, and not the one that is asked for.
+        let question = step.question.as_ref().expect("a question");
+        let answer = staged
+            .scene
+            .with_overrides(&question.set)
+            .expect("settings");
+        if step.stage.overlays.is_empty() {
+            assert!(sheet.contains(&printed(&staged.scene)), "{name}");
+        }
+        assert!(
+            question.set.is_empty() || !sheet.contains(&printed(&answer)),
+            "{name}"
+        );
+        // The key does, with its marks where the answer lies in it.
+        let key = parts(key, "answer")[before];
+        assert!(key.contains(&printed(&answer)), "{name}");
+        let [width, height] = answer.image.size;
+        assert!(
+            key.contains(&format!("viewBox=\"0 0 {width} {height}\"")),
+            "{name}"
+        );
+        let lab = Lab::new(&staged);
+        let Ok(Solution::Point(places)) = question.solve(lab.place(&staged), 1) else {
+            panic!("{name}: places");
+        };
+        let middle = DVec2::new(width.into(), height.into()) / 2.0;
+        let at = middle + places[0] * f64::from(width.min(height));
+        let number = |mark: &str, of: &str| -> f64 {
+            let (_, rest) = mark.split_once(&format!(" {of}=\"")).expect("a number");
+            rest.split_once('"')
+                .expect("an end")
+                .0
+                .parse()
+                .expect("a number")
+        };
+        let mut marks = key.split("<circle").skip(1);
+        let near =
+            |mark: &str| DVec2::new(number(mark, "cx"), number(mark, "cy")).distance(at) < 0.1;
+        assert!(marks.any(near), "{name}: {at}");
+    }
+}
+
+#[test]
+fn pictures_of_an_order_stand_with_the_answers() {
+    let lesson = find("diffuse").expect("a lesson").lesson();
+    let orders = |step: &Step| {
+        let question = step.question.as_ref();
+        question.is_some_and(|question| question.kind.name() == "order")
+    };
+    let questions: Vec<&Step> = lesson
+        .steps
+        .iter()
+        .filter(|step| step.question.is_some())
+        .collect();
+    let index = questions
+        .iter()
+        .position(|step| orders(step))
+        .expect("an order");
+    let page = written(&lesson, WITH_ANSWERS);
+    let (sheet, key) = page
+        .split_once("<section class=\"answers\">")
+        .expect("a key");
+    let asked = parts(sheet, "question")[index].split("</section>").next();
+    assert!(!asked.expect("a question").contains("<img"));
+    let answer = parts(key, "answer")[index];
+    assert!(answer.matches("<img").count() >= 3, "{answer:.200}");
+}
+
+#[test]
+fn edges_lines_and_the_probe_are_drawn_on_paper() {
+    for (name, with, without) in [
+        ("shadows", "[\"vectors\", \"edges\"]", "[\"vectors\"]"),
+        ("tessellation", "[\"edges\"]", "[]"),
+    ] {
+        let source = find(name).expect("a lesson").source(Language::English);
+        assert!(source.contains(with), "{name}");
+        let page = |source: &str| {
+            let lesson = Lesson::read(source, None).expect("a lesson");
+            written(&lesson, WITHOUT)
+        };
+        assert_ne!(page(source), page(&source.replace(with, without)), "{name}");
+    }
+    // The line that a curve is drawn along, too.
+    let source = find("shadows").expect("a lesson").source(Language::English);
+    let other = source.replace("line = [-0.27, 0.07,", "line = [-0.27, -0.1,");
+    assert_ne!(source, other);
+    let [source, other] = [source, &other].map(|source| Lesson::read(source, None));
+    let [one, other] = [source, other].map(|lesson| written(&lesson.expect("a lesson"), WITHOUT));
+    assert_ne!(one, other);
+    // Numbers of the text are taken at the probe: a ring says where.
+    let marked = "+++\nlesson = 1\nname = \"probe\"\ntitle = \"Probe\"\n+++\n\n## One\n\nN·L is {{ probe.lights[0].n_dot_l | 2 }}.\n\n```step\nscene = \"sphere\"\nprobe = [0.0, 0.0]\n```\n";
+    let plain = marked.replace("probe.lights[0].n_dot_l", "1");
+    let scene = shading_lab::document::load_scene(Path::new("sphere"))
+        .expect("a scene")
+        .scene;
+    let scene = in_lab(scene);
+    let page = |source: &str| written(&Lesson::read(source, None).expect("a lesson"), WITHOUT);
+    assert!(page(&plain).contains(&printed(&scene)));
+    assert!(!page(marked).contains(&printed(&scene)));
 }
 
 fn run(folder: &Path, arguments: &[&str]) -> Output {

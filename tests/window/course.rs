@@ -12,6 +12,7 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use shading_lab::app::{App, Appearance, ViewName};
 use shading_lab::document::{load_scene, save_scene};
 use shading_lab::lesson::{Answer, Answered, Lesson, find, read_hand_in};
+use shading_lab::scene::ShadingMode;
 use std::path::Path;
 
 fn lesson() -> Lesson {
@@ -165,8 +166,214 @@ fn the_picture_moves_on_to_the_next_step() {
     let open = harness.state().state().course.open.as_ref();
     let staged = open.and_then(|open| open.staged.clone());
     assert_eq!(scene(&harness), &staged.expect("a scene").scene);
+    // The question of this step keeps its scene; undo does not lead to another one.
     hands::undo(&mut harness);
-    assert_eq!(n(&harness), before);
+    assert_eq!(n(&harness), after);
+    assert_eq!(said(&harness), Some(english!("course-locked")));
+}
+
+/// Presses a button of the page of results, on which a sign of waiting may turn.
+fn choose(harness: &mut Harness<'_, App>, key: &str) {
+    harness
+        .get_by_role_and_label(Role::Button, named(key))
+        .click_accesskit();
+    harness.run_ok();
+}
+
+fn said<'h>(harness: &'h Harness<'_, App>) -> Option<&'h str> {
+    harness.state().state().session.said()
+}
+
+/// A question whose answer is seen in the exact picture, with text behind it.
+const FOLDS: &str = r#"+++
+lesson = 1
+name = "folds"
+title = "Folds"
++++
+
+## Where are the folds?
+
+A folded sheet.
+
+```step
+scene = "vertex-normals"
+set = ["compare.view=single", "object.segments=6"]
+controls = ["segments"]
+```
+
+```question
+kind = "choice"
+ask = "How many folds are there?"
+set = ["shading.mode=exact", "material.kd=0.3"]
+[[option]]
+text = "One"
+right = false
+[[option]]
+text = "Five"
+right = true
+```
+
+Each strip has its own normal.
+"#;
+
+#[test]
+fn the_answer_waits_behind_the_question_and_then_the_scene_moves() {
+    let lesson = Lesson::read(FOLDS, None).expect("a lesson");
+    let mut harness = window_with(lesson);
+    let told = |harness: &Harness<'_, App>| {
+        harness
+            .query_by_label_contains("Each strip has its own normal")
+            .is_some()
+    };
+    let before = scene(&harness).clone();
+    assert!(!told(&harness));
+    // What is locked says so, where it stands.
+    let waits = english!("course-after-answer");
+    assert!(harness.query_all_by_label(waits).next().is_some());
+    for key in [Key::Num5, Key::D, Key::K, Key::V, Key::M] {
+        harness.key_press(key);
+        harness.step();
+        assert_eq!(said(&harness), Some(english!("course-locked")), "{key:?}");
+        harness.run_ok();
+        assert_eq!(scene(&harness), &before, "{key:?}");
+        let overlay = &harness.state().state().window.appearance.overlay;
+        assert!(!overlay.vectors && !overlay.normals(), "{key:?}");
+    }
+    let locked = |harness: &Harness<'_, App>, name: &str| {
+        let button = harness.get_by_role_and_label(Role::Button, name);
+        assert!(button.accesskit_node().is_disabled(), "{name}");
+    };
+    locked(&harness, "5 Exact");
+    let middle = picture_place(&harness).center();
+    hands::right_click(&mut harness, middle);
+    for name in [
+        "picture-menu-point",
+        "picture-menu-line",
+        "controls-command-export",
+    ] {
+        locked(&harness, named(name));
+    }
+    harness.key_press(Key::Escape);
+    harness.run_ok();
+    let moves = |style: &mut Style| style.animation_time = 0.1;
+    harness.ctx.all_styles_mut(moves);
+    harness
+        .get_by_role_and_label(Role::RadioButton, "Five")
+        .click();
+    harness.run_ok();
+    harness
+        .get_by_role_and_label(Role::Button, english!("course-check"))
+        .click();
+    let mut seen = Vec::new();
+    for _ in 0..120 {
+        harness.step();
+        seen.push(scene(&harness).material.kd.x);
+    }
+    let between = |kd: &f64| 0.3 < *kd && *kd < before.material.kd.x;
+    assert!(seen.iter().filter(|kd| between(kd)).count() > 3, "{seen:?}");
+    assert_eq!(seen.last(), Some(&0.3));
+    assert_eq!(scene(&harness).shading.mode, ShadingMode::Exact);
+    assert!(told(&harness));
+    let own = harness.get_by_role_and_label(Role::RadioButton, "Five");
+    assert!(own.accesskit_node().toggled().is_some());
+    // Now everything is open.
+    harness.key_press(Key::Num1);
+    harness.run_ok();
+    assert_eq!(scene(&harness).shading.mode, ShadingMode::Flat);
+}
+
+#[test]
+fn a_lesson_ends_with_its_results_and_hands_in_by_keyboard_alone() {
+    let mut harness = window();
+    go(&mut harness, 1);
+    harness
+        .get_by_role_and_label(Role::RadioButton, "Wider")
+        .click();
+    harness.run_ok();
+    press(&mut harness, "course-check");
+    press(&mut harness, "course-show-answer");
+    let last = 8;
+    go(&mut harness, last);
+    harness.key_press(Key::PageDown);
+    harness.run_ok();
+    let results = |harness: &Harness<'_, App>| {
+        let open = harness.state().state().course.open.as_ref();
+        open.is_some_and(|open| open.results.is_some())
+    };
+    assert!(results(&harness));
+    let count = english!(
+        "course-results-count",
+        answered = 1,
+        count = 8,
+        right = 0,
+        first = 0,
+        looked = 1
+    );
+    harness.get_by_label(&count);
+    let graded = |harness: &mut Harness<'_, App>| {
+        let number = english!("course-answers-question", number = 8);
+        wait(harness, |harness| harness.query_by_label(&number).is_some())
+    };
+    assert!(graded(&mut harness));
+    // The right answer is shown where it was looked up, and nowhere else.
+    let right = english!("course-answers-solution");
+    assert_eq!(harness.query_all_by_label(right).count(), 1);
+    // What was not right leads back to its step.
+    let again = english!("course-results-again");
+    harness.get_by_label(again);
+    harness
+        .get_by_role_and_label(Role::Link, "3. Value")
+        .click_accesskit();
+    harness.run_ok();
+    ready(&mut harness);
+    assert!(!results(&harness));
+    assert_eq!(step(&harness), 2);
+    go(&mut harness, last);
+    harness.key_press(Key::PageDown);
+    harness.run_ok();
+    harness.key_press(Key::PageUp);
+    harness.run_ok();
+    assert!(!results(&harness) && step(&harness) == last);
+    harness.key_press(Key::PageDown);
+    harness.run_ok();
+    // The button has the focus: Enter, the name, Enter.
+    harness.key_press(Key::Enter);
+    harness.run_ok();
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("course-by-keyboard.png");
+    let _ = std::fs::remove_file(&path);
+    tab_to(&mut harness, Role::TextInput, "course-hand-in-name");
+    type_text(&mut harness, "Ada");
+    tab_to(&mut harness, Role::TextInput, "file");
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    type_text(&mut harness, path.to_str().expect("a path"));
+    harness.key_press(Key::Enter);
+    harness.run_ok();
+    let there = path.clone();
+    assert!(wait(&mut harness, |_| there.exists()));
+    // The list says how far it is done.
+    harness.key_press(Key::PageDown);
+    harness.run_ok();
+    let far = english!("course-answers-right", right = 0, count = 8);
+    assert!(harness.query_by_label(&far).is_some());
+}
+
+#[test]
+fn a_lesson_without_answers_does_not_look_like_a_success() {
+    let mut harness = window();
+    go(&mut harness, 8);
+    choose(&mut harness, "course-results");
+    harness.get_by_label(english!("course-results-none"));
+    let hand_in = english!("controls-command-hand-in");
+    assert!(
+        harness
+            .query_by_role_and_label(Role::Button, hand_in)
+            .is_none()
+    );
+    choose(&mut harness, "course-finish");
+    let own = harness.state().state().course.kept.record("kinds");
+    assert!(own.is_none());
+    let done = format!("Every kind of question {}", english!("course-done"));
+    assert!(harness.query_by_label(&done).is_none());
 }
 
 #[test]
@@ -295,8 +502,8 @@ fn every_question_is_answered_by_mouse() {
     hands::enter(&mut harness, "material.n", 60.0);
     press(&mut harness, "course-check");
     assert!(revealed(&harness));
-    press(&mut harness, "course-finish");
-    harness.run_ok();
+    choose(&mut harness, "course-results");
+    choose(&mut harness, "course-finish");
     let course = &harness.state().state().course;
     assert!(course.open.is_none() && course.kept.done.contains("kinds"));
     assert_eq!(

@@ -1,10 +1,10 @@
 //! What a hand does in the window: sliders, letters that are dragged, a command that is looked for.
 
 use crate::common::hands::{
-    built_in, folded, named, open_view, picture_place, press, window, window_looking,
+    built_in, folded, named, open_view, picture_place, press, right_click, window, window_looking,
 };
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Event, Key, Modifiers, PointerButton, pos2, vec2};
+use eframe::egui::{Key, Modifiers, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use shading_lab::app::{App, Appearance, ViewName};
@@ -169,20 +169,8 @@ fn at_projector_size_the_object_stays_wholly_visible_beside_any_panel() {
 fn a_right_click_offers_what_can_be_done_there() {
     let mut harness = window("sphere");
     let at = picture_place(&harness).center();
-    let click = |harness: &mut Harness<'_, App>, at| {
-        harness.hover_at(at);
-        for pressed in [true, false] {
-            harness.event(Event::PointerButton {
-                pos: at,
-                button: PointerButton::Secondary,
-                pressed,
-                modifiers: Modifiers::NONE,
-            });
-            harness.run_ok();
-        }
-    };
     let before = harness.state().state().session.document().scene.clone();
-    click(&mut harness, at);
+    right_click(&mut harness, at);
     press(&mut harness, "picture-menu-line");
     let state = harness.state().state();
     assert_eq!(state.window.appearance.view, ViewName::Profile);
@@ -190,7 +178,7 @@ fn a_right_click_offers_what_can_be_done_there() {
     let [from, to] = state.window.line.0;
     assert!(from.y == to.y && to.x - from.x > 0.5, "{from} to {to}");
     let at = picture_place(&harness).center() + vec2(30.0, -30.0);
-    click(&mut harness, at);
+    right_click(&mut harness, at);
     press(&mut harness, "picture-menu-light");
     let lights = &harness.state().state().session.document().scene.lights;
     assert_eq!(lights.len(), before.lights.len() + 1);

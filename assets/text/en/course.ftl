@@ -27,7 +27,8 @@ course-to-question = To the question
 course-left = Another scene is open. The lesson waits where you left it.
 course-return = Back to the lesson
     .tip = Show the scene of the lesson’s step again
-course-camera-still = The camera stays still until the question is answered.
+course-locked = The scene waits until you have answered the question.
+course-after-answer = after your answer
 
 course-question = Question
 course-check = Check
@@ -82,6 +83,11 @@ course-place = The ring in the picture marks the right place.
 course-places = The dots in the picture mark the right places.
 course-set-it = Set it so
 
+course-results = Results
+course-results-none = You have not answered a question yet.
+course-results-count = { $answered } of { $count } answered. Right: { $right }, of these at the first try: { $first }. Looked up: { $looked }.
+course-results-again = Look at these again:
+
 course-hand-in = Hand in your answers
     .verb = Write
     .sentence = One picture with the scene, the lesson and your answers inside. Send it to your lecturer.
@@ -97,6 +103,7 @@ course-answers-right = { $right } of { $count } right
 course-answers-question = Question { $number }
 course-answers-first = First answer
 course-answers-given = Answer
+course-answers-model = Wrong model
 course-answers-solution = Right answer
 course-answers-none = none
 course-answers-curve = a drawn curve

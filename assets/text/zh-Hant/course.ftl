@@ -27,7 +27,8 @@ course-to-question = 前往問題
 course-left = 目前開啟的是另一個場景。單元停在你離開的地方。
 course-return = 回到單元
     .tip = 重新顯示單元這一步的場景
-course-camera-still = 回答問題之前，相機保持不動。
+course-locked = 回答問題之前，場景保持不變。
+course-after-answer = 作答後開放
 
 course-question = 問題
 course-check = 檢查
@@ -74,6 +75,11 @@ course-place = 圖片中的圓圈標出正確位置。
 course-places = 圖片中的點標出正確位置。
 course-set-it = 套用正確值
 
+course-results = 結果
+course-results-none = 你還沒有回答任何問題。
+course-results-count = { $count } 題中已作答 { $answered } 題。答對 { $right } 題，其中第一次就答對 { $first } 題；看過答案 { $looked } 題。
+course-results-again = 再看一次這些步驟：
+
 course-hand-in = 繳交答案
     .verb = 寫入
     .sentence = 一張圖片，內含場景、單元與你的答案。請寄給老師。
@@ -89,6 +95,7 @@ course-answers-right = 答對 { $right } 題，共 { $count } 題
 course-answers-question = 第 { $number } 題
 course-answers-first = 最初的答案
 course-answers-given = 答案
+course-answers-model = 錯誤模型
 course-answers-solution = 正確答案
 course-answers-none = 未作答
 course-answers-curve = 手繪的曲線

@@ -221,8 +221,19 @@ pub fn draw_panes<E>(
     Ok(panes)
 }
 
-/// Places panes drawn by [`draw_panes`] on one sheet. With `captions` each is named.
-pub fn comparison_sheet(scene: &Scene, panes: &[DrawnPane], captions: bool) -> Frame {
+/// The captions of the panes on a sheet.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Captions {
+    /// No captions.
+    None,
+    /// The names alone.
+    Names,
+    /// The names with what was measured.
+    Figures,
+}
+
+/// Places panes drawn by [`draw_panes`] on one sheet.
+pub fn comparison_sheet(scene: &Scene, panes: &[DrawnPane], captions: Captions) -> Frame {
     let (Some(first), Some(last)) = (panes.first(), panes.last()) else {
         return Frame::default();
     };
@@ -256,7 +267,7 @@ pub fn comparison_sheet(scene: &Scene, panes: &[DrawnPane], captions: bool) -> F
         });
     };
     match compare.view {
-        _ if !captions => {}
+        _ if captions == Captions::None => {}
         CompareView::Single => {}
         CompareView::Panes => {
             // Smaller in small panes: a caption is about half a pane wide.
@@ -268,6 +279,9 @@ pub fn comparison_sheet(scene: &Scene, panes: &[DrawnPane], captions: bool) -> F
                 let corner = DVec2::from_array(area.min.map(f64::from));
                 let measured = caption(pane, &figures).join("   ");
                 letter(&pane.name, em, corner + DVec2::new(0.8, 1.4) * em, 0.0);
+                if captions == Captions::Names {
+                    continue;
+                }
                 letter(
                     &measured,
                     0.9 * em,
@@ -289,11 +303,13 @@ pub fn comparison_sheet(scene: &Scene, panes: &[DrawnPane], captions: bool) -> F
                 DVec2::new(em, 1.5 * em),
                 0.0,
             );
-            letter(&words, em, DVec2::new(em, 3.0 * em), 0.0);
+            if captions == Captions::Figures {
+                letter(&words, em, DVec2::new(em, 3.0 * em), 0.0);
+            }
         }
     }
     drawing.draw_over(&mut sheet);
-    if captions && compare.view == CompareView::Difference {
+    if captions != Captions::None && compare.view == CompareView::Difference {
         let size = [sheet.width, sheet.height];
         difference_scale(size, compare.difference, compare.gain, em).draw_over(&mut sheet);
     }

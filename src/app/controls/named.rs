@@ -4,7 +4,8 @@ use super::row::{View, parameter_with};
 use crate::app::session::Session;
 use crate::scene::parameter::Parameter;
 use crate::scene::{LightKind, light};
-use eframe::egui::Ui;
+use crate::text::text;
+use eframe::egui::{RichText, Ui};
 
 /// Minimum width of a column of controls, in points, and the maximum number of columns.
 const COLUMN: f32 = 290.0;
@@ -43,7 +44,8 @@ impl Named {
     }
 }
 
-/// Shows a row for each control, in several columns if the width allows.
+/// Shows a row for each control, in several columns if the width allows. A row that waits for the answer to the open question
+/// says so.
 pub fn rows_ui(ui: &mut Ui, session: &mut Session, controls: &[Named]) {
     let count = ((ui.available_width() / COLUMN) as usize)
         .min(controls.len())
@@ -60,6 +62,7 @@ fn row_ui(ui: &mut Ui, session: &mut Session, control: Named) {
         initial,
         shown,
         light,
+        lock,
         ..
     } = session;
     let last = shown.scene.lights.len().saturating_sub(1);
@@ -77,5 +80,13 @@ fn row_ui(ui: &mut Ui, session: &mut Session, control: Named) {
         in_full: parameter.section() == "ground",
         ..View::default()
     };
-    parameter_with(ui, initial, &mut shown.scene, parameter, &view);
+    let free = lock
+        .as_ref()
+        .is_none_or(|lock| lock.frees(parameter, index));
+    ui.add_enabled_ui(free, |ui| {
+        parameter_with(ui, initial, &mut shown.scene, parameter, &view);
+    });
+    if !free {
+        ui.label(RichText::new(text!("course-after-answer")).weak().small());
+    }
 }

@@ -6,10 +6,12 @@ use super::marking::HandedIn;
 use super::work::{Prepare, Prepared};
 use crate::app::session::appearance::Overlays;
 use crate::app::session::document::CoursePart;
+use crate::app::session::lock::Lock;
+use crate::app::session::place::{ProbePoint, ProfileLine};
 use crate::jobs::Background;
 use crate::lesson::{
-    Answer, Answered, Grade, LESSONS, Lab, Lesson, Question, Record, Solution, Staged, Step,
-    are_there, find,
+    Answer, Answered, Grade, HandIn, LESSONS, Lab, Lesson, Question, Record, Solution, Staged,
+    Step, are_there, find,
 };
 use crate::scene::Scene;
 use crate::text::{Language, language, text};
@@ -79,6 +81,8 @@ pub struct Listed {
     pub topic: String,
     pub minutes: u32,
     pub about: String,
+    /// The number of questions.
+    pub questions: usize,
 }
 
 impl Listed {
@@ -89,6 +93,11 @@ impl Listed {
             topic: lesson.topic.clone(),
             minutes: lesson.minutes,
             about: lesson.about.clone(),
+            questions: lesson
+                .steps
+                .iter()
+                .filter(|step| step.question.is_some())
+                .count(),
         }
     }
 }
@@ -112,6 +121,18 @@ pub struct Open {
     pub in_view: bool,
     /// The overlays of the picture from before the lesson came into view.
     pub overlay: Overlays,
+    /// What is shown over the picture while the question is open; `None` while it is not.
+    pub held: Option<Held>,
+    /// The answers to all questions, while the lesson's last page shows them.
+    pub results: Option<HandedIn>,
+}
+
+/// What a step shows over the picture, which stays until its question is answered.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Held {
+    pub overlay: Overlays,
+    pub probe: ProbePoint,
+    pub line: ProfileLine,
 }
 
 /// An answer in the making.
@@ -254,6 +275,8 @@ impl Course {
             markdown: CommonMarkCache::default(),
             in_view: false,
             overlay: Overlays::default(),
+            held: None,
+            results: None,
         });
         left
     }
@@ -262,7 +285,7 @@ impl Course {
     pub fn go(&mut self, step: usize) {
         let Some(open) = &mut self.open else { return };
         open.step = step.min(open.lesson.steps.len() - 1);
-        (open.staged, open.failed) = (None, None);
+        (open.staged, open.failed, open.held, open.results) = (None, None, None, None);
         self.kept.left.insert(open.lesson.name.clone(), open.step);
         let record = self.kept.record(&open.lesson.name);
         let answered = record.and_then(|record| record.answer(open.step));
@@ -324,6 +347,17 @@ impl Course {
         }
     }
 
+    /// Shows the last page of the open lesson, with the answers to all questions.
+    pub fn show_results(&mut self) {
+        let Some(open) = &mut self.open else { return };
+        let lesson = &open.lesson;
+        let none = || Record::new(&lesson.name, self.seed);
+        let record = self.kept.record(&lesson.name).cloned();
+        let record = record.unwrap_or_else(none);
+        let answers = HandIn::new(lesson, &record, &self.kept.name);
+        open.results = Some(HandedIn::with(Arc::new(Ok(answers))));
+    }
+
     /// Takes over the answers handed in with another document.
     pub fn follow_hand_in(&mut self, part: &CoursePart) {
         let known = self.handed_in.take();
@@ -357,6 +391,13 @@ impl Course {
     /// Returns whether a lesson is open while another scene is displayed.
     pub fn has_left_lesson(&self) -> bool {
         self.open.as_ref().is_some_and(Open::is_left)
+    }
+
+    /// Returns the lock of the step's question, while it is open.
+    pub fn lock(&self) -> Option<Lock> {
+        let open = self.in_view().filter(|open| open.staged.is_some())?;
+        let question = open.question().filter(|_| !self.revealed())?;
+        Some(Lock::new(question.kind.asks().controls()))
     }
 
     /// Returns whether numbers are hidden until the question is answered.

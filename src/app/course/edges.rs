@@ -36,16 +36,8 @@ pub fn paint(painter: &Painter, window: &WindowState, course: &Course, view: &Vi
     if !course.shows_edges() || field.face_count() > MOST {
         return;
     }
-    let faces = u32::try_from(field.face_count()).unwrap_or(0);
-    for face in 0..faces {
-        let corners = field.outline(face);
-        let projected: Option<Vec<DVec2>> = corners
-            .iter()
-            .map(|corner| Some(place.exact_point(view.project(*corner)?.0)))
-            .collect();
-        let Some(points) = projected.filter(|points| points.len() > 2 && faces_eye(points)) else {
-            continue;
-        };
+    for outline in field.facing_outlines(view) {
+        let points: Vec<DVec2> = outline.iter().map(|at| place.exact_point(*at)).collect();
         // Edge by edge: where a polygon is seen almost edge-on, the mitres of a closed line would reach far
         // out.
         for stroke in [
@@ -58,11 +50,4 @@ pub fn paint(painter: &Painter, window: &WindowState, course: &Course, view: &Vi
             }
         }
     }
-}
-
-/// Returns whether the points run counter-clockwise, as those of a polygon whose front faces the eye.
-fn faces_eye(points: &[DVec2]) -> bool {
-    let next = points.iter().cycle().skip(1);
-    let area: f64 = points.iter().zip(next).map(|(a, b)| a.perp_dot(*b)).sum();
-    area < 0.0
 }

@@ -1,7 +1,7 @@
-//! The transition from one scene of a lesson to the next: camera, lights and n change gradually, so that the
-//! eye can follow.
+//! The transition from one scene of a lesson to the next: numbers change gradually, so that the eye can follow.
 
 use crate::scene::Scene;
+use crate::scene::parameter::{Access, Kind, Parameter};
 use eframe::egui::{Context, Event};
 use glam::{DVec3, FloatExt as _};
 
@@ -17,15 +17,18 @@ pub struct Glide {
 }
 
 impl Glide {
-    /// Creates the transition between two scenes with the same object, if camera, lights or n differ.
+    /// Creates the transition between two scenes with the same object, if they differ in numbers.
     pub fn between(from: &Scene, to: &Scene) -> Option<Self> {
         let same = from.object == to.object
             && from.lights.len() == to.lights.len()
             && (from.camera.projection, from.camera.up) == (to.camera.projection, to.camera.up);
-        let differs = from.camera != to.camera
-            || from.lights != to.lights
-            || from.material.n != to.material.n;
-        (same && differs).then(|| Self {
+        let moves = |(parameter, _): (&Parameter, usize)| {
+            !matches!(
+                parameter.kind,
+                Kind::Choice(_) | Kind::Switch(_) | Kind::Text(..) | Kind::Other(..)
+            )
+        };
+        (same && from.differences(to).any(moves)).then(|| Self {
             from: from.clone(),
             to: to.clone(),
             begun: None,
@@ -52,23 +55,50 @@ impl Glide {
         if share >= 1.0 {
             return scene;
         }
-        let (a, b) = (&self.from.camera, &self.to.camera);
-        let camera = &mut scene.camera;
-        camera.target = a.target.lerp(b.target, share);
-        camera.eye = camera.target + turned(a.eye - a.target, b.eye - b.target, share);
-        camera.roll = a.roll.lerp(b.roll, share);
-        camera.fov_y = a.fov_y.lerp(b.fov_y, share);
-        camera.height = a.height.lerp(b.height, share);
-        let lights = self.from.lights.iter().zip(&self.to.lights);
-        for (light, (a, b)) in scene.lights.iter_mut().zip(lights) {
-            light.position = a.position.lerp(b.position, share);
-            light.direction = turned(a.direction, b.direction, share);
+        for (parameter, index) in self.from.differences(&self.to) {
+            self.blend(&mut scene, parameter, index, share);
         }
-        // A highlight shrinks evenly with the logarithm of n.
-        let [a, b] = [&self.from, &self.to].map(|scene| scene.material.n.ln());
-        let n = a.lerp(b, share).exp();
-        scene.material.n = if n.is_finite() { n } else { self.to.material.n };
+        // The eye goes round the target, not through it.
+        let (a, b) = (&self.from.camera, &self.to.camera);
+        scene.camera.eye = scene.camera.target + turned(a.eye - a.target, b.eye - b.target, share);
         scene
+    }
+
+    /// Sets a number of a scene to that at a fraction of the transition.
+    fn blend(&self, scene: &mut Scene, parameter: &Parameter, index: usize, share: f64) {
+        match parameter.kind {
+            Kind::Number(at, _, slider) => self.mix(scene, at, index, |a: f64, b: f64| {
+                // A highlight shrinks evenly with the logarithm of n.
+                let value = if slider.logarithmic && a > 0.0 && b > 0.0 {
+                    a.ln().lerp(b.ln(), share).exp()
+                } else {
+                    a.lerp(b, share)
+                };
+                if value.is_finite() { value } else { b }
+            }),
+            Kind::Coefficient(at, ..) | Kind::Channels(at, ..) | Kind::Colour(at, _) => {
+                self.mix(scene, at, index, |a, b| a.lerp(b, share));
+            }
+            Kind::Point(at) => self.mix(scene, at, index, |a, b| a.lerp(b, share)),
+            Kind::Direction(at, _) => {
+                self.mix(scene, at, index, |a, b| turned(a, b, share));
+            }
+            _ => {}
+        }
+    }
+
+    /// Sets a value of a scene to a mixture of those at both ends.
+    fn mix<T: Copy>(
+        &self,
+        scene: &mut Scene,
+        at: &Access<T>,
+        index: usize,
+        mixed: impl Fn(T, T) -> T,
+    ) {
+        let ends = [&self.from, &self.to].map(|scene| (at.get)(scene, index));
+        if let ([Some(a), Some(b)], Some(value)) = (ends, (at.get_mut)(scene, index)) {
+            *value = mixed(*a, *b);
+        }
     }
 }
 
@@ -109,10 +139,13 @@ mod tests {
             "light.0.direction=[1,0,0]",
             "light.0.position=[-3,1,2]",
             "material.n=500",
+            "material.kd=0.1",
         ];
         let to = from.with_overrides(&set).expect("settings");
         let glide = Glide::between(&from, &to).expect("a way");
         assert_eq!(glide.at(1.0), to);
+        let halfway = glide.at(0.5).material.kd.x;
+        assert!(0.1 < halfway && halfway < from.material.kd.x);
         let close = |a: DVec3, b: DVec3| (a - b).length() < 1e-12;
         assert!(close(glide.at(0.0).camera.eye, from.camera.eye));
         for step in 0..=100 {
@@ -121,6 +154,7 @@ mod tests {
             // The eye goes round the object, not through it.
             assert!(scene.camera.eye.distance(scene.camera.target) > 2.0);
             assert!((from.material.n..=500.0 + 1e-9).contains(&scene.material.n));
+            assert!((0.1 - 1e-9..=from.material.kd.x).contains(&scene.material.kd.x));
         }
         assert!(Glide::between(&from, &from).is_none());
         let other = from.with_overrides(&["object.rings=9"]).expect("settings");

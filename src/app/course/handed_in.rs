@@ -8,7 +8,7 @@ use crate::app::session::Session;
 use crate::app::widgets::background::wake;
 use crate::app::widgets::focus::{keep_in_sight, named};
 use crate::app::widgets::sign::tick;
-use crate::lesson::HandIn;
+use crate::lesson::{HandIn, Lesson, how_given};
 use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
@@ -21,9 +21,6 @@ use std::sync::Arc;
 const SIGN: f32 = 16.0;
 /// The width of the label in front of an answer, in points.
 const LABEL: f32 = 84.0;
-/// The time from which on it is not shown, in seconds: after a day it says nothing about how long the student
-/// has thought.
-const DAY: f64 = 86_400.0;
 
 /// Shows the answers, with the marks that are known.
 pub fn handed_in_ui(ui: &mut Ui, course: &mut Course, session: &Session) {
@@ -44,21 +41,26 @@ pub fn handed_in_ui(ui: &mut Ui, course: &mut Course, session: &Session) {
                     error_ui(ui, &text!("course-answers-void", why = why.to_string()));
                 }
                 Ok(answers) => {
-                    let work = &mut handed_in.work;
-                    work.take();
-                    if work.known().is_none()
-                        && work.progress().is_none()
-                        && let Some(marking) = Marking::of(answers, own.as_deref())
-                    {
-                        work.start(marking, wake(ui.ctx()));
-                    }
+                    mark(ui, handed_in, answers, own.as_deref());
                     head_ui(ui, session, answers, handed_in);
-                    body_ui(ui, handed_in);
+                    cards_ui(ui, handed_in, false);
                 }
             }
             ui.add_space(8.0);
             keep_in_sight(ui);
         });
+}
+
+/// Starts to grade the answers in the background, and takes the grades; `own` is the lesson opened from a file.
+pub fn mark(ui: &Ui, handed_in: &mut HandedIn, answers: &HandIn, own: Option<&Lesson>) {
+    let work = &mut handed_in.work;
+    work.take();
+    if work.known().is_none()
+        && work.progress().is_none()
+        && let Some(marking) = Marking::of(answers, own)
+    {
+        work.start(marking, wake(ui.ctx()));
+    }
 }
 
 /// Shows the author, the lesson, and the number of right answers.
@@ -80,7 +82,9 @@ fn head_ui(ui: &mut Ui, session: &Session, answers: &HandIn, handed_in: &HandedI
     ui.add_space(6.0);
 }
 
-fn body_ui(ui: &mut Ui, handed_in: &mut HandedIn) {
+/// Shows a card for each question, once the answers are graded. In the student's `own` lesson a right answer appears only where it
+/// was looked up: the lesson may go on.
+pub fn cards_ui(ui: &mut Ui, handed_in: &mut HandedIn, own: bool) {
     let HandedIn { work, markdown, .. } = handed_in;
     match work.known() {
         None => waiting_ui(ui, text!("course-answers-marking")),
@@ -88,7 +92,7 @@ fn body_ui(ui: &mut Ui, handed_in: &mut HandedIn) {
         Some(Ok(marked)) => {
             for (index, question) in marked.questions.iter().enumerate() {
                 ui.push_id(index, |ui| {
-                    question_ui(ui, markdown, index + 1, question);
+                    question_ui(ui, markdown, (index + 1, question), own);
                 });
                 ui.add_space(4.0);
             }
@@ -100,8 +104,8 @@ fn body_ui(ui: &mut Ui, handed_in: &mut HandedIn) {
 fn question_ui(
     ui: &mut Ui,
     markdown: &mut CommonMarkCache,
-    number: usize,
-    question: &MarkedQuestion,
+    (number, question): (usize, &MarkedQuestion),
+    own: bool,
 ) {
     let stroke = Stroke::new(1.0, ui.visuals().widgets.noninteractive.bg_stroke.color);
     let card = Frame::new()
@@ -115,7 +119,7 @@ fn question_ui(
             let words = text!("course-answers-question", number = number);
             ui.label(RichText::new(words).strong());
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-                let how = question.given.as_ref().map(how_given).unwrap_or_default();
+                let how = question.given.as_ref().map(details).unwrap_or_default();
                 ui.add(Label::new(RichText::new(how).weak()).truncate());
             });
         });
@@ -128,13 +132,16 @@ fn question_ui(
         let right = given.is_some_and(|given| given.grade.is_some_and(|grade| grade.right));
         let first = given.and_then(|given| given.first.as_deref());
         let words = given.map(|given| &*given.words);
-        let solution = question.right.as_deref().filter(|_| !right);
+        let model = given.and_then(|given| given.model.as_deref());
+        let shown = !own || given.is_some_and(|given| given.looked_up > 0);
+        let solution = question.right.as_deref().filter(|_| !right && shown);
         for (label, words) in [
             (text!("course-answers-first"), first),
             (
                 text!("course-answers-given"),
                 Some(words.unwrap_or(text!("course-answers-none"))),
             ),
+            (text!("course-answers-model"), model),
             (text!("course-answers-solution"), solution),
         ] {
             if let Some(words) = words {
@@ -161,7 +168,7 @@ fn verdict_ui(ui: &mut Ui, given: Option<&MarkedAnswer>) {
 }
 
 /// Describes how near a wrong answer is, and after how many tries and how long it was given.
-fn how_given(given: &MarkedAnswer) -> String {
+fn details(given: &MarkedAnswer) -> String {
     let mut parts = Vec::new();
     if let Some(grade) = given
         .grade
@@ -170,16 +177,7 @@ fn how_given(given: &MarkedAnswer) -> String {
         let share = format!("{:.0}", 100.0 * grade.score);
         parts.push(text!("course-answers-close", share = share));
     }
-    if given.tries > 1 {
-        parts.push(text!("course-answers-tries", count = given.tries));
-    }
-    if given.looked_up > 0 {
-        parts.push(text!("class-looked-up", count = given.looked_up));
-    }
-    if (1.0..DAY).contains(&given.seconds) {
-        let seconds = format!("{:.0}", given.seconds);
-        parts.push(text!("course-answers-seconds", seconds = seconds));
-    }
+    parts.extend(how_given(given.tries, given.looked_up, given.seconds));
     parts.join(" · ")
 }
 

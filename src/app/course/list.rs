@@ -72,10 +72,17 @@ pub fn list_ui(ui: &mut Ui, course: &mut Course, requests: &mut Requests) {
         });
 }
 
-/// Shows a lesson's title above a sentence about it, with its minutes and, once it is done, a tick. Returns
-/// whether it was clicked.
+/// Shows a lesson's title above a sentence about it, with its minutes and how far it is done. Returns whether
+/// it was clicked.
 fn card_ui(ui: &mut Ui, lesson: &Listed, course: &Course) -> bool {
-    let done = course.kept.done.contains(&lesson.name);
+    let record = course.kept.record(&lesson.name);
+    let answers = record.map_or(&[][..], |record| &record.answers[..]);
+    let right = answers
+        .iter()
+        .filter(|answered| answered.grade.right)
+        .count();
+    // A lesson with questions is done once all are answered rightly.
+    let done = right == lesson.questions && (right > 0 || course.kept.done.contains(&lesson.name));
     let begun = course
         .kept
         .left
@@ -101,6 +108,10 @@ fn card_ui(ui: &mut Ui, lesson: &Listed, course: &Course) -> bool {
             if done {
                 let (room, _) = ui.allocate_exact_size(vec2(16.0, 16.0), Sense::hover());
                 ui.painter().add(tick(room, ui.visuals().hyperlink_color));
+            } else if !answers.is_empty() {
+                let count = lesson.questions;
+                let words = text!("course-answers-right", right = right, count = count);
+                ui.label(RichText::new(words).color(ui.visuals().hyperlink_color));
             } else if begun {
                 ui.label(RichText::new(text!("course-begun")).color(ui.visuals().hyperlink_color));
             }

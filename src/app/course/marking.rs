@@ -21,6 +21,8 @@ pub struct HandedIn {
     pub markdown: CommonMarkCache,
     /// True if the list of lessons is shown instead.
     pub closed: bool,
+    /// True until the answers have been shown once.
+    pub fresh: bool,
 }
 
 impl HandedIn {
@@ -29,12 +31,18 @@ impl HandedIn {
         let CoursePart::HandIn(answers) = part else {
             return None;
         };
-        Some(Self {
-            answers: Arc::clone(answers),
+        Some(Self::with(Arc::clone(answers)))
+    }
+
+    /// Returns answers that are to be graded.
+    pub fn with(answers: Arc<Result<HandIn, HandInError>>) -> Self {
+        Self {
+            answers,
             work: Background::default(),
             markdown: CommonMarkCache::default(),
             closed: false,
-        })
+            fresh: true,
+        }
     }
 
     /// Returns whether the answers are those of a document.
@@ -86,6 +94,8 @@ pub struct MarkedAnswer {
     pub words: String,
     /// The first answer, if it differs.
     pub first: Option<String>,
+    /// What is said of the wrong model that the first answer agrees with, or else the last.
+    pub model: Option<String>,
     pub grade: Option<Grade>,
     pub tries: u32,
     pub looked_up: u32,
@@ -154,14 +164,22 @@ fn marked(
     };
     let given = given.map(
         |Given {
-             answered, grade, ..
-         }| MarkedAnswer {
-            words: words(&answered.answer),
-            first: (answered.prediction != answered.answer).then(|| words(&answered.prediction)),
-            grade: *grade,
-            tries: answered.tries,
-            looked_up: answered.looked_up,
-            seconds: answered.seconds,
+             answered,
+             grade,
+             predicted,
+         }| {
+            let grades = [predicted, grade].into_iter().flatten();
+            let model = grades.filter_map(|grade| grade.model).next();
+            MarkedAnswer {
+                words: words(&answered.answer),
+                first: (answered.prediction != answered.answer)
+                    .then(|| words(&answered.prediction)),
+                model: model.and_then(|model| asked.says.get(model).cloned()),
+                grade: *grade,
+                tries: answered.tries,
+                looked_up: answered.looked_up,
+                seconds: answered.seconds,
+            }
         },
     );
     MarkedQuestion {

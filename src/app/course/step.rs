@@ -4,6 +4,7 @@ use super::data::{Course, Open};
 use super::parts::{error_ui, waiting_ui};
 use super::prose::prose_ui;
 use super::question::question_ui;
+use super::results::results_ui;
 use super::work::{Prepare, Prepared};
 use crate::app::controls::named::{Named, rows_ui};
 use crate::app::session::Session;
@@ -38,6 +39,9 @@ pub fn step_ui(
         .resizable(false)
         .show(ui, |ui| ways_ui(ui, course, requests));
     let Some(open) = &mut course.open else { return };
+    if open.results.is_some() {
+        return results_ui(ui, course, requests);
+    }
     let fresh = std::mem::take(&mut open.draft.fresh);
     let mut area = ScrollArea::vertical()
         .id_salt(("step", open.opening, open.step))
@@ -133,7 +137,11 @@ pub fn head_ui(ui: &mut Ui, course: &Course, requests: &mut Requests) {
 fn ways_ui(ui: &mut Ui, course: &mut Course, requests: &mut Requests) {
     let Some(open) = &mut course.open else { return };
     let onward = std::mem::take(&mut open.draft.onward);
-    let (step, count) = (open.step, open.lesson.steps.len());
+    let count = open.lesson.steps.len();
+    let ended = open.results.is_some();
+    // The page of the results follows the last step.
+    let step = if ended { count } else { open.step };
+    let asks = open.lesson.steps.iter().any(|step| step.question.is_some());
     ui.add_space(4.0);
     ui.horizontal(|ui| {
         let back = ui.add_enabled(step > 0, Button::new(text!("course-back")));
@@ -143,6 +151,8 @@ fn ways_ui(ui: &mut Ui, course: &mut Course, requests: &mut Requests) {
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let next = if step + 1 < count {
                 text!("course-next")
+            } else if asks && !ended {
+                text!("course-results")
             } else {
                 text!("course-finish")
             };
@@ -165,7 +175,11 @@ fn ways_ui(ui: &mut Ui, course: &mut Course, requests: &mut Requests) {
 fn dots_ui(ui: &mut Ui, course: &Course, requests: &mut Requests, step: usize, count: usize) {
     let room = ui.available_width();
     let each = (room / count as f32).min(16.0);
-    let words = text!("course-step", number = step + 1, count = count);
+    let words = if step < count {
+        text!("course-step", number = step + 1, count = count)
+    } else {
+        text!("course-results").to_owned()
+    };
     if each < 9.0 {
         ui.label(words);
         return;
@@ -250,15 +264,24 @@ fn body_ui(
     if open.question().is_some() {
         ui.add_space(4.0);
         question_ui(ui, course, session, window, requests);
+        after_ui(ui, course);
     }
     again_ui(ui, course, session, requests);
-    let Some(open) = &course.open else { return };
-    let last = open.step + 1 == open.lesson.steps.len();
-    if last && course.to_hand_in().is_some() {
+}
+
+/// Shows the text that follows the question, once that is answered.
+fn after_ui(ui: &mut Ui, course: &mut Course) {
+    let revealed = course.revealed();
+    let Some(open) = course.open.as_mut().filter(|_| revealed) else {
+        return;
+    };
+    let Some(Ok(known)) = open.known() else {
+        return;
+    };
+    let words = known.after.clone();
+    if !words.trim().is_empty() {
         ui.add_space(6.0);
-        if ui.button(text!("controls-command-hand-in")).clicked() {
-            requests.ask(Action::HandIn);
-        }
+        ui.push_id("after", |ui| prose_ui(ui, &mut open.markdown, &words));
     }
 }
 

@@ -27,6 +27,8 @@ pub struct Prepared {
     pub text: String,
     pub ask: String,
     pub why: String,
+    /// The text that follows the answered question.
+    pub after: String,
     /// The texts of options and items, or of the axes of a curve.
     pub names: Vec<String>,
     /// What is said of each wrong model, of a choice of each option.
@@ -75,6 +77,7 @@ impl Work for Prepare {
             text: fill(&step.text)?,
             ask: String::new(),
             why: String::new(),
+            after: String::new(),
             names: Vec::new(),
             says: Vec::new(),
             key: None,
@@ -85,6 +88,7 @@ impl Work for Prepare {
         };
         prepared.ask = fill(&question.ask)?;
         prepared.why = fill(&question.why)?;
+        prepared.after = fill(&step.after)?;
         let names = question.names().into_iter();
         prepared.names = names.map(fill).collect::<Result<_, _>>()?;
         let says = question.says().into_iter();

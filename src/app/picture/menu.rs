@@ -13,7 +13,7 @@ use crate::app::views::report::export;
 use crate::app::widgets::symbol::{self, Sought, Symbol};
 use crate::scene::{Choice as _, Light, Scene, View};
 use crate::text::text;
-use eframe::egui::{Popup, Pos2, Response, Ui};
+use eframe::egui::{Button, Popup, Pos2, Response, Ui};
 use glam::DVec2;
 
 /// The place of the last right click, and the handle there.
@@ -29,7 +29,7 @@ pub fn open(window: &mut WindowState, grip: Grip, at: Pos2, place: Place) {
     window.own.put(Some(Clicked { grip, at, place }));
 }
 
-/// Shows the menu while it is open.
+/// Shows the menu while it is open. What could show the answer to an open question waits for it.
 pub fn menu_ui(
     response: &Response,
     session: &mut Session,
@@ -41,20 +41,25 @@ pub fn menu_ui(
         return;
     };
     let chosen = session.light;
+    let locked = session.lock.is_some();
     Popup::context_menu(response).show(|ui| {
-        match clicked.grip {
+        if locked {
+            ui.weak(text!("course-after-answer"));
+        }
+        ui.add_enabled_ui(!locked, |ui| match clicked.grip {
             Grip::Light(index) => light_ui(ui, session, requests, index),
             Grip::SideView => side_view_ui(ui, session, window, requests, engine),
             Grip::Aim { .. } | Grip::Rim(_) => light_ui(ui, session, requests, chosen),
             _ => place_ui(ui, session, window, requests, clicked),
-        }
+        });
         ui.separator();
         for (name, action) in [
             (text!("controls-command-reset-camera"), Action::ResetCamera),
             (text!("controls-command-copy"), Action::CopyPicture),
             (text!("controls-command-export"), Action::Export),
         ] {
-            if ui.button(name).clicked() {
+            let free = !(locked && action.waits());
+            if ui.add_enabled(free, Button::new(name)).clicked() {
                 requests.ask(action);
             }
         }

@@ -119,6 +119,27 @@ pub enum Action {
     DeleteLeft,
 }
 
+impl Action {
+    /// Returns whether the action would show the answer to an open question, or leave the step's picture: it waits until
+    /// the question is answered. Changes of the scene that go through [`super::Session::commit`] wait there.
+    pub fn waits(&self) -> bool {
+        matches!(
+            self,
+            Self::Shade { .. }
+                | Self::AddLight(_)
+                | Self::Compare(_)
+                | Self::NextComparison
+                | Self::AllModes
+                | Self::MovePane(..)
+                | Self::RemovePane(_)
+                | Self::Reference(_)
+                | Self::Export
+                | Self::Code
+                | Self::SaveAnswer(..)
+        )
+    }
+}
+
 /// A step in the course.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Turn {

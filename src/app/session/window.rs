@@ -33,6 +33,8 @@ pub struct WindowState {
     pub welcome: bool,
     /// True if the picture is shown alone.
     pub picture_alone: bool,
+    /// True if views hide their numbers, and what they draw over the picture, until a question is answered.
+    pub hidden: bool,
     /// Size of the picture with all its panes, pixels.
     pub room: [u32; 2],
     /// The states of views and dialogs.
@@ -42,7 +44,8 @@ pub struct WindowState {
 impl WindowState {
     /// Returns whether a view is visible.
     pub fn shows(&self, view: ViewName) -> bool {
-        self.appearance.views && !self.picture_alone && self.appearance.view == view
+        let hidden = self.hidden && view != ViewName::Course;
+        self.appearance.views && !self.picture_alone && !hidden && self.appearance.view == view
     }
 
     /// Opens a view, and the panel.

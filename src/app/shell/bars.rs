@@ -24,8 +24,8 @@ use crate::scene::{Choice, ShadingMode};
 use crate::text::{Language, text};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align, Button, ComboBox, EventFilter, Key, Label, Layout, MenuBar, Modifiers, Popup, Response,
-    RichText, Sense, TextWrapMode, Ui, vec2,
+    Align, Button, ComboBox, EventFilter, Key, Label, Layout, MenuBar, Modifiers, Popup,
+    RadioButton, Response, RichText, Sense, TextWrapMode, Ui, vec2,
 };
 
 /// The window width below which the menus fold into one, and the modes into a list, in points.
@@ -123,7 +123,9 @@ fn menu_ui(
     ui.menu_button(text!("controls-group-compare"), |ui| {
         for (view, name, tip) in VIEWS {
             let present = session.document().scene.compare.view == view;
-            let radio = ui.radio(present, text!(name));
+            let radio = RadioButton::new(present, text!(name));
+            let radio = ui.add_enabled(session.lock.is_none(), radio);
+            let radio = radio.on_disabled_hover_text(text!("course-after-answer"));
             if radio.on_hover_text(text!(tip)).clicked() {
                 requests.ask(Action::Compare(view));
                 ui.close();
@@ -254,7 +256,9 @@ fn modes_ui(ui: &mut Ui, session: &Session, requests: &mut Requests) {
     let present = session.shown.scene.shading.mode;
     for (index, mode) in ShadingMode::VALUES.iter().enumerate() {
         let name = format!("{} {}", index + 1, mode.label());
-        let button = ui.add(Button::selectable(present == *mode, name));
+        let button = Button::selectable(present == *mode, name);
+        let button = ui.add_enabled(session.lock.is_none(), button);
+        let button = button.on_disabled_hover_text(text!("course-after-answer"));
         if button.on_hover_text(mode.help()).clicked() {
             shade(requests, *mode);
         }
@@ -264,6 +268,9 @@ fn modes_ui(ui: &mut Ui, session: &Session, requests: &mut Requests) {
 /// Shows the shading modes as a list.
 fn mode_list_ui(ui: &mut Ui, session: &Session, requests: &mut Requests) {
     let present = session.shown.scene.shading.mode;
+    if session.lock.is_some() {
+        ui.disable();
+    }
     let list = ComboBox::from_id_salt("modes")
         .selected_text(present.label())
         .show_ui(ui, |ui| {

@@ -470,13 +470,8 @@ impl AppState {
     ///
     /// `size` is the picture's, in pixels.
     pub fn perform(&mut self, action: Action, size: [u32; 2]) -> Option<Action> {
-        // A point that is to be marked must not move away.
-        let moves = matches!(
-            action,
-            Action::ResetCamera | Action::Orbit(_) | Action::Pan(_) | Action::Zoom(_)
-        );
-        if moves && self.course.asks_point() {
-            self.session.notice = Some(text!("course-camera-still").into());
+        if action.waits() && self.session.lock.is_some() {
+            self.session.say_locked();
             return None;
         }
         let camera = &mut self.session.shown.scene.camera;

@@ -4,7 +4,7 @@ use super::dialog::{Dialog, ExportForm, FileTask};
 use super::film::FilmForm;
 use crate::analysis::Watch;
 use crate::analysis::codec::Codec;
-use crate::analysis::comparison::{comparison_sheet, draw_panes, panes_on_sheet};
+use crate::analysis::comparison::{Captions, comparison_sheet, draw_panes, panes_on_sheet};
 use crate::analysis::normals::{NormalField, draw_normals};
 use crate::analysis::probe::{draw_overlay, probe};
 use crate::analysis::profile::{ProfileQuestion, draw_profile, profile};
@@ -232,7 +232,7 @@ pub fn picture(
     );
     panes
         .ok()
-        .map(|panes| comparison_sheet(scene, &panes, true))
+        .map(|panes| comparison_sheet(scene, &panes, Captions::Figures))
 }
 
 impl Files {

@@ -2,7 +2,7 @@
 //! other, so that it is one step of undo.
 
 use super::state::AppState;
-use crate::app::course::{Glide, as_target};
+use crate::app::course::{Glide, Held, as_target};
 use crate::app::session::action::{Action, Turn};
 use crate::app::session::appearance::ViewName;
 use crate::app::session::document::{CoursePart, Document, Origin};
@@ -57,9 +57,20 @@ impl AppState {
                 let Some(open) = &self.course.open else {
                     return;
                 };
-                let (step, last) = (open.step, open.lesson.steps.len() - 1);
+                let count = open.lesson.steps.len();
+                let asks = open.lesson.steps.iter().any(|step| step.question.is_some());
+                // The page of the results follows the last step of a lesson with questions.
+                let step = if open.results.is_some() {
+                    count
+                } else {
+                    open.step
+                };
                 match step.checked_add_signed(by) {
-                    Some(next) if next > last => self.finish_lesson(),
+                    Some(next) if next == count && asks => {
+                        self.course.show_results();
+                        self.window.show_view(ViewName::Course);
+                    }
+                    Some(next) if next >= count => self.finish_lesson(),
                     Some(next) => self.turn_to(next),
                     None => self.window.show_view(ViewName::Course),
                 }
@@ -181,11 +192,38 @@ impl AppState {
         }
     }
 
+    /// Locks the scene while the question of the step in view is open. What the step shows over the picture stays
+    /// too: an overlay, the probe or the line could show the answer.
+    pub fn follow_lock(&mut self) {
+        self.session.lock = self.course.lock();
+        self.window.hidden = self.course.hides();
+        let Some(open) = &mut self.course.open else {
+            return;
+        };
+        if self.session.lock.is_none() {
+            open.held = None;
+            return;
+        }
+        let window = &mut self.window;
+        let present = Held {
+            overlay: window.appearance.overlay.clone(),
+            probe: window.probe,
+            line: window.line,
+        };
+        let held = open.held.get_or_insert_with(|| present.clone());
+        if *held != present {
+            window.appearance.overlay = held.overlay.clone();
+            (window.probe, window.line) = (held.probe, held.line);
+            self.session.say_locked();
+        }
+    }
+
     /// Restores the overlays from before the lesson came into view.
     fn leave_view(&mut self) {
         if let Some(open) = &mut self.course.open
             && std::mem::take(&mut open.in_view)
         {
+            open.held = None;
             self.window.appearance.overlay = open.overlay.clone();
         }
     }
@@ -257,6 +295,9 @@ impl AppState {
         self.course.openings += 1;
         open.opening = self.course.openings;
         open.prepared.clear();
+        if open.results.is_some() {
+            self.course.show_results();
+        }
     }
 
     /// Opens a match whose target is the current scene.
@@ -265,5 +306,238 @@ impl AppState {
             Some(lesson) => self.open_lesson(Arc::new(lesson), false),
             None => self.session.notice = Some(text!("course-target-file").into()),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::app::session::appearance::Appearance;
+    use crate::app::shell::commands::SECTIONS;
+    use crate::app::shell::terms;
+    use crate::lesson::{Answer, Grade};
+    use crate::scene::parameter::Parameter;
+    use crate::scene::{Choice as _, CompareView, Light, Scene, ShadingMode, presets};
+
+    const SIZE: [u32; 2] = [480, 360];
+
+    /// Opens a lesson of the course at a step.
+    fn at(lesson: &str, step: usize) -> AppState {
+        let mut state = AppState::default();
+        state.turn(Turn::OpenAt(lesson.to_owned(), 0));
+        state.session.begin();
+        state.turn(Turn::To(step));
+        state.session.observe(false, 0.0);
+        state.follow_lock();
+        state.course.gliding = None;
+        state
+    }
+
+    /// Performs an action as the window does; returns it if it is left to files or dialogs.
+    fn perform(state: &mut AppState, action: Action) -> Option<Action> {
+        let rest = state.perform(action, SIZE);
+        state.session.commit();
+        state.follow_lock();
+        rest
+    }
+
+    /// Changes the document, then the scene of the controls.
+    fn edit(state: &mut AppState, change: impl Fn(&mut Scene)) {
+        state.session.edit(|scene, _| change(scene));
+        change(&mut state.session.shown.scene);
+        state.session.commit();
+        state.follow_lock();
+    }
+
+    /// The part of the window that could show an answer.
+    fn shown(state: &AppState) -> (Scene, Held, bool) {
+        let window = &state.window;
+        let held = Held {
+            overlay: window.appearance.overlay.clone(),
+            probe: window.probe,
+            line: window.line,
+        };
+        (state.session.document().scene.clone(), held, window.hidden)
+    }
+
+    /// Every scene that differs from this one in a single parameter, as far as built-in scenes have other values.
+    fn neighbours(scene: &Scene, others: &[Scene]) -> Vec<(String, Scene)> {
+        let mut found = Vec::new();
+        for parameter in Parameter::all() {
+            for index in 0..parameter.count(scene) {
+                let changed = others.iter().find_map(|other| {
+                    if parameter.agrees(scene, other, index) {
+                        return None;
+                    }
+                    let mut changed = scene.clone();
+                    parameter.copy(other, &mut changed, index);
+                    let differs = !parameter.agrees(scene, &changed, index);
+                    (differs && changed.validate().is_ok()).then_some(changed)
+                });
+                found.extend(changed.map(|changed| (parameter.key(index), changed)));
+            }
+        }
+        found
+    }
+
+    #[test]
+    fn no_prediction_of_the_course_can_be_peeked_at() {
+        let mut questions = 0;
+        let scenes: Vec<Scene> = presets::ALL.iter().map(|preset| preset.scene()).collect();
+        for lesson in &LESSONS {
+            let steps = lesson.lesson().steps;
+            let asks = |step: &usize| steps[*step].question.is_some();
+            for step in (0..steps.len()).filter(asks) {
+                questions += 1;
+                try_everything(lesson.name, step, &scenes);
+            }
+        }
+        assert!(questions >= 157, "{questions} questions");
+    }
+
+    fn try_everything(lesson: &str, step: usize, scenes: &[Scene]) {
+        let mut state = at(lesson, step);
+        let name = |tried: &str| format!("{lesson}/{}: {tried}", step + 1);
+        let open = state.course.open.as_ref().expect("a lesson");
+        let controls = open.question().expect("a question").kind.asks().controls();
+        let controls = controls.to_vec();
+        let before = shown(&state);
+        assert!(state.session.lock.is_some() && before.2, "{}", name("open"));
+        let same =
+            |state: &AppState, tried: &str| assert!(shown(state) == before, "{}", name(tried));
+
+        // Commands, whether by key or from a menu; those that lead elsewhere come below.
+        let commands = SECTIONS.iter().flat_map(|section| &section.commands);
+        let mut actions: Vec<Action> = commands
+            .flat_map(|command| command.actions.clone())
+            .collect();
+        actions.extend(ShadingMode::VALUES.iter().map(|mode| Action::Shade {
+            mode: *mode,
+            renormalise: false,
+        }));
+        actions.extend(
+            CompareView::VALUES
+                .iter()
+                .map(|view| Action::Compare(*view)),
+        );
+        actions.extend([
+            Action::AddLight(Light::default()),
+            Action::MovePane(0, 1),
+            Action::RemovePane(0),
+            Action::Reference(0),
+            Action::Reference(1),
+            Action::SaveAnswer("curves", crate::analysis::Format::Csv),
+        ]);
+        for action in actions {
+            let words = format!("{action:?}");
+            // With a question that is answered by controls, these move what is free: the camera and the controls.
+            let plays = matches!(
+                action,
+                Action::Orbit(_)
+                    | Action::Pan(_)
+                    | Action::Zoom(_)
+                    | Action::ResetCamera
+                    | Action::Undo
+                    | Action::Redo
+            );
+            if matches!(action, Action::SetTarget) || plays && !controls.is_empty() {
+                continue;
+            }
+            let shows_numbers = matches!(
+                action,
+                Action::Export | Action::Code | Action::SaveAnswer(..)
+            );
+            let rest = perform(&mut state, action);
+            assert!(!(shows_numbers && rest.is_some()), "{}", name(&words));
+            same(&state, &words);
+        }
+        state.window.appearance = Appearance {
+            views: true,
+            ..state.window.appearance.reset()
+        };
+        state.follow_lock();
+        same(&state, "reset of the layout");
+
+        // Views, and what they draw over the picture.
+        for view in crate::link::VIEWS {
+            let view = ViewName::named(view).expect("a view");
+            state.window.show_view(view);
+            assert!(
+                !state.window.shows(view) || view == ViewName::Course,
+                "{}",
+                name("view")
+            );
+        }
+
+        // Terms, lights, modes and all other settings, one by one; then whole scenes.
+        for (term, key) in ["material.ka", "material.kd", "material.ks"]
+            .into_iter()
+            .enumerate()
+        {
+            if controls.iter().any(|control| control == key) {
+                continue;
+            }
+            let AppState {
+                session, window, ..
+            } = &mut state;
+            terms::switch(session, window, term);
+            state.session.commit();
+            same(&state, "term");
+        }
+        for (key, scene) in neighbours(&before.0, scenes) {
+            let view = key.starts_with("camera.") && !controls.is_empty();
+            if !controls.contains(&key) && !view {
+                edit(&mut state, |present| present.clone_from(&scene));
+                same(&state, &key);
+            }
+        }
+        for pane in 0..before.0.pane_count() {
+            state.session.activate(pane);
+            let mode = state.session.shown.scene.shading.mode;
+            for other in ShadingMode::VALUES.iter().filter(|other| **other != mode) {
+                state.session.shown.scene.shading.mode = *other;
+                state.session.commit();
+                same(&state, "mode of a pane");
+            }
+        }
+        for scene in scenes {
+            edit(&mut state, |present| present.clone_from(scene));
+            same(&state, &scene.about.title);
+        }
+        // What is opened elsewhere leaves the lesson, with its locks; undo returns to both.
+        state.open_link("?scene=gold");
+        state.follow_lock();
+        assert!(
+            !state.course.shows_step() && state.session.lock.is_none(),
+            "{}",
+            name("link")
+        );
+        assert!(!state.window.hidden && state.course.has_left_lesson());
+        edit(&mut state, |scene| scene.material.n = 3.0);
+        assert_eq!(state.session.document().scene.material.n, 3.0);
+        state.turn(Turn::Again);
+        state.follow_lock();
+        state.course.gliding = None;
+        assert!(state.session.lock.is_some(), "{}", name("back"));
+
+        // After the answer everything is open to play.
+        let right = Grade {
+            right: true,
+            ..Grade::default()
+        };
+        state.course.put(Answer::Choice(0), right, 0.0);
+        state.follow_lock();
+        assert!(
+            state.session.lock.is_none() && !state.window.hidden,
+            "{}",
+            name("answered")
+        );
+        edit(&mut state, |scene| scene.camera.roll += 1.0);
+        assert_ne!(
+            state.session.document().scene,
+            before.0,
+            "{}",
+            name("played with")
+        );
     }
 }

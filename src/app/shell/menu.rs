@@ -8,6 +8,7 @@ use crate::app::session::window::WindowState;
 use crate::app::widgets::focus::{named, switch_named};
 use crate::app::widgets::sign::tick;
 use crate::scene::ShadingMode;
+use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Atom, Button, IdSalt, Rect, Ui, vec2};
 
@@ -58,7 +59,8 @@ fn item_ui(
         Action::Redo => Some(session.history().redoable()),
         _ => None,
     };
-    let idle = change == Some(None);
+    let waits = action.waits() && session.lock.is_some();
+    let idle = change == Some(None) || waits;
     let name = format!(
         "{} {}",
         command.name(),
@@ -79,6 +81,11 @@ fn item_ui(
         ui.painter()
             .add(tick(room, ui.visuals().strong_text_color()));
     }
+    let response = if waits {
+        response.on_disabled_hover_text(text!("course-after-answer"))
+    } else {
+        response
+    };
     let response = match on {
         Some(on) => switch_named(response, Role::CheckBox, on, name),
         None => named(response, Role::Button, name),

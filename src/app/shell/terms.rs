@@ -8,7 +8,7 @@ use crate::app::widgets::palette::tone_text;
 use crate::figure::palette::Vector;
 use crate::scene::{Material, Rgb, Scene};
 use crate::text::text;
-use eframe::egui::{RichText, Ui};
+use eframe::egui::{Checkbox, RichText, Ui};
 
 /// The previous coefficients of the terms that are off.
 #[derive(Debug, Default)]
@@ -72,7 +72,8 @@ pub fn switches_ui(ui: &mut Ui, session: &mut Session, window: &mut WindowState,
         let name = text!(name[usize::from(!wide)]);
         let name = RichText::new(name).color(tone_text(ui.visuals(), tone));
         if ui
-            .checkbox(&mut on, name)
+            .add_enabled(session.lock.is_none(), Checkbox::new(&mut on, name))
+            .on_disabled_hover_text(text!("course-after-answer"))
             .on_hover_text(text!("term-tip"))
             .clicked()
         {

@@ -8,7 +8,6 @@ use crate::figure::palette::Rgb8;
 use crate::lesson::html::{Html, element};
 use crate::lesson::read::keys::{KeyReader, Keys};
 use crate::lesson::{CurveAxes, Hint, LabPlace, Prose};
-use crate::render::Frame;
 use crate::scene::ShadingMode;
 use crate::text::{fixed, text};
 
@@ -179,7 +178,11 @@ impl QuestionKind for Curve {
     }
 
     fn fits(&self, given: &Vec<Option<f64>>) -> bool {
-        given.len() == CURVE_POINTS && given.iter().flatten().all(|value| value.is_finite())
+        // The pen can leave the axes a little.
+        let [low, high] = self.y;
+        let around = low - (high - low)..=high + (high - low);
+        let mut drawn = given.iter().flatten();
+        given.len() == CURVE_POINTS && drawn.all(|value| around.contains(value))
     }
 
     fn tolerance(&self) -> f64 {
@@ -224,11 +227,11 @@ impl QuestionKind for Curve {
         Ok(Html::new().line(axes))
     }
 
-    fn drawing(&self, right: &Vec<[f64; 2]>, _: &Frame) -> Option<Html> {
+    fn drawing(&self, right: &Vec<[f64; 2]>, _: &Printed<'_>) -> Result<Option<Html>, String> {
         let plot = self.plot(|drawing| {
             drawing.draw_curve(right.iter().copied(), 2.5, BLACK, 1.0);
         });
-        Some(element("figure").with(plot).into())
+        Ok(Some(element("figure").with(plot).into()))
     }
 
     /// Returns every predicted curve, and over them the right one.

@@ -180,8 +180,12 @@ pub trait QuestionKind: AnyKind + Sized {
     fn blank(&self, printed: &Printed<'_>, right: Option<&Self::Solution>) -> Result<Html, String>;
 
     /// Returns the HTML of the right answer as a drawing, where that says more than words.
-    fn drawing(&self, _right: &Self::Solution, _picture: &Frame) -> Option<Html> {
-        None
+    fn drawing(
+        &self,
+        _right: &Self::Solution,
+        _printed: &Printed<'_>,
+    ) -> Result<Option<Html>, String> {
+        Ok(None)
     }
 
     /// Returns the HTML of the first answers of a class.

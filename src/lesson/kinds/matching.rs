@@ -4,7 +4,9 @@ use super::kind::{AnyKind, Predictions, Printed, QuestionKind};
 use super::number::{control_line, short_number};
 use crate::analysis::comparison::{LinearPicture, error_figures};
 use crate::figure::short;
-use crate::lesson::control::{along, control_name, long_control_name, share, slider, value_of};
+use crate::lesson::control::{
+    along, control_name, long_control_name, settable_to, share, slider, value_of,
+};
 use crate::lesson::html::{Html, element};
 use crate::lesson::page::picture;
 use crate::lesson::read::keys::{KeyReader, Keys};
@@ -128,7 +130,8 @@ impl QuestionKind for Match {
     }
 
     fn fits(&self, given: &Vec<f64>) -> bool {
-        given.len() == self.controls.len() && given.iter().all(|x| x.is_finite())
+        let mut pairs = self.controls.iter().zip(given);
+        given.len() == self.controls.len() && pairs.all(|(key, x)| settable_to(key, *x))
     }
 
     fn tolerance(&self) -> f64 {

@@ -4,7 +4,7 @@ use super::extreme::too_near;
 use super::kind::{AnyKind, Predictions, Printed, QuestionKind};
 use super::lettered::{Bars, letter, lettered, lettered_html};
 use crate::expression::Expression;
-use crate::lesson::html::{Html, element};
+use crate::lesson::html::{Element, Html, element};
 use crate::lesson::page::picture;
 use crate::lesson::read::keys::{KeyReader, Keys};
 use crate::lesson::{Grade, Hint, LabPlace, Prose};
@@ -156,19 +156,38 @@ impl QuestionKind for Order {
         items.join(" < ")
     }
 
+    /// The items have no pictures here: those would show the order.
     fn blank(&self, printed: &Printed<'_>, _: Option<&Vec<usize>>) -> Result<Html, String> {
-        let mut list = element("div").class("items").broken();
-        for (index, (item, words)) in self.items.iter().zip(printed.options).enumerate() {
-            let mut figure = element("figure");
-            if !item.set.is_empty() {
-                let small = thumbnail(&printed.picture_under(&item.set)?);
-                figure = figure.with(picture(&small, words));
-            }
-            list = list.line(figure.with(element("p").with(lettered_html(index, words))));
-        }
+        let items = printed.options.iter().enumerate();
+        let items = items.map(|(index, words)| element("p").with(lettered_html(index, words)));
+        let list = items.fold(element("div").class("items").broken(), Element::line);
         let blank = || element("span").class("blank short").into();
         let blanks = separated(self.items.iter().map(|_| blank()), " < ");
         Ok(Html::new().line(list).line(element("p").with(blanks)))
+    }
+
+    /// Shows the items in the right order, with their pictures.
+    fn drawing(&self, right: &Vec<usize>, printed: &Printed<'_>) -> Result<Option<Html>, String> {
+        let mut list = element("div").class("items").broken();
+        for index in right {
+            let (Some(item), Some(words)) = (self.items.get(*index), printed.options.get(*index))
+            else {
+                continue;
+            };
+            let mut figure = element("figure");
+            if !item.set.is_empty() {
+                let settings: Vec<String> = printed.set.iter().chain(&item.set).cloned().collect();
+                let small = thumbnail(&printed.picture_under(&settings)?);
+                figure = figure.with(picture(&small, words));
+            }
+            list = list.line(figure.with(element("p").with(lettered_html(*index, words))));
+        }
+        let order: Vec<String> = right
+            .iter()
+            .map(|index| letter(*index).to_string())
+            .collect();
+        let order = element("p").with(order.join(" < "));
+        Ok(Some(Html::new().line(order).line(list)))
     }
 
     fn chart(&self, class: &Predictions<'_, Vec<usize>, Vec<usize>>) -> Html {

@@ -16,6 +16,8 @@ use glam::DVec2;
 
 /// The distance within which a click counts, unless the lesson says so.
 const NEAR: f64 = 0.05;
+/// The farthest that a place can lie from the picture's middle, in units of its shorter side.
+const FAR: f64 = 8.0;
 /// Places along the picture's shorter side that are tried.
 const TRIED: usize = 49;
 
@@ -114,7 +116,7 @@ impl QuestionKind for Point {
     }
 
     fn fits(&self, given: &[f64; 2]) -> bool {
-        given.iter().all(|x| x.is_finite())
+        given.iter().all(|x| x.abs() <= FAR)
     }
 
     fn tolerance(&self) -> f64 {
@@ -161,7 +163,9 @@ impl QuestionKind for Point {
         Ok(Html::new().line(words).line(image))
     }
 
-    fn drawing(&self, right: &Vec<DVec2>, picture: &Frame) -> Option<Html> {
+    /// Marks the right places in the picture that they are looked for in.
+    fn drawing(&self, right: &Vec<DVec2>, printed: &Printed<'_>) -> Result<Option<Html>, String> {
+        let picture = &printed.picture_under(printed.set)?;
         let side = f64::from(picture.width.min(picture.height));
         let radius = if right.len() == 1 { 0.03 } else { 0.006 } * side;
         let rings = right.iter().flat_map(|place| {
@@ -172,7 +176,9 @@ impl QuestionKind for Point {
             })
         });
         let svg = rings.fold(svg_over(picture), Element::line);
-        Some(Html::new().line(element("figure").class("points").with(svg)))
+        Ok(Some(
+            Html::new().line(element("figure").class("points").with(svg)),
+        ))
     }
 
     /// Returns every predicted place over the picture, and the right ones.

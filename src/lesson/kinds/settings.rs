@@ -5,7 +5,9 @@ use super::kind::{AnyKind, Predictions, Printed, QuestionKind};
 use super::number::{control_line, number_chart, short_number};
 use crate::expression::Expression;
 use crate::figure::short;
-use crate::lesson::control::{along, control_name, long_control_name, settable, slider};
+use crate::lesson::control::{
+    along, control_name, long_control_name, settable, settable_to, slider,
+};
 use crate::lesson::html::Html;
 use crate::lesson::read::keys::{KeyReader, Keys, Most};
 use crate::lesson::{Hint, LabPlace};
@@ -132,7 +134,7 @@ impl QuestionKind for Settings {
     }
 
     fn fits(&self, given: &f64) -> bool {
-        given.is_finite()
+        settable_to(&self.control, *given)
     }
 
     fn tolerance(&self) -> f64 {

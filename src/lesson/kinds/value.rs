@@ -84,7 +84,7 @@ impl QuestionKind for Value {
     }
 
     fn fits(&self, given: &f64) -> bool {
-        given.is_finite()
+        (self.from..=self.to).contains(given)
     }
 
     fn tolerance(&self) -> f64 {

@@ -21,8 +21,7 @@ struct RawStage {
     line: Option<[f64; 4]>,
     overlays: Option<Spanned<Vec<String>>>,
     controls: Option<Vec<String>>,
-    #[serde(default)]
-    hide: bool,
+    hide: Option<bool>,
 }
 
 impl Reader<'_> {
@@ -35,13 +34,14 @@ impl Reader<'_> {
             *stage = Stage {
                 scene,
                 line_number: stage.line_number,
+                hide: stage.hide,
                 ..Stage::default()
             };
         }
         stage.set.extend(raw.set);
         stage.lights = raw.lights.or(stage.lights);
         stage.panes = raw.panes.or(stage.panes.take());
-        stage.hide = raw.hide;
+        stage.hide = raw.hide.unwrap_or(stage.hide);
         stage.probe = raw.probe.map(DVec2::from_array).or(stage.probe);
         let line = |[a, b, c, d]: [f64; 4]| [DVec2::new(a, b), DVec2::new(c, d)];
         stage.line = raw.line.map(line).or(stage.line);

@@ -48,9 +48,14 @@ impl Widget for ValueWidget {
             }
         });
         let typed = self.typed.trim();
-        if !typed.is_empty() && evaluate(typed).is_none() {
-            let words = RichText::new(text!("course-no-number")).color(ui.visuals().error_fg_color);
-            ui.label(words);
+        let wrong = match evaluate(typed) {
+            _ if typed.is_empty() => None,
+            None => Some(text!("course-no-number").to_owned()),
+            Some(number) if (value.from..=value.to).contains(&number) => None,
+            Some(_) => asked.question.kind.asks().hint(),
+        };
+        if let Some(wrong) = wrong {
+            ui.label(RichText::new(wrong).color(ui.visuals().error_fg_color));
         }
         entered
     }
