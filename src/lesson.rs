@@ -14,6 +14,7 @@ mod grade;
 mod hand_in;
 mod hint;
 mod html;
+mod inventory;
 mod kinds;
 mod lab;
 mod links;
@@ -44,6 +45,7 @@ pub use hand_in::{
     read_hand_in,
 };
 pub use hint::{CurveFault, Hint, Side};
+pub use inventory::{ItemStatistics, TestStatistics, normalised_gain};
 pub use kinds::kind::AnyKind;
 pub use kinds::{
     Answer, CURVE_POINTS, Choice, ChoiceOption, Curve, CurveOf, Extreme, Find, Goal, Item, Kind,

@@ -1,22 +1,28 @@
 //! `collect`: the answers of a class, as a table for people, as JSON, CSV and a page.
 
-use super::input::{STDIN, is_stdin, output_file, stdin};
-use super::output::{Failure, columns, print, print_json, progress_bar};
+use super::handed::{handed, note_set_aside, read, write_text};
+use super::input::output_file;
+use super::inventory::compare;
+use super::output::{Failure, columns, print, print_json};
 use clap::Args;
 use serde_json::{Value, json};
 use shading_lab::analysis::report::{Cell, Column, Table};
-use shading_lab::document::{check_target, write_whole};
+use shading_lab::document::check_target;
 use shading_lab::lesson::{
-    Class, ClassQuestion, Given, Group, Handed, Student, Unreadable, answer_parts, class_sheet,
-    collect, short_answer, short_number, spread, without_marks,
+    Class, ClassQuestion, Given, Grade, Group, Student, Unreadable, answer_parts, class_sheet,
+    short_answer, spread, without_marks,
 };
 use shading_lab::text::{escaped, excerpt, text};
 use std::path::{Path, PathBuf};
 
 #[derive(Args)]
 pub struct Collect {
-    #[arg(value_name = "FILE.png", required = true)]
+    #[arg(value_name = "FILE.png", required_unless_present = "pre")]
     files: Vec<PathBuf>,
+    #[arg(long, value_name = "FILE.png", num_args = 1.., requires = "post", conflicts_with_all = ["files", "lesson", "output"])]
+    pre: Vec<PathBuf>,
+    #[arg(long, value_name = "FILE.png", num_args = 1.., requires = "pre")]
+    post: Vec<PathBuf>,
     #[arg(long, value_name = "FILE.md")]
     lesson: Option<PathBuf>,
     #[arg(long)]
@@ -32,15 +38,14 @@ impl Collect {
         for target in [&self.csv, &self.output].into_iter().flatten() {
             check_target(target)?;
         }
+        if !self.pre.is_empty() {
+            return compare(&self.pre, &self.post, self.csv.as_deref(), self.json);
+        }
         let lesson = self.lesson.as_deref().map(super::lesson::open_file);
         let lesson = lesson.transpose()?;
         let handed: Result<Vec<_>, _> = self.files.iter().map(|path| handed(path)).collect();
         let handed = handed?;
-        let bar = progress_bar(handed.len() as u64, text!("cli-reading"));
-        let mut progress = || bar.inc(1);
-        let pictures = self.output.is_some();
-        let class = collect(&handed, lesson.as_ref(), pictures, &mut progress);
-        drop(bar);
+        let class = read(&handed, lesson.as_ref(), self.output.is_some());
         if let Some(target) = &self.csv {
             write_text(target, &csv(&class))?;
         }
@@ -52,6 +57,7 @@ impl Collect {
         } else if self.csv.is_none() && self.output.is_none() {
             print(&class.groups.iter().map(table).collect::<String>())?;
         }
+        note_set_aside(&class);
         let failures: Vec<String> = class
             .groups
             .iter()
@@ -71,20 +77,6 @@ impl Collect {
             Err(Failure::Input(failures.join("\n")))
         }
     }
-}
-
-/// Reads a hand-in from a file or the standard input.
-fn handed(path: &Path) -> Result<Handed, Failure> {
-    let (path, bytes) = if is_stdin(path) {
-        (PathBuf::from(STDIN), Some(stdin()?))
-    } else {
-        (path.to_owned(), None)
-    };
-    Ok(Handed { path, bytes })
-}
-
-fn write_text(target: &Path, text: &str) -> Result<(), Failure> {
-    Ok(write_whole(target, |out| out.write_all(text.as_bytes()))?)
 }
 
 /// Returns the questions without a correct answer, each with its line in the lesson's file, or in the first picture
@@ -147,6 +139,7 @@ fn object(class: &Class) -> Value {
             "score": given.and_then(|given| Some(given.grade?.score)),
             "model": given.and_then(|given| given.grade?.model),
             "prediction": given.map(|given| value(&given.answered.prediction)),
+            "prediction_right": given.and_then(|given| Some(given.predicted?.right)),
             "prediction_model": given.and_then(|given| given.predicted?.model),
             "looked_up": given.map(|given| given.answered.looked_up),
             "tries": given.map(|given| given.answered.tries),
@@ -179,13 +172,17 @@ fn object(class: &Class) -> Value {
         .iter()
         .flat_map(|group| (0..group.questions.len()).map(move |index| question(group, index)))
         .collect();
-    let unreadable: Vec<Value> = class
-        .unreadable
-        .iter()
-        .map(|file| json!({ "file": file.file, "why": file.english }))
-        .collect();
+    let files = |files: &[Unreadable]| -> Vec<Value> {
+        let one = |file: &Unreadable| json!({ "file": file.file, "why": file.english });
+        files.iter().map(one).collect()
+    };
     let rows: Vec<Value> = in_order(class).iter().map(row).collect();
-    json!({ "rows": rows, "unreadable": unreadable, "questions": questions })
+    json!({
+        "rows": rows,
+        "unreadable": files(&class.unreadable),
+        "set_aside": files(&class.set_aside),
+        "questions": questions,
+    })
 }
 
 /// Returns the wrong models of a question, with how many first answers agree with each.
@@ -214,8 +211,18 @@ fn csv(class: &Class) -> String {
         "share_right",
     ];
     let most = class.groups.iter().map(|group| group.questions.len()).max();
-    let columns = |n| ["", "_right", "_model"].map(|part| format!("q{n}{part}"));
-    let questions = (1..=most.unwrap_or(0)).flat_map(columns);
+    let endings = [
+        "",
+        "_right",
+        "_model",
+        "_first",
+        "_first_right",
+        "_first_model",
+        "_tries",
+        "_looked_up",
+        "_seconds",
+    ];
+    let questions = (1..=most.unwrap_or(0)).flat_map(|n| endings.map(|of| format!("q{n}{of}")));
     let columns = heads.into_iter().map(str::to_owned).chain(questions);
     let mut table = Table::new(columns.map(Column::key));
     for (group, student) in in_order(class) {
@@ -231,10 +238,28 @@ fn csv(class: &Class) -> String {
         ];
         for given in &student.given {
             let given = given.as_ref();
-            row.push(given.map(|given| cell(&given.answered.answer)).into());
-            row.push(u64::from(given.is_some_and(Given::is_right)).into());
-            let model = given.and_then(|given| given.grade?.model);
-            row.push(model.map(|model| model.to_string()).into());
+            let answered = given.map(|given| &given.answered);
+            let [last, first] = [|given: &Given| given.grade, |given: &Given| given.predicted]
+                .map(|grade| given.and_then(grade));
+            let model = |grade: Option<Grade>| {
+                let model = grade.and_then(|grade| grade.model);
+                model.map(|model| model.to_string())
+            };
+            row.extend([
+                answered.map(|answered| cell(&answered.answer)).into(),
+                u64::from(last.is_some_and(|grade| grade.right)).into(),
+                model(last).into(),
+                answered.map(|answered| cell(&answered.prediction)).into(),
+                u64::from(first.is_some_and(|grade| grade.right)).into(),
+                model(first).into(),
+                answered.map(|answered| u64::from(answered.tries)).into(),
+                answered
+                    .map(|answered| u64::from(answered.looked_up))
+                    .into(),
+                answered
+                    .map(|answered| format!("{:.1}", answered.seconds))
+                    .into(),
+            ]);
         }
         row.resize(table.columns.len(), Cell::Empty);
         table.rows.push(row);
@@ -274,7 +299,7 @@ fn table(group: &Group) -> String {
         row.extend(student.given.iter().map(|given| match given {
             Some(given) => {
                 let sign = if given.is_right() { '✓' } else { '✗' };
-                format!("{} {sign}", short_answer(&given.answered.answer))
+                format!("{} {sign}", given.answered.short())
             }
             None => "–".to_owned(),
         }));
@@ -326,17 +351,7 @@ fn question_line(group: &Group, index: usize) -> String {
         one_line(&without_marks(&class_question.ask))
     );
     let counted = group.counted(index);
-    if let Some([least, lower, median, upper, greatest]) = spread(&group.predicted(index)) {
-        let own = question.kind.asks().predicts_number();
-        let key = if own { "class-predicted" } else { "class-off" };
-        let words = text!(
-            key,
-            least = short_number(least),
-            lower = short_number(lower),
-            median = short_number(median),
-            upper = short_number(upper),
-            greatest = short_number(greatest)
-        );
+    if let Some(words) = group.spread_words(index) {
         line += &format!("\n   {words}");
     } else if !counted.is_empty() {
         let counts: Vec<String> = counted
@@ -348,7 +363,9 @@ fn question_line(group: &Group, index: usize) -> String {
     }
     for (model, count) in group.models(index) {
         let says = class_question.says.get(model).map_or("", |says| says);
-        line += &format!("\n   {count}× {}", one_line(&without_marks(says)));
+        let share = 100.0 * count as f64 / group.given(index).count() as f64;
+        let says = one_line(&without_marks(says));
+        line += &format!("\n   {count}× ({share:.0} %) {says}");
     }
     if let Some(solution) = class_question.solution()
         && !question.kind.asks().is_drawn()

@@ -2,6 +2,7 @@
 
 use super::hand_in::{HandIn, digest, read_hand_in};
 use super::kinds::kind::counted;
+use super::kinds::short_number;
 use super::{
     Answer, AnswerKey, Answered, Budget, Grade, Lab, LabPlace, Lesson, Question, Solution, Step,
     TooHeavy, find,
@@ -9,6 +10,7 @@ use super::{
 use crate::document::open_picture;
 use crate::render::Frame;
 use crate::text::{Language, in_language, text};
+use std::collections::HashMap;
 use std::io::Cursor;
 use std::path::PathBuf;
 
@@ -26,8 +28,10 @@ pub struct Handed {
 pub struct Class {
     /// By lesson.
     pub groups: Vec<Group>,
-    /// Files that do not count.
+    /// Files that cannot be read or graded.
     pub unreadable: Vec<Unreadable>,
+    /// Sound files that do not count: without answers, or handed in again by the same student.
+    pub set_aside: Vec<Unreadable>,
 }
 
 /// A file that does not count.
@@ -104,6 +108,17 @@ pub struct Given {
     pub predicted: Option<Grade>,
 }
 
+impl Unreadable {
+    /// Notes a file with the reason, in both languages.
+    fn new(file: String, words: impl Fn() -> String) -> Self {
+        Self {
+            file,
+            why: words(),
+            english: in_language(Language::English, words),
+        }
+    }
+}
+
 impl ClassQuestion {
     /// Returns the right answer, where all students have the same.
     pub fn solution(&self) -> Option<&Solution> {
@@ -172,11 +187,41 @@ impl Group {
         )
     }
 
+    /// Describes how the predicted numbers are spread, or how far the predictions are off; none where they have no
+    /// numbers.
+    pub fn spread_words(&self, question: usize) -> Option<String> {
+        let asked = self.questions.get(question)?.question(&self.lesson)?;
+        let own = asked.kind.asks().predicts_number();
+        let numbers = self.predicted(question);
+        let [least, lower, median, upper, greatest] = spread(&numbers)?.map(short_number);
+        let key = |own_key, off_key| if own { own_key } else { off_key };
+        Some(if least == greatest {
+            let key = key("class-predicted-same", "class-off-same");
+            text!(key, value = least)
+        } else if numbers.len() < QUARTERED {
+            let values: Vec<String> = numbers.into_iter().map(short_number).collect();
+            let key = key("class-predicted-few", "class-off-few");
+            text!(key, values = values.join(text!("comma")))
+        } else {
+            text!(
+                key("class-predicted", "class-off"),
+                least = least,
+                lower = lower,
+                median = median,
+                upper = upper,
+                greatest = greatest
+            )
+        })
+    }
+
     /// Returns the answers that were predicted, each with how often; the most frequent first.
     pub fn counted(&self, question: usize) -> Vec<(&Answer, usize)> {
         counted(self.given(question).map(|given| &given.answered.prediction))
     }
 }
+
+/// The number of answers from which on quartiles say more than the answers themselves.
+const QUARTERED: usize = 5;
 
 /// Returns the smallest, the quartiles and the largest of sorted numbers.
 pub fn spread(sorted: &[f64]) -> Option<[f64; 5]> {
@@ -208,6 +253,7 @@ pub fn collect(
         }
         progress();
     }
+    class.set_repeated_aside();
     for group in &mut class.groups {
         group.grade(pictures, progress);
         class.unreadable.extend(group.take_heavy());
@@ -237,6 +283,11 @@ impl Class {
             }
         };
         let hand_in = hand_in.map_err(|error| error.to_string())?;
+        if hand_in.record.answers.is_empty() {
+            let words = || text!("class-empty").to_owned();
+            self.set_aside.push(Unreadable::new(file, words));
+            return Ok(());
+        }
         let place = match self
             .groups
             .iter()
@@ -251,6 +302,34 @@ impl Class {
         // The lecturer's own lesson may have changed since.
         self.groups[place].add(index, file, hand_in, lesson.is_some())
     }
+
+    /// Sets aside what a student handed in before the last time. Students are known by their names; without a name
+    /// each file is one.
+    fn set_repeated_aside(&mut self) {
+        for group in &mut self.groups {
+            let mut last: HashMap<String, (usize, String)> = HashMap::new();
+            let named = |student: &&Student| !student.name.is_empty();
+            for student in group.students.iter().filter(named) {
+                let file = (student.index, student.file.clone());
+                last.insert(key_of(&student.name), file);
+            }
+            let repeated = group.students.extract_if(.., |student| {
+                last.get(&key_of(&student.name))
+                    .is_some_and(|(index, _)| *index != student.index)
+            });
+            self.set_aside.extend(repeated.map(|student| {
+                let (_, later) = &last[&key_of(&student.name)];
+                let words = || text!("class-again", file = later.as_str());
+                Unreadable::new(student.file.clone(), words)
+            }));
+        }
+    }
+}
+
+/// Returns a name without the differences of case and space that people make.
+fn key_of(name: &str) -> String {
+    let words: Vec<String> = name.split_whitespace().map(str::to_lowercase).collect();
+    words.join(" ")
 }
 
 /// Finds the lesson that a hand-in answers: `lesson`, where that is given, the program's own, or the one inside the hand-in; with
@@ -428,15 +507,10 @@ impl Group {
             .extract_if(.., |student| student.heavy.is_some());
         let unreadable = |student: Student| {
             let (question, why) = student.heavy?;
-            let words = || {
+            Some(Unreadable::new(student.file, || {
                 let (question, why) = (question + 1, why.to_string());
                 text!("class-too-heavy", question = question, why = why)
-            };
-            Some(Unreadable {
-                file: student.file,
-                why: words(),
-                english: in_language(Language::English, words),
-            })
+            }))
         };
         heavy.filter_map(unreadable).collect()
     }
@@ -557,16 +631,13 @@ impl ClassQuestion {
         question: &Question,
         place: LabPlace<'_>,
     ) -> Result<Self, (u64, String)> {
-        let right = place
-            .under(&question.set)
-            .map_err(|words| (question.line, words))?;
         let options = question.kind.asks().options().into_iter();
         let options: Result<_, _> = options.map(|prose| prose.filled(&place)).collect();
         let says = question.says().into_iter();
         let says: Result<_, _> = says.map(|prose| prose.filled(&place)).collect();
         Ok(Self {
             ask: question.ask.filled(&place)?,
-            why: question.why.filled(&right)?,
+            why: question.why.filled(&place)?,
             options: options?,
             says: says?,
             ..Self::empty(step)

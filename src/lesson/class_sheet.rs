@@ -1,10 +1,11 @@
 //! A class on one page: who answered what, and how the answers to each question are spread.
 
-use super::class::{Class, Given, Group, spread};
+use super::class::{Class, Given, Group, Unreadable};
 use super::html::{Element, Html, element};
+use super::kinds::Bars;
 use super::kinds::kind::Predictions;
-use super::kinds::{Bars, short_answer, short_number};
 use super::page::{blocks, inline, page};
+use super::record::how_given;
 use crate::text::text;
 
 const STYLE: &str = "\
@@ -13,6 +14,7 @@ const STYLE: &str = "\
 .right { background: #dcefdc; }
 .wrong { background: #f9e0dc; }
 .class tfoot td { font-weight: 600; background: #f0f0f0; }
+.how { font-size: 8pt; color: #555; }
 .scroll { overflow-x: auto; }
 .question { break-inside: avoid; border-top: 0.3mm solid #b5b5b5; padding-top: 3mm; margin-top: 5mm; }
 .bars td { border: none; padding: 0.4mm 2mm; }
@@ -26,8 +28,9 @@ const STYLE: &str = "\
 /// Returns the page of a class as HTML.
 pub fn class_sheet(class: &Class) -> String {
     let mut body: Html = class.groups.iter().map(group_part).collect();
-    if !class.unreadable.is_empty() {
-        let files = class.unreadable.iter();
+    let uncounted: Vec<&Unreadable> = class.set_aside.iter().chain(&class.unreadable).collect();
+    if !uncounted.is_empty() {
+        let files = uncounted.into_iter();
         let list = files.fold(element("ul").broken(), |list, file| {
             let name = element("code").with(&*file.file);
             list.line(element("li").with(name).with(": ").with(&*file.why))
@@ -112,12 +115,14 @@ fn given_cell(given: Option<&Given>) -> Element {
         Some(_) => ("wrong", "✗"),
         None => ("", ""),
     };
-    let mut cell = element("td").class(class);
-    let count = given.answered.looked_up;
-    if count > 0 {
-        cell = cell.attribute("title", text!("class-looked-up", count = count));
+    let answered = &given.answered;
+    let words = format!("{} {sign}", answered.short());
+    let how = how_given(answered.tries, answered.looked_up, answered.seconds).join(" · ");
+    let cell = element("td").class(class).with(words);
+    if how.is_empty() {
+        return cell;
     }
-    cell.with(format!("{} {sign}", short_answer(&given.answered.answer)))
+    cell.with(element("div").class("how").with(how))
 }
 
 fn question_part(group: &Group, index: usize) -> Option<Element> {
@@ -155,21 +160,7 @@ fn question_part(group: &Group, index: usize) -> Option<Element> {
         picture: asked.picture.as_ref(),
     }));
     part = part.with(models_part(group, index));
-    if let Some(five) = spread(&group.predicted(index)) {
-        let key = if question.kind.asks().predicts_number() {
-            "class-predicted"
-        } else {
-            "class-off"
-        };
-        let [least, lower, median, upper, greatest] = five.map(short_number);
-        let words = text!(
-            key,
-            least = least,
-            lower = lower,
-            median = median,
-            upper = upper,
-            greatest = greatest
-        );
+    if let Some(words) = group.spread_words(index) {
         part = part.line(element("p").with(words));
     }
     if let Some(solution) = asked.solution()

@@ -5,6 +5,8 @@ class-version = the answers are of a version that this program does not know, ex
 class-changed = the answers were changed after they were handed in
 class-not-answers = the answers cannot be read ({ $error })
 class-unfit = has an answer that fits no question of its lesson
+class-empty = no question of it is answered
+class-again = handed in again by the same student: { $file } counts
 class-other-lesson = answers to the lesson “{ $lesson }”, expected “{ $expected }”
 class-other-version = answers to another version of the lesson “{ $lesson }”
 class-no-lesson = the lesson “{ $lesson }” is not known
@@ -26,7 +28,11 @@ class-students = { $count ->
  }
 class-answered = { $answered } answered, { $right } correct finally
 class-predicted = Predicted first: { $least } to { $greatest }, half of them { $lower } to { $upper }, median { $median }
+class-predicted-same = Predicted first: { $value } by all
+class-predicted-few = Predicted first: { $values }
 class-off = First answers are off by { $least } to { $greatest }, half of them by { $lower } to { $upper }, median { $median }
+class-off-same = First answers are all off by { $value }
+class-off-few = First answers are off by { $values }
 class-solution = Right: { $right }
 class-looked-up = { $count ->
     [one] looked up once
@@ -53,3 +59,16 @@ class-start = Start
 class-target = Target (seed { $seed })
 class-range = A number from { $from } to { $to } { $unit }
 class-models = First answers that follow a wrong model
+
+# A test before a course and after it.
+inventory-one-test = expected answers to one test, found: { $found }
+inventory-items = the tests have { $pre } and { $post } items, expected as many
+inventory-item = Item
+inventory-pre = Right before
+inventory-post = Right after
+inventory-gain = Gain
+inventory-pre-r = Discrimination before
+inventory-post-r = Discrimination after
+inventory-before = Before: { $students } students, { $mean } % right (standard deviation { $deviation } %), reliability (KR-20) { $reliability }
+inventory-after = After: { $students } students, { $mean } % right (standard deviation { $deviation } %), reliability (KR-20) { $reliability }
+inventory-class-gain = Normalised gain of the class: { $gain }
