@@ -45,7 +45,7 @@ use serde::{Deserialize, Serialize};
 use session::action::Action;
 use session::notice::Notice;
 use session::recovery::Recovery;
-use session::window::ViewStates;
+use session::window::{Figure, ViewStates};
 use shell::dialog::{CodeForm, Dialog, ExportForm, FileTask};
 use shell::files::Files;
 use shell::layout::Layout;
@@ -55,7 +55,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use widgets::symbol::{self, Sought};
 use widgets::theme::ThemeChoice;
-use widgets::{focus, theme};
+use widgets::{fingers, focus, theme};
 
 /// The storage key of the window's appearance and of the course's progress.
 const STORAGE_KEY: &str = "look";
@@ -96,6 +96,8 @@ impl App {
     /// Creates a window that shows `loaded`, with the appearance of the last run.
     pub fn new(cc: &eframe::CreationContext<'_>, loaded: Loaded) -> Self {
         theme::install(&cc.egui_ctx);
+        cc.egui_ctx
+            .add_plugin(fingers::Fingers::new(system::coarse()));
         let stored: Option<Stored> = cc
             .storage
             .and_then(|storage| eframe::get_value(storage, STORAGE_KEY));
@@ -136,8 +138,18 @@ impl App {
     #[must_use]
     pub fn with_recovery(mut self, folder: &Path) -> Self {
         self.recovery = Recovery::new(folder);
-        if let Some((_, name)) = self.recovery.as_ref().and_then(Recovery::left) {
-            self.state.dialog = Some(Dialog::Restore { name });
+        let shown = &self.state.session.document().scene;
+        match &mut self.recovery {
+            // A page that is loaded again goes on where it was.
+            Some(recovery) if system::reloaded() || recovery.is_left(shown) => {
+                self.state.requests.ask(Action::Restore);
+            }
+            Some(recovery) => {
+                if let Some((_, name)) = recovery.left() {
+                    self.state.dialog = Some(Dialog::Restore { name });
+                }
+            }
+            None => {}
         }
         self
     }
@@ -224,7 +236,10 @@ impl App {
             ..Appearance::default()
         };
         self.state.window.welcome = false;
-        self.state.window.embedded = Some(controls.to_vec());
+        self.state.window.embedded = Some(Figure {
+            controls: controls.to_vec(),
+            problem: None,
+        });
         self
     }
 
@@ -236,7 +251,7 @@ impl App {
             ..
         } = self;
         if state.window.embedded.is_some() {
-            self.room = embed::embedded_ui(
+            let room = embed::embedded_ui(
                 ui,
                 &mut state.session,
                 &mut state.window,
@@ -244,7 +259,9 @@ impl App {
                 &mut state.requests,
                 engine,
             );
-            state.window.room = self.room.whole;
+            if let Some(room) = room {
+                (self.room, state.window.room) = (room, room.whole);
+            }
             return;
         }
         let known = layout.picture.is_some();
@@ -299,6 +316,14 @@ impl App {
             recovery.forget();
         }
         may
+    }
+
+    /// Returns whether a page that is left now would lose work: where nothing can be kept, or where a model that somebody has
+    /// opened belongs to it.
+    fn would_lose(&self) -> bool {
+        let session = &self.state.session;
+        let kept = self.recovery.is_some() && session.document().model.is_none();
+        session.modified() && !kept && self.state.window.embedded.is_none()
     }
 
     /// Closes the window and discards unsaved work.
@@ -431,9 +456,10 @@ impl App {
             Action::HandIn => match self.state.course.to_hand_in() {
                 Some((lesson, _)) => {
                     let name = self.state.course.kept.name.clone();
-                    let path = std::path::absolute(format!("{}.png", lesson.name));
-                    let path =
-                        path.map_or_else(|_| String::new(), |path| path.display().to_string());
+                    let file = PathBuf::from(format!("{}.png", lesson.name));
+                    // A web page has no folder, and downloads the file.
+                    let path = std::path::absolute(&file).unwrap_or(file);
+                    let path = path.display().to_string();
                     self.ask_file(ctx, FileTask::HandIn(name), path);
                 }
                 None => {
@@ -531,6 +557,10 @@ impl eframe::App for App {
     fn ui(&mut self, ui: &mut Ui, _: &mut eframe::Frame) {
         let ctx = ui.ctx().clone();
         system::begin_frame(&ctx);
+        fingers::begin_frame(&ctx, system::page_scrolls());
+        if let Some((link, place)) = system::went() {
+            self.state.go_back(&link, &place);
+        }
         for path in system::dropped(&ctx) {
             self.state.requests.ask(Action::OpenFile(path));
         }
@@ -561,11 +591,13 @@ impl eframe::App for App {
         if let Some(folder) = self.folder.take() {
             system::show_folder(&ctx, &folder);
         }
+        system::copy(&ctx);
         let (state, engine) = (&self.state, &self.engine);
         system::end_frame(
             &ctx,
-            self.recovery.is_some() && state.session.modified(),
+            self.would_lose(),
             || state.link().ok().map(|written| written.link),
+            state.place(),
             || picture_bytes(engine.frame(), Some(&state.session.document().scene)).ok(),
         );
     }
@@ -575,6 +607,11 @@ impl eframe::App for App {
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
+        if let Some(recovery) = &mut self.recovery
+            && system::PAGE
+        {
+            recovery.write_now(&self.state.session, &self.state.window);
+        }
         if self.fresh || self.state.window.embedded.is_some() {
             return;
         }

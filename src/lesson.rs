@@ -54,6 +54,7 @@ pub use kinds::{
 };
 pub use lab::{Lab, LabPlace};
 pub use links::{may_open, without_closed_links};
+pub(crate) use page::blocks;
 pub use prose::Prose;
 pub use question::{AnswerKey, Question, Wrong};
 pub use read::keys::Term;

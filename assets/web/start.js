@@ -1,4 +1,7 @@
 // Loads the program and starts it on the canvas of the page, or says why that does not work.
+import { showMirror } from "./mirror.js?VERSION";
+import { atRest, passTab, wake } from "./window.js?VERSION";
+
 const page = document.documentElement;
 const say = (state) => { page.dataset.state = state; };
 if ((navigator.language || "").toLowerCase().startsWith("zh")) page.lang = "zh-Hant";
@@ -17,6 +20,36 @@ window.ResizeObserver = class extends ResizeObserver {
     });
   }
 };
+
+// Each tab holds the name of its unsaved work, which others are not offered meanwhile: by a lock, or, where the browser has none, as on
+// plain http, by answering those that ask.
+const { locks } = navigator;
+const channel = locks ? undefined : new BroadcastChannel("shading-lab");
+const own = new Set();
+const hold = (name) => {
+  own.add(name);
+  locks?.request(name, () => new Promise(() => {}));
+};
+async function heldNames() {
+  if (locks) return (await locks.query()).held.map(({ name }) => name);
+  const held = [];
+  channel.onmessage = ({ data }) => { if (Array.isArray(data)) held.push(...data); else channel.postMessage([...own]); };
+  channel.postMessage("who holds what?");
+  if (Object.keys(localStorage).some((name) => name.startsWith("shading-lab-work-"))) await new Promise((later) => setTimeout(later, 200));
+  return held;
+}
+
+/** Copies a text where scripts have no clipboard; one that cannot be copied is shown, to be copied by hand. */
+function copy(text) {
+  const field = document.body.appendChild(document.createElement("textarea"));
+  const before = document.activeElement;
+  field.value = text;
+  field.select();
+  const copied = document.execCommand("copy");
+  field.remove();
+  before?.focus({ preventScroll: true });
+  if (!copied) prompt("", text);
+}
 
 // What no program can catch, such as memory that has run out, stops it as well.
 const isTrap = (error) => error instanceof WebAssembly.RuntimeError;
@@ -43,11 +76,16 @@ else try {
   }));
   const headers = { "Content-Type": "application/wasm" };
   const module = await WebAssembly.compileStreaming(new Response(counted, { headers }));
-  // Each tab holds a lock of the name of its unsaved work, which others are not offered meanwhile.
-  const { locks } = navigator;
-  const held = locks ? (await locks.query()).held.map(({ name }) => name) : [];
-  const hold = (name) => { locks?.request(name, () => new Promise(() => {})); };
-  window.shadingLab = { module, held, hold };
+  window.shadingLab = { module, held: await heldNames(), hold, wake, copy };
+  // A figure takes the focus from the page around it when it is clicked, not when it is loaded.
+  document.body.inert = "embed" in page.dataset;
+  new MutationObserver((_, observer) => {
+    observer.disconnect();
+    document.body.inert = false;
+    passTab(window.shadingLab);
+    showMirror(window.shadingLab);
+    atRest(() => window.shadingLab.rest());
+  }).observe(page, { attributeFilter: ["data-state"] });
   // The window's toolkit stores the window's look at an event that browsers do not have. Phones have the second one only.
   for (const leaving of ["beforeunload", "pagehide"]) addEventListener(leaving, () => dispatchEvent(new Event("onbeforeunload")));
   await start({ module_or_path: window.shadingLab.module });

@@ -1,17 +1,17 @@
 //! The services of the browser for the window of a web page.
 
+#[path = "page/mirror.rs"]
+mod mirror;
 #[path = "page/scripts.rs"]
 mod scripts;
-#[path = "page/widgets.rs"]
-mod widgets;
 
 use crate::app::widgets::dialog::{FileKind, Picked};
 use crate::app::widgets::theme;
 use crate::document::give;
 use crate::lesson::{are_there, take_texts};
 use crate::text::{Language, language, set_chinese_font};
-use eframe::egui::{Context, DroppedFile, InputState};
-use js_sys::{ArrayBuffer, Function, Promise, Reflect, Uint8Array};
+use eframe::egui::{Context, DroppedFile, InputState, OutputCommand};
+use js_sys::{Array, ArrayBuffer, Function, Promise, Reflect, Uint8Array};
 use std::cell::{Cell, RefCell};
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -19,7 +19,7 @@ use std::time::Duration;
 use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::{JsFuture, spawn_local};
-use web_sys::{ClipboardEvent, Event, File, FileList, HtmlInputElement, Response};
+use web_sys::{ClipboardEvent, Event, File, FileList, HtmlInputElement, PopStateEvent, Response};
 
 /// True if this is a web page.
 pub const PAGE: bool = true;
@@ -33,6 +33,8 @@ const LESSONS_PAUSE: f64 = 5.0;
 const OWN: &str = "shadingLab";
 /// The function of [`OWN`] that returns the picture.
 const PICTURE: &str = "picture";
+/// The function of [`OWN`] that copies a text without a clipboard for scripts.
+const COPY: &str = "copy";
 /// Minimum time between updates of the address to the current view, seconds.
 const ADDRESS_PAUSE: f64 = 0.5;
 
@@ -43,12 +45,12 @@ thread_local! {
     static CONTEXT: RefCell<Option<Context>> = const { RefCell::new(None) };
     static FONT_ASKED: Cell<bool> = const { Cell::new(false) };
     static SHOWN_IN: Cell<Option<Language>> = const { Cell::new(None) };
-    /// The link of the current view.
-    static LINK: RefCell<Option<String>> = const { RefCell::new(None) };
+    /// The link of the current view, and its place.
+    static SHOWN: RefCell<Option<(String, String)>> = const { RefCell::new(None) };
+    /// The entry of its history to which the browser went, a link and a place.
+    static WENT: RefCell<Option<(String, String)>> = const { RefCell::new(None) };
     /// The time when the link was last checked, seconds.
     static LOOKED_AT: Cell<f64> = const { Cell::new(f64::NEG_INFINITY) };
-    /// True if the pointing device is a finger, as the page's script has detected.
-    static COARSE: Cell<bool> = const { Cell::new(false) };
     static UNSAVED: Cell<bool> = const { Cell::new(false) };
     /// The time when the lessons were last requested, seconds.
     static LESSONS_ASKED: Cell<f64> = const { Cell::new(f64::NEG_INFINITY) };
@@ -60,8 +62,6 @@ thread_local! {
 pub fn begin_frame(ctx: &Context) {
     if CONTEXT.with_borrow(Option::is_none) {
         CONTEXT.set(Some(ctx.clone()));
-        let page = document().and_then(|document| document.document_element());
-        COARSE.set(page.is_some_and(|page| page.has_attribute("data-coarse")));
         listen();
         offer(ctx);
         show("ready");
@@ -70,6 +70,12 @@ pub fn begin_frame(ctx: &Context) {
 
 fn document() -> Option<web_sys::Document> {
     web_sys::window()?.document()
+}
+
+/// Returns whether the page's script has marked the page with this attribute.
+pub fn has_mark(name: &str) -> bool {
+    let page = document().and_then(|document| document.document_element());
+    page.is_some_and(|page| page.has_attribute(name))
 }
 
 /// Tells the page what to show: the window, or a sentence.
@@ -145,6 +151,11 @@ fn listen() {
             window.add_event_listener_with_callback("beforeunload", leave.as_ref().unchecked_ref());
     }
     leave.forget();
+    let back = Closure::<dyn Fn(PopStateEvent)>::new(|event: PopStateEvent| go_back(&event));
+    if let Some(window) = web_sys::window() {
+        let _ = window.add_event_listener_with_callback("popstate", back.as_ref().unchecked_ref());
+    }
+    back.forget();
     let paste = Closure::<dyn Fn(ClipboardEvent)>::new(|event: ClipboardEvent| {
         let files = all(event.clipboard_data().and_then(|data| data.files()));
         if !files.is_empty() {
@@ -178,9 +189,72 @@ pub fn pick(_opens: bool, kind: &FileKind) -> Picked {
     Picked::Nothing
 }
 
-/// Returns whether touch replaces the mouse; the browser reports it before the first touch.
+/// Returns whether touch replaces the mouse.
 pub fn fingers(ctx: &Context) -> bool {
-    COARSE.get() || ctx.input(InputState::has_touch_screen)
+    ctx.input(InputState::has_touch_screen)
+}
+
+/// Returns whether the pointing device is a finger, as the page's script says.
+pub fn coarse() -> bool {
+    has_mark("data-coarse")
+}
+
+/// Returns whether the wheel and swipes scroll the page around this one: in a figure that nobody has clicked, as the page's
+/// script says.
+pub fn page_scrolls() -> bool {
+    has_mark("data-embed") && !has_mark("data-used")
+}
+
+/// Returns whether an event is the window's own, so that the browser does nothing with it.
+pub fn takes(event: &eframe::egui::Event) -> bool {
+    use eframe::egui::Event;
+    let scrolls = matches!(
+        event,
+        Event::MouseWheel { .. }
+            | Event::Zoom(_)
+            | Event::PointerMoved(_)
+            | Event::PointerButton { pressed: true, .. }
+    );
+    !(scrolls && page_scrolls())
+}
+
+/// Returns whether this page was loaded again, as its script says.
+pub fn reloaded() -> bool {
+    has_mark("data-again")
+}
+
+/// Returns the link and the place to which the browser went back since the last frame.
+pub fn went() -> Option<(String, String)> {
+    WENT.take()
+}
+
+/// Copies texts by the page's own way where the browser has no clipboard for scripts, as on plain http. A browser that
+/// refuses shows the text, to be copied by hand.
+pub fn copy(ctx: &Context) {
+    if web_sys::window().is_none_or(|window| window.is_secure_context()) {
+        return;
+    }
+    let mut texts = Vec::new();
+    ctx.output_mut(|output| {
+        output.commands.retain(|command| match command {
+            OutputCommand::CopyText(text) => {
+                texts.push(text.clone());
+                false
+            }
+            _ => true,
+        });
+    });
+    for text in texts {
+        if let Some(copy) = function(COPY) {
+            let _ = copy.call1(&JsValue::NULL, &text.into());
+        }
+    }
+}
+
+/// Returns a function of [`OWN`].
+fn function(name: &str) -> Option<Function> {
+    let own = Reflect::get(&js_sys::global(), &OWN.into()).ok()?;
+    Reflect::get(&own, &name.into()).ok()?.dyn_into().ok()
 }
 
 /// Opens an address in a tab of its own, which learns nothing of this one; opens a mail address in the mail program.
@@ -214,12 +288,13 @@ pub fn set_fullscreen(_: &Context, on: bool) {
     }
 }
 
-/// Finishes a frame: updates whether the browser asks before it leaves, and the address to the link of the current
-/// view, and answers requests for the picture.
+/// Finishes a frame: updates whether the browser asks before it leaves, the address to the link of the current view, and the
+/// browser's history to its place, and answers requests for the picture.
 pub fn end_frame(
     ctx: &Context,
     unsaved: bool,
     link: impl FnOnce() -> Option<String>,
+    place: String,
     picture: impl FnOnce() -> Option<Vec<u8>>,
 ) {
     if SHOWN_IN.replace(Some(language())) != Some(language()) {
@@ -233,7 +308,7 @@ pub fn end_frame(
         ctx.request_repaint_after(Duration::from_secs_f64(wait));
     } else if !held {
         LOOKED_AT.set(now);
-        link().iter().for_each(|link| follow(link));
+        link().iter().for_each(|link| follow(link, place.clone()));
     }
     let asked = ASKED.take();
     if !asked.is_empty() {
@@ -246,21 +321,46 @@ pub fn end_frame(
 
 /// Shows a link as the page's address, if it differs from the previous one. The first link is not shown, since nothing
 /// has changed yet. A page embedded in another keeps its original address.
-fn follow(link: &str) {
-    let before = LINK.with_borrow_mut(|known| known.replace(link.to_owned()));
-    let window = web_sys::window();
-    let (Some(before), Some(window)) = (before, window) else {
-        return;
-    };
-    let search = window.location().search().unwrap_or_default();
-    let embedded = search.trim_start_matches('?').split('&');
-    if before == link || embedded.into_iter().any(|pair| pair.starts_with("embed")) {
+///
+/// Another lesson, step or drawer is an entry of its own in the browser's history, so that its button goes back to the one
+/// before.
+fn follow(link: &str, place: String) {
+    // A lesson that the address names opens once its text has arrived.
+    if !are_there() && address_has("lesson=") {
         return;
     }
+    let now = (link.to_owned(), place);
+    let before = SHOWN.with_borrow_mut(|known| known.replace(now.clone()));
+    if before.as_ref() == Some(&now) || has_mark("data-embed") {
+        return;
+    }
+    let Some(Ok(history)) = web_sys::window().map(|window| window.history()) else {
+        return;
+    };
+    let (link, place) = now;
+    let entry = Array::of2(&(&*link).into(), &(&*place).into());
     // A browser that refuses shows the old address.
-    let _ = window
-        .history()
-        .and_then(|history| history.replace_state_with_url(&JsValue::NULL, "", Some(link)));
+    let _ = match before {
+        None => history.replace_state(&entry, ""),
+        Some((_, old)) if old == place => history.replace_state_with_url(&entry, "", Some(&*link)),
+        Some(_) => history.push_state_with_url(&entry, "", Some(&*link)),
+    };
+}
+
+fn address_has(key: &str) -> bool {
+    let search = web_sys::window().and_then(|window| window.location().search().ok());
+    search.is_some_and(|search| search.contains(key))
+}
+
+/// Notes the entry of its history to which the browser went.
+fn go_back(event: &PopStateEvent) {
+    let entry: Array = event.state().dyn_into().unwrap_or_default();
+    let (link, place) = (entry.get(0).as_string(), entry.get(1).as_string());
+    let Some(entry) = link.zip(place) else { return };
+    // It is in the address already.
+    SHOWN.set(Some(entry.clone()));
+    WENT.set(Some(entry));
+    CONTEXT.with_borrow(|ctx| ctx.iter().for_each(Context::request_repaint));
 }
 
 /// Gives scripts `shadingLab.picture()`, which returns a promise of the picture as a PNG with its scene inside, and the
@@ -274,7 +374,7 @@ fn offer(ctx: &Context) {
     if let Ok(own) = Reflect::get(&page, &OWN.into()) {
         let _ = Reflect::set(&own, &PICTURE.into(), &picture.into_js_value());
         scripts::offer(&own);
-        widgets::offer(&own, ctx);
+        mirror::offer(&own, ctx);
     }
 }
 

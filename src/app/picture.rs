@@ -1,5 +1,6 @@
 //! The central picture: drawn pixel for pixel; turned, zoomed and probed by hand.
 
+mod description;
 pub mod handles;
 mod menu;
 pub mod orbit;
@@ -17,12 +18,14 @@ use crate::app::session::window::{Drag, Grip, LightStart};
 use crate::app::views::defects;
 use crate::app::views::profile::{self, Profiles};
 use crate::app::views::scan;
+use crate::app::widgets::fingers::{Held, allow_rest, hold};
 use crate::app::widgets::focus;
 use crate::app::widgets::letter::letter;
 use crate::figure::Area;
-use crate::scene::{Choice as _, View};
+use crate::scene::{Camera, Choice as _, View};
 use crate::text;
-use eframe::egui::accesskit::Role;
+use description::{describe, probed};
+use eframe::egui::accesskit::{Live, Role};
 use eframe::egui::{
     Align2, Color32, CursorIcon, EventFilter, InputState, PointerButton, Pos2, Rect, Response,
     Sense, Stroke, TextStyle, Ui, pos2, vec2,
@@ -61,6 +64,15 @@ pub fn picture_ui(
     let name = text!("picture-name", mode = mode);
     let response = focus::named(response, Role::Image, &name);
     keep_arrows(ui, &response);
+    if window.embedded.is_some() {
+        hold(&response, Held::Figure);
+    }
+    if response.is_pointer_button_down_on()
+        && ui.input(InputState::any_touches)
+        && !course.asks_point()
+    {
+        allow_rest(ui.ctx());
+    }
     let panes = panes::places(session, whole);
     let place = pointed(ui, session, window, &response, &panes).unwrap_or(whole);
     let view = View::new(&session.shown.scene.camera, place.size);
@@ -99,6 +111,16 @@ pub fn picture_ui(
         clicked,
     );
     course::watch_edges(window, course, engine);
+    if ui.ctx().has_accesskit_node(response.id) {
+        let frame = engine.frame();
+        let told = describe(&session.shown.scene, frame);
+        let probe = probed(frame, window.probe.pixel([frame.width, frame.height]));
+        ui.ctx().accesskit_node_builder(response.id, |node| {
+            node.set_description(told);
+            node.set_value(probe);
+            node.set_live(Live::Polite);
+        });
+    }
     let panes = panes::places(session, whole);
     let active = panes.iter().find(|pane| pane.pane == session.panes.active);
     if let Some(active) = active {
@@ -258,7 +280,13 @@ fn gesture(
             let camera = &mut session.shown.scene.camera;
             let span = camera.span(place.size.map(f64::from)).max(1.0);
             let [dx, dy] = <[f32; 2]>::from(fingers.translation_delta * place.pixels_per_point);
-            orbit::pan(camera, -f64::from(dx) / span, f64::from(dy) / span);
+            let way = DVec2::new(-f64::from(dx), f64::from(dy)) / span;
+            if window.embedded.is_some() {
+                // In a figure one finger may belong to the page around it.
+                turn(camera, way);
+            } else {
+                orbit::pan(camera, way.x, way.y);
+            }
             requests.ask(Action::Zoom(1.0 / f64::from(fingers.zoom_delta)));
         }
         return;
@@ -356,6 +384,13 @@ fn put_probe(window: &mut WindowState, place: Place, at: Pos2) {
     );
 }
 
+/// Turns the camera by `way`, a fraction of the picture's span: the point under the pointer follows it, however the picture
+/// is rolled.
+fn turn(camera: &mut Camera, way: DVec2) {
+    let way = View::without_roll(way * DEGREES_PER_HEIGHT, camera.roll);
+    orbit::orbit(camera, way.x, way.y);
+}
+
 fn drag(
     session: &mut Session,
     window: &mut WindowState,
@@ -383,12 +418,7 @@ fn drag(
     let (dx, dy) = (f64::from(delta.x) / span, f64::from(delta.y) / span);
     match grip {
         Grip::Camera if deep => orbit::pan(&mut scene.camera, -dx, dy),
-        Grip::Camera => {
-            // The point under the pointer follows it, however the picture is turned.
-            let way =
-                View::without_roll(DVec2::new(-dx, dy) * DEGREES_PER_HEIGHT, scene.camera.roll);
-            orbit::orbit(&mut scene.camera, way.x, way.y);
-        }
+        Grip::Camera => turn(&mut scene.camera, DVec2::new(-dx, dy)),
         Grip::SideView => {}
         Grip::Probe => put_probe(window, *place, at),
         Grip::Mark => {

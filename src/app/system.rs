@@ -81,6 +81,29 @@ pub fn fingers(ctx: &Context) -> bool {
     ctx.input(InputState::has_touch_screen)
 }
 
+/// Returns whether the pointing device is known to be a finger before the first touch.
+pub fn coarse() -> bool {
+    false
+}
+
+/// Returns whether the wheel and swipes scroll a page around this window; on the desktop there is none.
+pub fn page_scrolls() -> bool {
+    false
+}
+
+/// Returns whether this is a page that was loaded again.
+pub fn reloaded() -> bool {
+    false
+}
+
+/// Returns the link and the place to which a browser went back.
+pub fn went() -> Option<(String, String)> {
+    None
+}
+
+/// Copies what was asked for in this frame, where the toolkit could not.
+pub fn copy(_: &Context) {}
+
 /// Has the desktop open an address, in its browser or its mail program.
 pub fn open_address(ctx: &Context, address: &str) {
     ctx.open_url(OpenUrl::new_tab(address));
@@ -101,12 +124,13 @@ pub fn set_fullscreen(ctx: &Context, on: bool) {
     ctx.send_viewport_cmd(ViewportCommand::Fullscreen(on));
 }
 
-/// Finishes a frame, given whether there is unsaved work, the link of the current view, and its picture as a file; on
-/// the desktop there is nothing to do.
+/// Finishes a frame, given whether leaving would lose work, the link of the current view, its place in the history of a
+/// browser, and its picture as a file; on the desktop there is nothing to do.
 pub fn end_frame(
     _: &Context,
     _unsaved: bool,
     _link: impl FnOnce() -> Option<String>,
+    _place: String,
     _picture: impl FnOnce() -> Option<Vec<u8>>,
 ) {
 }

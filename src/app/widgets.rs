@@ -3,6 +3,7 @@
 pub mod background;
 pub mod dialog;
 pub mod drawing;
+pub mod fingers;
 pub mod focus;
 pub mod heading;
 pub mod letter;

@@ -15,33 +15,47 @@ const { chromium } = fetched("playwright-core");
 
 const TYPES = {
   ".html": "text/html", ".js": "text/javascript", ".wasm": "application/wasm", ".png": "image/png",
-  ".webmanifest": "application/manifest+json", ".otf": "font/otf",
+  ".css": "text/css", ".webmanifest": "application/manifest+json", ".otf": "font/otf",
 };
 
-/** Serves a folder on a port of the system's choice. */
-export async function serve(folder) {
+/**
+ * Serves a folder on a port of the system's choice. With `own.stalled` it accepts requests and answers none; with `own.encoding`, "br" or
+ * "gzip", it gives out the compressed files beside the others; `own.headers` come with each answer; `own.sent` lists what was sent.
+ */
+export async function serve(folder, own = {}) {
+  own.sent = [];
   const server = createServer(async (request, response) => {
+    if (own.stalled) return;
     let path = normalize(decodeURIComponent(new URL(request.url, "http://host").pathname));
     if (path.endsWith("/")) path += "index.html";
+    const headers = { ...own.headers, "Content-Type": TYPES[extname(path)] ?? "application/octet-stream" };
     try {
-      const content = await readFile(join(folder, path));
-      response.writeHead(200, { "Content-Type": TYPES[extname(path)] ?? "application/octet-stream" });
+      let content = await readFile(join(folder, path));
+      const packed = own.encoding && (await readFile(join(folder, `${path}.${own.encoding === "br" ? "br" : "gz"}`)).catch(() => undefined));
+      if (packed) [content, headers["Content-Encoding"]] = [packed, own.encoding];
+      own.sent.push({ path, bytes: content.length, at: performance.now() });
+      response.writeHead(200, headers);
       response.end(content);
     } catch {
       response.writeHead(404).end();
     }
   });
   await new Promise((ready) => server.listen(0, "127.0.0.1", ready));
-  return { url: `http://127.0.0.1:${server.address().port}/`, close: () => server.close() };
+  const { port } = server.address();
+  const close = () => {
+    server.close();
+    server.closeAllConnections();
+  };
+  return { url: `http://127.0.0.1:${port}/`, port, own, close };
 }
 
 /** A browser of its own, which keeps nothing. */
-export async function browser({ width = 1280, height = 800, ...others } = {}) {
+export async function browser({ width = 1280, height = 800, flags = [], ...others } = {}) {
   const folder = mkdtempSync(join(tmpdir(), "shading-lab-"));
   const context = await chromium.launchPersistentContext(folder, {
     executablePath: process.env.CHROMIUM ?? "/usr/bin/chromium",
     headless: true,
-    args: ["--no-sandbox", "--disable-gpu", "--enable-unsafe-swiftshader"],
+    args: ["--no-sandbox", "--disable-gpu", "--enable-unsafe-swiftshader", ...flags],
     viewport: { width, height },
     locale: "en-GB",
     ...others,

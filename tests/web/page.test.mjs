@@ -45,7 +45,7 @@ test("a wrong link is told by its key, and the default scene opens", async () =>
     await here.on(link, async (page) => {
       await until(async () => (await widgets(page)).some(({ name }) => name.includes(words)));
       assert.ok(await widget(page, "The link could not be opened"));
-      assert.ok((await page.title()).startsWith("teapot"), await page.title());
+      assert.ok((await page.title()).startsWith("shading-modes"), await page.title());
       await press(page, "Close");
       await until(async () => (await widget(page, "The link could not be opened")) === undefined);
     });

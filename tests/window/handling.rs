@@ -44,10 +44,10 @@ fn a_point_of_movement_changes_the_exponent_by_at_most_six_percent_at_every_size
             .get_by_role_and_label(Role::Slider, named("material.n"))
             .rect();
         assert!(slider.width() >= 120.0, "{size:?} {projector}: {slider:?}");
-        let at = |step: u8| pos2(slider.left() + 8.0 + f32::from(step), slider.center().y);
+        let at = |step: u16| pos2(slider.left() + 8.0 + f32::from(step), slider.center().y);
         harness.drag_at(at(0));
         let mut values = Vec::new();
-        let end = (slider.width() - 16.0) as u8;
+        let end = (slider.width() - 16.0) as u16;
         for step in 0..=end {
             harness.hover_at(at(step));
             harness.run_ok();

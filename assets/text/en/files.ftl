@@ -28,6 +28,7 @@ unsaved = Save the changes to { $name }?
 unsaved-lost = Your changes will be lost if you close the window without saving.
 close-unsaved = Close without saving
 restore-kept = The last window did not close normally. Its unsaved changes to { $name } were kept.
+    .page = Unsaved changes to { $name } were kept when the page was left.
 restore-work = Restore unsaved work?
 restore = Restore
 delete = Delete

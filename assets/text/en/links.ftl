@@ -45,3 +45,4 @@ embed-open = Open in shading-lab
 embed-unknown = no control is called { $name }
 link-expected-lesson = the name of a lesson: lower-case words with hyphens
 link-no-lesson = there is no lesson “{ $name }”
+link-no-step = The link asks for step { $step }; the lesson has { $count } steps.

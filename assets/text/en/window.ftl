@@ -39,6 +39,7 @@ welcome = Welcome to shading-lab
 welcome-explore = Explore this one
 welcome-open = Open a model
 menu = Menu
+menu-overlays = Overlays
 in-equation = in the equation
 notice-folder = Show in folder
 window-scene-reset = The scene is as it was opened

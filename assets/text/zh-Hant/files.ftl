@@ -28,6 +28,7 @@ unsaved = 要儲存對 { $name } 的變更嗎？
 unsaved-lost = 如果不儲存就關閉視窗，變更將會遺失。
 close-unsaved = 不儲存並關閉
 restore-kept = 上次的視窗沒有正常關閉。對 { $name } 的未儲存變更已保留。
+    .page = 離開頁面時，對 { $name } 的未儲存變更已保留。
 restore-work = 要還原未儲存的工作嗎？
 restore = 還原
 delete = 刪除

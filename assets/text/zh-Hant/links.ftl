@@ -45,3 +45,4 @@ embed-open = 在 shading-lab 中開啟
 embed-unknown = 沒有名為 { $name } 的控制項
 link-expected-lesson = 單元名稱：小寫英文字加連字號
 link-no-lesson = 沒有單元「{ $name }」
+link-no-step = 連結指定第 { $step } 步，但本單元只有 { $count } 步。

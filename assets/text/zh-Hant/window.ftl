@@ -39,6 +39,7 @@ welcome = 歡迎使用 shading-lab
 welcome-explore = 探索這個場景
 welcome-open = 開啟模型
 menu = 選單
+menu-overlays = 圖層
 in-equation = （方程式中）
 notice-folder = 在資料夾中顯示
 window-scene-reset = 場景已恢復為開啟時的樣子

@@ -45,19 +45,19 @@ impl Named {
 }
 
 /// Shows a row for each control, in several columns if the width allows. A row that waits for the answer to the open question
-/// says so.
-pub fn rows_ui(ui: &mut Ui, session: &mut Session, controls: &[Named]) {
+/// says so. If `wide`, there is one column, and a slider has a line of its own.
+pub fn rows_ui(ui: &mut Ui, session: &mut Session, controls: &[Named], wide: bool) {
     let count = ((ui.available_width() / COLUMN) as usize)
-        .min(controls.len())
+        .min(if wide { 1 } else { controls.len() })
         .clamp(1, MOST_COLUMNS);
     ui.columns(count, |columns| {
         for (index, control) in controls.iter().enumerate() {
-            row_ui(&mut columns[index % count], session, *control);
+            row_ui(&mut columns[index % count], session, *control, wide);
         }
     });
 }
 
-fn row_ui(ui: &mut Ui, session: &mut Session, control: Named) {
+fn row_ui(ui: &mut Ui, session: &mut Session, control: Named, wide: bool) {
     let Session {
         initial,
         shown,
@@ -75,6 +75,7 @@ fn row_ui(ui: &mut Ui, session: &mut Session, control: Named) {
     };
     let view = View {
         index,
+        wide,
         numbered: last > 0 && matches!(control, Named::Row(_, Some(_))),
         // Away from the ground's other rows, only the full label says whose coefficient it is.
         in_full: parameter.section() == "ground",

@@ -17,6 +17,7 @@ pub use widgets::{axes, swatch};
 use crate::analysis::probe::specular_vector;
 use crate::app::widgets::palette::vector_text;
 use crate::app::widgets::symbol::Symbol;
+use crate::app::widgets::theme;
 use crate::figure::palette::Vector;
 use crate::scene::parameter::{Access, Kind, Limits, Parameter, Slider, Unit, defaults};
 use crate::scene::{ChoiceOption, Rgb, Scene};
@@ -44,6 +45,8 @@ pub struct View {
     pub index: usize,
     /// True if the row says which light it belongs to.
     pub numbered: bool,
+    /// True if a slider has a line of its own. On a touch screen it always has.
+    pub wide: bool,
     /// True if the label says what the parameter belongs to.
     pub in_full: bool,
     /// True if coefficients always have a field for each channel.
@@ -58,6 +61,7 @@ impl Default for View {
         Self {
             index: 0,
             numbered: false,
+            wide: false,
             in_full: false,
             channels: false,
             slider: None,
@@ -239,6 +243,11 @@ impl Edited<'_> {
 /// Returns the width that a parameter's control needs, in points.
 fn room(ui: &Ui, scene: &Scene, parameter: &Parameter, view: &View) -> f32 {
     match parameter.kind {
+        Kind::Number(..) | Kind::Whole(..) | Kind::Coefficient(..)
+            if view.wide || theme::is_touch(ui) =>
+        {
+            f32::INFINITY
+        }
         Kind::Number(..) | Kind::Whole(..) | Kind::Coefficient(..) => {
             range(scene, parameter, view).room()
         }

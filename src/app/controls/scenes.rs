@@ -7,7 +7,7 @@ use crate::app::session::document::Origin;
 use crate::app::session::window::WindowState;
 use crate::app::widgets::background::{PICTURES, Pictures};
 use crate::app::widgets::dialog::Choice;
-use crate::app::widgets::focus::named;
+use crate::app::widgets::focus::{heading, named};
 use crate::app::widgets::theme::text_field;
 use crate::jobs::Work;
 use crate::render::Renderer;
@@ -87,7 +87,7 @@ pub fn scenes_ui(ui: &mut Ui, window: &mut WindowState, requests: &mut Requests)
     let mut choice = Choice::Stay;
     let mut entered = false;
     ui.horizontal(|ui| {
-        ui.heading(text!("scenes"));
+        heading(ui, text!("scenes"));
         let field = text_field(&mut gallery.sought)
             .hint_text(text!("scenes-search"))
             .desired_width(ui.available_width() - 76.0);

@@ -4,7 +4,7 @@ use super::data::{Course, Open};
 use super::parts::right_colour;
 use super::prose::prose_ui;
 use crate::app::session::Session;
-use crate::app::widgets::focus::named;
+use crate::app::widgets::focus::{live, named};
 use crate::lesson::{Answered, Grade};
 use crate::text::text;
 use eframe::egui::accesskit::Role;
@@ -64,7 +64,7 @@ fn wrong_ui(ui: &mut Ui, open: &mut Open, grade: Grade) {
         text!("course-wrong").to_owned()
     };
     let words = RichText::new(words).color(ui.visuals().warn_fg_color);
-    ui.add(Label::new(words).wrap());
+    live(&ui.add(Label::new(words).wrap()));
     named_ui(ui, open, grade);
     ui.add(Label::new(RichText::new(text!("course-try-again")).weak()).wrap());
 }
@@ -95,7 +95,7 @@ fn verdict_ui(ui: &mut Ui, answered: &Answered) {
         )
     };
     let label = ui.add(Label::new(RichText::new(&words).color(colour).strong()).wrap());
-    named(label, Role::Label, &words);
+    live(&named(label, Role::Label, &words));
 }
 
 /// Shows the right answer in words and numbers, beside the student's.

@@ -6,7 +6,7 @@ use super::parts::{cross, error_ui, right_colour, waiting_ui};
 use super::prose::prose_ui;
 use crate::app::session::Session;
 use crate::app::widgets::background::wake;
-use crate::app::widgets::focus::{keep_in_sight, named};
+use crate::app::widgets::focus::{heading, keep_in_sight, named};
 use crate::app::widgets::sign::tick;
 use crate::lesson::{HandIn, Lesson, how_given};
 use crate::text::text;
@@ -37,7 +37,7 @@ pub fn handed_in_ui(ui: &mut Ui, course: &mut Course, session: &Session) {
             ui.set_max_width(ui.available_width() - 4.0);
             match &*answers {
                 Err(why) => {
-                    ui.heading(session.document().origin.name());
+                    heading(ui, &session.document().origin.name());
                     error_ui(ui, &text!("course-answers-void", why = why.to_string()));
                 }
                 Ok(answers) => {
@@ -68,7 +68,7 @@ fn head_ui(ui: &mut Ui, session: &Session, answers: &HandIn, handed_in: &HandedI
     let marked = handed_in.work.answer();
     let file = session.document().origin.name();
     let name = Some(&answers.name).filter(|name| !name.is_empty());
-    ui.heading(name.unwrap_or(&file));
+    heading(ui, name.unwrap_or(&file));
     let title = marked.map_or(&answers.title, |marked| &marked.title);
     ui.add(Label::new(RichText::new(title).weak()).wrap());
     if let Some(Marked {

@@ -1,12 +1,13 @@
 //! The text of lessons: CommonMark, with formulas set as in the equation.
 
 use super::formula::pieces;
+use crate::app::system;
 use crate::app::widgets::focus::one_stop;
 use crate::app::widgets::theme::TEXT;
 use crate::app::widgets::typeset::{Place, Run, spoken};
-use crate::lesson::without_closed_links;
+use crate::lesson::{blocks, without_closed_links};
 use crate::text::text;
-use eframe::egui::accesskit::Role;
+use eframe::egui::accesskit::{self, Role};
 use eframe::egui::{Sense, TextStyle, Ui, WidgetInfo, vec2};
 use egui_commonmark::{CommonMarkCache, CommonMarkViewer};
 use std::cell::Cell;
@@ -33,8 +34,19 @@ const BRACKETS: &[char] = &[')', '）', '」'];
 pub fn prose_ui(ui: &mut Ui, cache: &mut CommonMarkCache, words: &str) {
     let top = ui.cursor().min;
     shown_ui(ui, cache, words, true);
-    let rect = ui.min_rect();
-    one_stop(ui, rect.with_min_y(top.y));
+    let rect = ui.min_rect().with_min_y(top.y);
+    one_stop(ui, rect);
+    if !system::PAGE {
+        return;
+    }
+    // A browser's screen readers get the whole text, with its lists, tables and formulas.
+    let id = ui.scope_id().with(("prose", words));
+    ui.ctx().accesskit_node_builder(id, |node| {
+        let [min, max] = [rect.min, rect.max].map(|corner| [corner.x, corner.y].map(f64::from));
+        node.set_role(Role::Article);
+        node.set_bounds(accesskit::Rect::new(min[0], min[1], max[0], max[1]));
+        node.set_inner_html(blocks(words).to_string());
+    });
 }
 
 /// Shows a text on a button; its letters do not react themselves.
@@ -48,12 +60,21 @@ fn shown_ui(ui: &mut Ui, cache: &mut CommonMarkCache, words: &str, live: bool) {
     // The lines of a list are spaced like those of a paragraph, not like rows of controls.
     let line = ui.text_style_height(&TextStyle::Body);
     let row = std::mem::replace(&mut ui.spacing_mut().interact_size.y, line);
-    CommonMarkViewer::new().render_math_fn(Some(&math)).show(
-        ui,
-        cache,
-        &joined(&without_closed_links(words)),
-    );
+    let words = joined(&without_closed_links(words));
+    let words = if system::fingers(ui.ctx()) {
+        for_fingers(words)
+    } else {
+        words
+    };
+    CommonMarkViewer::new()
+        .render_math_fn(Some(&math))
+        .show(ui, cache, &words);
     ui.spacing_mut().interact_size.y = row;
+}
+
+/// Replaces the mouse's word by that of a finger. In Chinese both have the same.
+fn for_fingers(words: String) -> String {
+    words.replace("Click", "Tap").replace("click", "tap")
 }
 
 /// Moves closing punctuation, and the space after it, into the formula or the emphasis that it follows. Each

@@ -3,7 +3,7 @@
 use super::data::Course;
 use super::handed_in::{cards_ui, mark};
 use crate::app::session::action::{Action, Requests, Turn};
-use crate::app::widgets::focus::keep_in_sight;
+use crate::app::widgets::focus::{heading, keep_in_sight};
 use crate::lesson::{Answered, Lesson};
 use crate::text::text;
 use eframe::egui::{Button, Label, RichText, ScrollArea, Ui};
@@ -25,7 +25,7 @@ pub fn results_ui(ui: &mut Ui, course: &mut Course, requests: &mut Requests) {
         .show(ui, |ui| {
             // Keeps clear of the scroll bar.
             ui.set_max_width(ui.available_width() - 4.0);
-            ui.heading(text!("course-results"));
+            heading(ui, text!("course-results"));
             let questions = asking(&lesson).map(answer);
             ui.add(Label::new(RichText::new(summary(questions)).strong()).wrap());
             if can_hand_in {

@@ -13,17 +13,15 @@ use crate::app::session::action::{Action, Turn};
 use crate::app::session::appearance::ViewName;
 use crate::app::session::window::WindowState;
 use crate::app::widgets::background::wake;
-use crate::app::widgets::focus::{aside, keep_in_sight, named, switch_named};
+use crate::app::widgets::focus::{aside, heading, keep_in_sight, named, switch_named};
 use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align, Button, Frame, Label, Layout, Panel, Rect, RichText, ScrollArea, Sense, Ui, vec2,
+    Align, Button, Frame, Label, Layout, Panel, RichText, ScrollArea, Sense, Ui, vec2,
 };
 
 /// The radius of the dots that represent the steps, in points.
 const DOT: f32 = 3.5;
-/// The width of the button that scrolls down to the question, in points.
-const DOWN: f32 = 108.0;
 
 /// Shows the current step.
 pub fn step_ui(
@@ -49,33 +47,19 @@ pub fn step_ui(
     if fresh {
         area = area.vertical_scroll_offset(0.0);
     }
-    let shown = area.show(ui, |ui| {
+    area.show(ui, |ui| {
         // Keeps clear of the scroll bar.
         ui.set_max_width(ui.available_width() - 4.0);
         body_ui(ui, course, session, window, requests);
         ui.add_space(8.0);
         keep_in_sight(ui);
     });
-    if let Some(open) = &mut course.open {
-        down_ui(ui, open, shown.inner_rect);
-    }
 }
 
-/// Shows a button that scrolls to a question hidden below `seen`; without it the question might be
-/// overlooked.
-fn down_ui(ui: &mut Ui, open: &mut Open, seen: Rect) {
-    let high = ui.spacing().interact_size.y;
-    if open.draft.top.is_none_or(|top| top + high < seen.max.y) {
-        return;
-    }
-    let size = vec2(DOWN, high);
-    let rect = Rect::from_center_size(seen.center_bottom() - vec2(0.0, 0.5 * high + 4.0), size);
-    let button = Button::new(format!("▼ {}", text!("course-question")));
-    let button = named(
-        ui.put(rect, button),
-        Role::Button,
-        text!("course-to-question"),
-    );
+/// Shows a button that scrolls to a question hidden below the visible text; without it the question might be overlooked.
+fn down_ui(ui: &mut Ui, open: &mut Open) {
+    let button = ui.add(Button::new(format!("▼ {}", text!("course-question"))).truncate());
+    let button = named(button, Role::Button, text!("course-to-question"));
     aside(&button);
     if button.clicked() {
         open.draft.seek = true;
@@ -133,7 +117,8 @@ pub fn head_ui(ui: &mut Ui, course: &Course, requests: &mut Requests) {
     }
 }
 
-/// Shows the button back, the steps as dots, and the button to the next step.
+/// Shows the button back, the button to the next step, and between them the steps as dots, or the way to a question that is out of
+/// sight.
 fn ways_ui(ui: &mut Ui, course: &mut Course, requests: &mut Requests) {
     let Some(open) = &mut course.open else { return };
     let onward = std::mem::take(&mut open.draft.onward);
@@ -142,6 +127,9 @@ fn ways_ui(ui: &mut Ui, course: &mut Course, requests: &mut Requests) {
     // The page of the results follows the last step.
     let step = if ended { count } else { open.step };
     let asks = open.lesson.steps.iter().any(|step| step.question.is_some());
+    let high = ui.spacing().interact_size.y;
+    let below = |top| top + high >= ui.max_rect().min.y;
+    let hidden = !ended && open.draft.top.is_some_and(below);
     ui.add_space(4.0);
     ui.horizontal(|ui| {
         let back = ui.add_enabled(step > 0, Button::new(text!("course-back")));
@@ -164,7 +152,10 @@ fn ways_ui(ui: &mut Ui, course: &mut Course, requests: &mut Requests) {
             if button.clicked() {
                 requests.ask(Action::Course(Turn::Step(1)));
             }
-            ui.centered_and_justified(|ui| dots_ui(ui, course, requests, step, count));
+            ui.centered_and_justified(|ui| match &mut course.open {
+                Some(open) if hidden => down_ui(ui, open),
+                _ => dots_ui(ui, course, requests, step, count),
+            });
         });
     });
     ui.add_space(2.0);
@@ -230,7 +221,7 @@ fn body_ui(
     requests: &mut Requests,
 ) {
     let Some(open) = &mut course.open else { return };
-    ui.heading(&open.current().title);
+    heading(ui, &open.current().title);
     ui.add_space(2.0);
     if let Some(why) = &open.failed {
         error_ui(ui, why);
@@ -307,7 +298,7 @@ fn controls_ui(ui: &mut Ui, open: &Open, session: &mut Session) {
     if controls.is_empty() {
         return;
     }
-    ui.push_id("controls", |ui| rows_ui(ui, session, &controls));
+    ui.push_id("controls", |ui| rows_ui(ui, session, &controls, false));
     session.commit();
     ui.add_space(4.0);
 }

@@ -92,7 +92,7 @@ pub fn covered(session: &Session, window: &WindowState, view: &View, place: Plac
 }
 
 /// Returns whether the handles of lights are shown: while the pointer is over the picture or drags something,
-/// and always on a touch screen.
+/// and always on a touch screen and in a figure, whose reader looks for something to do.
 pub fn visible(ctx: &Context, window: &WindowState, place: Place) -> bool {
     let near = || {
         ctx.input(|input| {
@@ -100,7 +100,8 @@ pub fn visible(ctx: &Context, window: &WindowState, place: Place) -> bool {
             input.has_touch_screen() || over.is_some_and(|at| place.rect.contains(at))
         })
     };
-    window.appearance.overlay.handles && (window.drag.is_some() || near())
+    let always = window.drag.is_some() || window.embedded.is_some();
+    window.appearance.overlay.handles && (always || near())
 }
 
 /// Draws everything below the lights' handles: beams, outlines and stems, the profile's line, the ring.

@@ -14,6 +14,7 @@ use crate::app::session::window::WindowState;
 use crate::app::widgets::background::Task;
 use crate::document::load_scene;
 use crate::jobs::Job;
+use crate::scene::Scene;
 use crate::text::text;
 use eframe::egui::Context;
 use glam::DVec2;
@@ -101,6 +102,12 @@ impl Recovery {
             .map(|slot| (&*slot.path, around(&slot.path).origin.name()))
     }
 
+    /// Returns whether the work that was left behind is `shown` already.
+    pub fn is_left(&self, shown: &Scene) -> bool {
+        let left = self.left.as_ref().and_then(|slot| restore(&slot.path).ok());
+        left.is_some_and(|(document, ..)| document.scene == *shown)
+    }
+
     /// Takes over the work that was left behind as this window's own.
     pub fn adopt(&mut self) {
         if let Some(slot) = self.left.take() {
@@ -151,17 +158,37 @@ impl Recovery {
     }
 
     fn write(&mut self, session: &Session, window: &WindowState) {
+        let write = self.writer(session, window);
+        self.writing = Some(Job::start(
+            Task::new(move |_: &dyn Watch<()>| write()),
+            |_| (),
+        ));
+    }
+
+    /// Returns what writes the document as it is now.
+    fn writer(
+        &mut self,
+        session: &Session,
+        window: &WindowState,
+    ) -> impl Fn() -> Result<(), String> + use<> {
         self.due = None;
         let around = Around::of(session, window);
         self.kept = Some((session.document().clone(), around.clone()));
         self.written = true;
         let (path, scene) = (self.own.path.clone(), session.document().scene.clone());
-        let write = move |_: &dyn Watch<()>| {
+        move || {
             let around = serde_json::to_string(&around).unwrap_or_default();
             let text = format!("{HEAD}{around}\n{}", scene.to_toml());
             slot::write(&path, &text)
-        };
-        self.writing = Some(Job::start(Task::new(write), |_| ()));
+        }
+    }
+
+    /// Writes at once what has changed since the last time, before a page is left.
+    pub fn write_now(&mut self, session: &Session, window: &WindowState) {
+        if session.modified() && !self.is_kept(session, window) {
+            // Nobody is left to be told.
+            let _ = self.writer(session, window)();
+        }
     }
 
     /// Deletes the kept work of this window.

@@ -27,8 +27,10 @@ pub struct WindowState {
     pub covered: Vec<Area>,
     /// True if the open view is shown alone.
     pub enlarged: bool,
-    /// The controls shown by a window that is embedded as a figure in another page, by their names in the link.
-    pub embedded: Option<Vec<String>>,
+    /// True if the window is so narrow that its panels are a drawer.
+    pub drawer: bool,
+    /// The figure, if the window is embedded as one in another page.
+    pub embedded: Option<Figure>,
     /// True if the welcome card of the first start is shown.
     pub welcome: bool,
     /// True if the picture is shown alone.
@@ -52,6 +54,15 @@ impl WindowState {
     pub fn show_view(&mut self, view: ViewName) {
         (self.appearance.views, self.appearance.view) = (true, view);
     }
+}
+
+/// A window as a figure in another page.
+#[derive(Clone, Debug, Default)]
+pub struct Figure {
+    /// The controls below the picture, by their names in the link.
+    pub controls: Vec<String>,
+    /// The error in the link, shown in place of the picture.
+    pub problem: Option<String>,
 }
 
 /// The vertex under the pointer, or clicked on, in the active pane.

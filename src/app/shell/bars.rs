@@ -3,7 +3,7 @@
 
 use super::commands::{MENUS, SECTIONS};
 use super::equation;
-use super::menu::commands_ui;
+use super::menu::{commands_ui, scrolled};
 use super::notice::said_ui;
 use super::terms;
 use crate::analysis::plan_words::stage_words;
@@ -79,7 +79,7 @@ fn each_menu_ui(ui: &mut Ui, session: &Session, window: &mut WindowState, reques
         .filter_map(|menu| SECTIONS.iter().find(|section| section.key == *menu))
     {
         let shown = ui.menu_button(section.title(), |ui| {
-            menu_ui(ui, session, window, requests, section.key);
+            scrolled(ui, |ui| menu_ui(ui, session, window, requests, section.key));
         });
         opens_by_arrow(&shown.response);
     }

@@ -8,7 +8,7 @@ use crate::app::session::window::WindowState;
 use crate::app::system;
 use crate::app::widgets::background::wake;
 use crate::app::widgets::dialog::{Choice, both, buttons_ui, path_ui};
-use crate::app::widgets::focus::{named, switch_named};
+use crate::app::widgets::focus::{heading, named, switch_named};
 use crate::document::save_code;
 use crate::export::{Export, Limit, Part, glsl_330, opengl_c, opengl_c_snippet};
 use crate::geometry::{Mesh, tessellate};
@@ -192,7 +192,7 @@ pub fn code_ui(
     writer: &mut Writer,
     (document, no_dialog): (&Document, bool),
 ) -> Choice {
-    ui.heading(text!("code"));
+    heading(ui, text!("code"));
     ui.add_space(6.0);
     ui.horizontal(|ui| {
         for (language, title, what) in LANGUAGES {

@@ -35,7 +35,7 @@ pub struct Section {
 pub struct Command {
     /// The name in the catalogue, `controls-command-KEY`: the text in the menu, and with `.does` the text in
     /// Help. Empty for a line between the items of a menu, and for further keys of a command.
-    key: &'static str,
+    pub key: &'static str,
     /// The modifiers, then each key, separated by spaces.
     keys: &'static str,
     /// True for an item of the menu.

@@ -16,7 +16,7 @@ use crate::app::shell::state::Leaving;
 use crate::app::system;
 use crate::app::views::report;
 use crate::app::widgets::dialog::{Choice, both, buttons_ui, path_ui, question_ui};
-use crate::app::widgets::focus::{keep_in_sight, named};
+use crate::app::widgets::focus::{heading, keep_in_sight, named};
 use crate::app::widgets::theme::text_field;
 use crate::lesson::MAX_NAME;
 use crate::scene::Image;
@@ -228,7 +228,11 @@ fn contents_ui(ui: &mut Ui, dialog: &mut Dialog, state: &mut AppState) -> Choice
             question_ui(ui, &title, text, &answers)
         }
         Dialog::Restore { name } => {
-            let text = text!("restore-kept", name = name.as_str());
+            let text = if system::PAGE {
+                text!("restore-kept.page", name = name.as_str())
+            } else {
+                text!("restore-kept", name = name.as_str())
+            };
             let answers = [
                 (text!("restore"), Choice::Accept),
                 (text!("delete"), Choice::Discard),
@@ -253,7 +257,7 @@ fn contents_ui(ui: &mut Ui, dialog: &mut Dialog, state: &mut AppState) -> Choice
 
 fn file_ui(ui: &mut Ui, task: &mut FileTask, path: &mut String, state: &AppState) -> Choice {
     let kind = task.file_kind();
-    ui.heading(kind.title);
+    heading(ui, kind.title);
     if let FileTask::Export(form) = task {
         export_ui(ui, form, state.window.room);
         ui.add_space(8.0);
@@ -410,7 +414,7 @@ struct SoughtKeys(String);
 
 fn keys_ui(ui: &mut Ui, window: &mut WindowState) -> Choice {
     let mut sought: SoughtKeys = window.own.take();
-    ui.heading(text!("keys"));
+    heading(ui, text!("keys"));
     ui.add_space(8.0);
     let field = text_field(&mut sought.0)
         .hint_text(text!("keys-search"))

@@ -7,7 +7,7 @@ use crate::app::picture::{self, Room};
 use crate::app::session::Session;
 use crate::app::session::action::Action;
 use crate::app::session::action::Requests;
-use crate::app::session::window::WindowState;
+use crate::app::session::window::{Figure, WindowState};
 use crate::app::widgets::focus::keep_in_sight;
 use crate::scene::Choice as _;
 use crate::text::text;
@@ -15,8 +15,11 @@ use eframe::egui::{CentralPanel, Frame, Panel, RichText, ScrollArea, Ui};
 
 /// The minimum fraction of the height that the picture keeps.
 const PICTURE: f32 = 0.45;
+/// Maximum number of controls whose sliders have the whole width.
+const FEW: usize = 3;
 
-/// Shows the picture and the controls below it.
+/// Shows the picture and the controls below it, or why the link could not be opened. Returns the size available to the
+/// picture, if there is one.
 pub fn embedded_ui(
     ui: &mut Ui,
     session: &mut Session,
@@ -24,8 +27,18 @@ pub fn embedded_ui(
     course: &mut Course,
     requests: &mut Requests,
     engine: &mut Engine,
-) -> Room {
-    let words = window.embedded.clone().unwrap_or_default();
+) -> Option<Room> {
+    let Figure {
+        controls: words,
+        problem,
+    } = window.embedded.clone().unwrap_or_default();
+    if let Some(problem) = problem {
+        CentralPanel::default().show(ui, |ui| {
+            ui.label(RichText::new(text!("link-not-opened")).strong());
+            ui.label(problem);
+        });
+        return None;
+    }
     let controls: Vec<Named> = words.iter().filter_map(|word| Named::find(word)).collect();
     let footer = ui.spacing().interact_size.y + 16.0;
     let most = (1.0 - PICTURE) * ui.available_height() - footer;
@@ -37,7 +50,7 @@ pub fn embedded_ui(
                 .min_scrolled_height(0.0)
                 .auto_shrink([false, true])
                 .show(ui, |ui| {
-                    rows_ui(ui, session, &controls);
+                    rows_ui(ui, session, &controls, controls.len() <= FEW);
                     keep_in_sight(ui);
                 });
         }
@@ -61,5 +74,5 @@ pub fn embedded_ui(
     let shown = CentralPanel::default().frame(Frame::NONE).show(ui, |ui| {
         picture::picture_ui(ui, session, window, course, requests, engine)
     });
-    shown.inner
+    Some(shown.inner)
 }

@@ -76,6 +76,7 @@ impl Layout {
             return Some(self.picture_ui(ui, state, engine));
         }
         let narrow = size.x < NARROW;
+        state.window.drawer = narrow;
         let low = size.y < LOW;
         if !ui.ctx().text_edit_focused() {
             self.tall = size.y > size.x;

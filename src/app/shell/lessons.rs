@@ -22,7 +22,7 @@ impl AppState {
         let step = self.course.begin(lesson, built_in);
         // The step's own controls are beside its text.
         self.window.appearance.controls = false;
-        self.window.picture_alone = false;
+        (self.window.picture_alone, self.window.enlarged) = (false, false);
         self.turn_to(step);
     }
 
@@ -47,6 +47,15 @@ impl AppState {
             Turn::OpenAt(name, step) => {
                 self.turn(Turn::Open(name));
                 self.turn(Turn::To(step));
+                let count = self
+                    .course
+                    .open
+                    .as_ref()
+                    .map_or(0, |open| open.lesson.steps.len());
+                if count > 0 && step >= count {
+                    let words = text!("link-no-step", step = step + 1, count = count);
+                    self.session.warning = Some(words);
+                }
             }
             Turn::Own => {
                 if let Some(lesson) = self.course.own.clone() {

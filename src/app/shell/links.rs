@@ -8,7 +8,7 @@ use crate::app::session::place::{ProbePoint, ProfileLine};
 use crate::app::shell::state::AppState;
 use crate::app::system;
 use crate::app::widgets::dialog::Choice;
-use crate::app::widgets::focus::named;
+use crate::app::widgets::focus::{heading, named};
 use crate::app::widgets::theme::text_field;
 use crate::figure::QrCode;
 use crate::lesson::may_open;
@@ -68,6 +68,52 @@ impl AppState {
             origin,
             &self.shown_in_links(),
         )
+    }
+
+    /// Returns the place in a browser's history: the lesson with its step, and what is open in the drawer of a narrow window.
+    pub fn place(&self) -> String {
+        let open = self.course.open.as_ref().filter(|open| open.in_view);
+        let step = open.map_or_else(String::new, |open| {
+            format!("{} {}", open.lesson.name, open.step)
+        });
+        let drawer = [
+            self.window.appearance.controls,
+            self.window.appearance.views,
+        ];
+        match drawer.iter().position(|open| *open) {
+            Some(panel) if self.window.drawer => format!("{step}|{panel}"),
+            _ => format!("{step}|"),
+        }
+    }
+
+    /// Returns to a place that a browser has kept, with its link: closes the drawer, turns the lesson's step, or opens the
+    /// scene.
+    pub fn go_back(&mut self, link: &str, place: &str) {
+        let step_of = |place: &str| place.split('|').next().unwrap_or_default().to_owned();
+        if step_of(&self.place()) != step_of(place)
+            && let Ok(Link { scene, name, shown }) = read(link)
+        {
+            if shown.lesson.is_none() {
+                self.turn(Turn::List);
+                let origin = Origin::BuiltIn(name);
+                self.open(Document {
+                    scene,
+                    origin,
+                    ..Document::default()
+                });
+            }
+            self.show(&shown);
+        }
+        if self.window.drawer {
+            let open = place
+                .rsplit('|')
+                .next()
+                .and_then(|panel| panel.parse().ok());
+            (
+                self.window.appearance.controls,
+                self.window.appearance.views,
+            ) = (open == Some(0), open == Some(1));
+        }
     }
 
     /// Shows the state contained in a link.
@@ -220,7 +266,7 @@ fn name_of(path: &std::path::Path) -> String {
 /// Shows the question for the page's address.
 pub fn page_ui(ui: &mut Ui, form: &mut PageForm, requests: &mut Requests) -> Choice {
     let mut choice = Choice::Stay;
-    ui.heading(text!("link-page"));
+    heading(ui, text!("link-page"));
     ui.add_space(8.0);
     if form.then_code {
         // Sharing works at once, without any page.

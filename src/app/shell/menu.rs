@@ -5,17 +5,31 @@ use crate::app::session::Session;
 use crate::app::session::action::Action;
 use crate::app::session::action::Requests;
 use crate::app::session::window::WindowState;
+use crate::app::system;
 use crate::app::widgets::focus::{named, switch_named};
 use crate::app::widgets::sign::tick;
 use crate::scene::ShadingMode;
 use crate::text::text;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Atom, Button, IdSalt, Rect, Ui, vec2};
+use eframe::egui::{Atom, Button, IdSalt, Rect, ScrollArea, Ui, vec2};
 
 /// The width of a menu, in points.
 const WIDTH: f32 = 264.0;
 /// The width reserved for ticks, in points.
 const TICK: f32 = 16.0;
+/// The height of a window that its menus leave free, in points.
+const MARGIN: f32 = 24.0;
+/// The number of items between two lines that stay in a menu for fingers; more have a menu of their own.
+const MANY: usize = 8;
+/// The commands that a window without keys does not need in its menus: the rail opens the panels, and nobody presses keys.
+const FOR_KEYS: [&str; 6] = [
+    "controls",
+    "views",
+    "stages",
+    "next-view",
+    "projector",
+    "keys",
+];
 
 /// Shows the items of the menu named `menu`.
 pub fn commands_ui(
@@ -29,16 +43,52 @@ pub fn commands_ui(
         return;
     };
     ui.set_min_width(WIDTH);
-    let commands = &section.commands;
+    let fingers = system::fingers(ui.ctx());
+    let left_out = |command: &Command| fingers && FOR_KEYS.contains(&command.key);
+    let mut shown = false;
+    for part in section.commands.split(Command::is_line) {
+        let items: Vec<&Command> = (part.iter())
+            .filter(|command| command.in_menu && !left_out(command))
+            .collect();
+        if items.is_empty() {
+            continue;
+        }
+        if std::mem::replace(&mut shown, true) {
+            ui.separator();
+        }
+        if fingers && items.len() > MANY {
+            ui.menu_button(text!("menu-overlays"), |ui| {
+                scrolled(ui, |ui| items_ui(ui, session, window, requests, &items));
+            });
+        } else {
+            items_ui(ui, session, window, requests, &items);
+        }
+    }
+}
+
+/// Shows the content of a menu, which scrolls if the window is too low for it.
+pub fn scrolled<R>(ui: &mut Ui, content: impl FnOnce(&mut Ui) -> R) -> R {
+    let most = ui.ctx().content_rect().height() - MARGIN;
+    let most = most.max(0.0);
+    ScrollArea::vertical()
+        .max_height(most)
+        .min_scrolled_height(most)
+        .show(ui, content)
+        .inner
+}
+
+fn items_ui(
+    ui: &mut Ui,
+    session: &Session,
+    window: &mut WindowState,
+    requests: &mut Requests,
+    commands: &[&Command],
+) {
     let ticked = commands
         .iter()
         .any(|command| is_on(command, session, window).is_some());
     for command in commands {
-        if command.is_line() {
-            ui.separator();
-        } else if command.in_menu {
-            item_ui(ui, session, window, requests, command, ticked);
-        }
+        item_ui(ui, session, window, requests, command, ticked);
     }
 }
 
@@ -73,7 +123,13 @@ fn item_ui(
     } else {
         Button::new(name)
     };
-    let response = ui.add_enabled(!idle, button.shortcut_text(command.keys()));
+    // Fingers have no keys to press.
+    let keys = if system::fingers(ui.ctx()) {
+        ""
+    } else {
+        command.keys()
+    };
+    let response = ui.add_enabled(!idle, button.shortcut_text(keys));
     let on = is_on(command, session, window);
     if on == Some(true) {
         let left = response.rect.left_center() + vec2(ui.spacing().button_padding.x, 0.0);

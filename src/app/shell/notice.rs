@@ -3,6 +3,7 @@
 use crate::app::session::Session;
 use crate::app::session::action::{Action, Requests};
 use crate::app::session::window::WindowState;
+use crate::app::widgets::focus::live;
 use crate::app::widgets::sign::{Sign, sign_button};
 use crate::text::text;
 use eframe::egui::{Context, Label, RichText, TextWrapMode, Ui};
@@ -47,7 +48,7 @@ pub fn said_ui(ui: &mut Ui, session: &mut Session, requests: &mut Requests, wrap
             _ => text!("controls-command-undo"),
         };
         let offer = notice.offer.clone().filter(|_| ui.button(name).clicked());
-        ui.add(Label::new(&notice.text).wrap_mode(wrap));
+        live(&ui.add(Label::new(&notice.text).wrap_mode(wrap)));
         if let Some(action) = offer {
             requests.ask(action);
             session.notice = None;
@@ -55,7 +56,7 @@ pub fn said_ui(ui: &mut Ui, session: &mut Session, requests: &mut Requests, wrap
     } else if let Some(warning) = &session.warning {
         let words = RichText::new(warning).color(ui.visuals().warn_fg_color);
         let dismissed = sign_button(ui, Sign::Close, text!("dismiss"));
-        ui.add(Label::new(words).wrap_mode(wrap));
+        live(&ui.add(Label::new(words).wrap_mode(wrap)));
         if dismissed {
             session.warning = None;
         }

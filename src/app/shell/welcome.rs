@@ -3,6 +3,7 @@
 use crate::app::session::action::Requests;
 use crate::app::session::action::{Action, Turn};
 use crate::app::session::window::WindowState;
+use crate::app::widgets::focus::heading;
 use crate::text::text;
 use eframe::egui::{Button, Panel, RichText, Ui};
 
@@ -21,7 +22,7 @@ pub fn welcome_ui(ui: &mut Ui, window: &mut WindowState, requests: &mut Requests
 
 fn card_ui(ui: &mut Ui, window: &mut WindowState, requests: &mut Requests, low: bool) {
     if !low {
-        ui.heading(text!("welcome"));
+        heading(ui, text!("welcome"));
         ui.add_space(2.0);
         ui.label(text!("welcome.sentence"));
         ui.add_space(8.0);

@@ -65,21 +65,25 @@ async fn start(canvas: HtmlCanvasElement) {
             .unwrap_or_else(|| load_scene(Path::new(presets::DEFAULT)).expect("a built-in scene"));
         let shown = loaded.shown.clone();
         let mut app = App::new(cc, loaded).with_welcome().with_page(Some(page));
-        if shown.embed {
-            app = app.embedded(&shown.controls);
-        }
         reduce_motion(&cc.egui_ctx);
-        if let Some(problem) = problem {
-            app.state.dialog = Some(Dialog::message(text!("link-not-opened"), problem));
+        if shown.embed || system::has_mark("data-embed") {
+            app = app.embedded(&shown.controls);
+            if let Some(figure) = &mut app.state.window.embedded {
+                figure.problem = problem;
+            }
             return Box::new(app);
         }
-        if shown.embed {
+        if let Some(problem) = problem {
+            app.state.dialog = Some(Dialog::message(text!("link-not-opened"), problem));
             return Box::new(app);
         }
         Box::new(app.with_recovery(Path::new("")))
     };
     let runner = eframe::WebRunner::new();
-    let options = eframe::WebOptions::default();
+    let options = eframe::WebOptions {
+        should_prevent_default: Box::new(system::takes),
+        ..eframe::WebOptions::default()
+    };
     if let Err(error) = runner
         .start(canvas, options, Box::new(move |cc| Ok(open(cc))))
         .await
@@ -123,13 +127,7 @@ fn address() -> (String, String) {
 
 /// Disables animations if the user prefers reduced motion.
 fn reduce_motion(ctx: &Context) {
-    let wanted = web_sys::window().and_then(|window| {
-        window
-            .document()?
-            .document_element()?
-            .get_attribute("data-motion")
-    });
-    if wanted.is_some_and(|motion| motion == "reduce") {
+    if system::has_mark("data-motion") {
         ctx.all_styles_mut(|style| style.animation_time = 0.0);
     }
 }

@@ -14,6 +14,7 @@ use crate::app::session::appearance::ViewName;
 use crate::app::session::place::Place;
 use crate::app::session::window::WindowState;
 use crate::app::widgets::drawing::{colour_of, drawing_ui, plot_style};
+use crate::app::widgets::fingers::{Held, hold};
 use crate::app::widgets::heading::heading_ui;
 use crate::app::widgets::letter::lettered;
 use crate::app::widgets::lines::{line, outline};
@@ -246,6 +247,7 @@ fn transport_ui(ui: &mut Ui, view: &mut ScanView, requests: &mut Requests, last:
     let mut step = view.step();
     ui.spacing_mut().slider_width = ui.available_width();
     let slider = ui.add(Slider::new(&mut step, 0..=last).show_value(false));
+    hold(&slider, Held::Slider);
     let (enabled, value) = (ui.is_enabled(), step);
     slider.widget_info(|| WidgetInfo::slider(enabled, value as f64, text!("line-scan-step")));
     if slider.changed() {

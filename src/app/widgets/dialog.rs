@@ -1,6 +1,6 @@
 //! Widgets shared by all dialogs.
 
-use super::focus::named;
+use super::focus::{heading, named};
 use super::theme::text_field;
 use crate::text::text;
 use eframe::egui::accesskit::Role;
@@ -54,7 +54,7 @@ pub fn both(first: String, second: String) -> String {
 
 /// Shows a question or a message with a button for each answer. If there is only one answer, Enter chooses it.
 pub fn question_ui(ui: &mut Ui, title: &str, text: &str, answers: &[(&str, Choice)]) -> Choice {
-    ui.heading(title);
+    heading(ui, title);
     ui.add_space(8.0);
     ScrollArea::vertical()
         .max_height(320.0)

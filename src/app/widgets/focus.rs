@@ -4,7 +4,7 @@
 //! Every widget of the panels is a stop of Tab, in the order in which it is shown, except those taken out by [`aside`],
 //! such as a slider beside its field. A group ([`one_stop`]) is a single stop; the arrow keys move on from there.
 
-use eframe::egui::accesskit::Role;
+use eframe::egui::accesskit::{Live, Node, Role};
 use eframe::egui::style::ScrollAnimation;
 use eframe::egui::{
     Context, Event, FocusDirection, Id, Key, LayerId, Modifiers, Rect, Response, Stroke,
@@ -65,6 +65,22 @@ pub fn named(response: Response, role: Role, name: &str) -> Response {
 pub fn switch_named(response: Response, role: Role, on: bool, name: &str) -> Response {
     response.widget_info(|| WidgetInfo::selected(role, response.enabled(), on, name));
     response
+}
+
+/// Shows a heading, which screen readers know as one.
+pub fn heading(ui: &mut Ui, words: &str) -> Response {
+    let response = ui.heading(words);
+    ui.ctx().accesskit_node_builder(response.id, |node| {
+        node.set_role(Role::Heading);
+        node.set_label(words);
+    });
+    response
+}
+
+/// Has screen readers tell what a widget says whenever that is new.
+pub fn live(response: &Response) {
+    let set = |node: &mut Node| node.set_live(Live::Polite);
+    response.ctx.accesskit_node_builder(response.id, set);
 }
 
 /// Removes a widget that stands beside a stop from the order of Tab.
@@ -174,6 +190,42 @@ pub fn take_first(ctx: &Context) {
     let passed = kept(ctx, |kept| kept.last.clone());
     if let Some(first) = next(&stops(ctx, &passed), None, false) {
         take(ctx, first);
+    }
+}
+
+/// Returns whether Tab leaves a page at the focused widget: with nothing behind it, or before it if `back`. The focus is
+/// given up then.
+#[cfg(target_arch = "wasm32")]
+pub fn leaves(ctx: &Context, back: bool) -> bool {
+    let passed = kept(ctx, |kept| kept.last.clone());
+    let stops = stops(ctx, &passed);
+    let focused = ctx.memory(|memory| memory.focused());
+    let Some(place) = stops.iter().position(|(id, _)| Some(*id) == focused) else {
+        return false;
+    };
+    let beyond = if back {
+        &stops[..place]
+    } else {
+        &stops[place + 1..]
+    };
+    let leaves = !beyond.iter().any(|(_, is_stop)| *is_stop);
+    if leaves {
+        ctx.memory_mut(|memory| memory.surrender_focus(stops[place].0));
+        ctx.request_repaint();
+    }
+    leaves
+}
+
+/// Gives the focus to the first stop, or to the last one if `back`, unless a widget has it.
+#[cfg(target_arch = "wasm32")]
+pub fn enter(ctx: &Context, back: bool) {
+    if ctx.memory(|memory| memory.focused()).is_some() {
+        return;
+    }
+    let passed = kept(ctx, |kept| kept.last.clone());
+    if let Some(stop) = next(&stops(ctx, &passed), None, back) {
+        take(ctx, stop);
+        ctx.request_repaint();
     }
 }
 

@@ -4,7 +4,7 @@ use crate::text::{FONTS, chinese_font};
 use eframe::egui::style::{HandleShape, Selection, TextCursorStyle, WidgetVisuals, Widgets};
 use eframe::egui::{
     Align2, Color32, Context, CornerRadius, FontData, FontDefinitions, FontFamily, Margin, Shadow,
-    Stroke, Style, TextBuffer, TextEdit, TextStyle, Theme, Visuals, vec2,
+    Stroke, Style, TextBuffer, TextEdit, TextStyle, Theme, Ui, Visuals, vec2,
 };
 use serde::{Deserialize, Serialize};
 
@@ -73,6 +73,11 @@ pub fn touch(ctx: &Context, on: bool) {
             style.spacing.combo_height = LIST * height;
         });
     }
+}
+
+/// Returns whether controls are high enough for a finger.
+pub fn is_touch(ui: &Ui) -> bool {
+    ui.spacing().interact_size.y >= CONTROL[1]
 }
 
 /// Returns the fonts. The proportional font falls back to the monospaced one, which has the arrows and squares, and the

@@ -20,7 +20,9 @@ const GAP: f32 = 4.0;
 /// Width of the letter in front of a label, in points.
 const LETTER: f32 = 24.0;
 /// Width kept for the reset button, in points.
-const RESET: f32 = 20.0;
+pub const RESET: f32 = 20.0;
+/// Width kept beside a label for the field and the switch of a slider below it, in points.
+pub const BESIDE: f32 = FIELD + 38.0;
 /// Width of a number's field, in points.
 pub const FIELD: f32 = 66.0;
 
@@ -44,7 +46,7 @@ pub struct About<'a> {
     /// Reason why the control has no effect at present.
     pub idle: Option<&'a str>,
     /// Width that the control needs, in points. If the row is too narrow for it beside the label, the control goes below the
-    /// label.
+    /// label. Infinite for a slider with a line of its own, whose field is beside the label ([`BESIDE`]).
     pub room: f32,
 }
 
@@ -85,7 +87,12 @@ pub fn row(ui: &mut Ui, about: &About<'_>, changed: bool, control: impl FnOnce(&
     // Below its label a control has the whole width, under the words if it can.
     let (label_width, from, to, lines) = if stacked {
         let from = (size.x - about.room).clamp(0.0, LETTER);
-        (size.x - RESET, from, 0.0, 2.0)
+        let field = if about.room.is_infinite() {
+            BESIDE
+        } else {
+            0.0
+        };
+        (size.x - RESET - field, from, 0.0, 2.0)
     } else {
         let width = label_width.min(left);
         (width, width, RESET, 1.0)

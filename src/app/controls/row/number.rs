@@ -1,15 +1,16 @@
 //! Rows with a slider and a field for a number, and rows of several fields.
 
 use super::expression::evaluate;
-use super::layout::{About, FIELD, row, value_row};
+use super::layout::{About, BESIDE, FIELD, RESET, row, value_row};
+use crate::app::widgets::fingers::{Held, hold};
 use crate::app::widgets::focus::{aside, escaped, switch_named};
 use crate::scene::Rgb;
 use crate::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::style::HandleShape;
 use eframe::egui::{
-    Button, DragValue, Response, Slider, SliderClamping, Stroke, StrokeKind, Tooltip, Ui,
-    WidgetInfo, vec2,
+    Align, Button, DragValue, Layout, Rect, Response, Slider, SliderClamping, Stroke, StrokeKind,
+    Tooltip, Ui, UiBuilder, WidgetInfo, vec2,
 };
 use std::cell::RefCell;
 use std::ops::RangeInclusive;
@@ -217,9 +218,14 @@ pub fn slider_and_field(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
     } else {
         (SLIDER, 0.0)
     };
+    let alone = spec.about.room.is_infinite();
     let room = ui.available_width() - SPACE - switch;
     let width = (room - least).clamp(LEAST_FIELD, FIELD);
-    ui.spacing_mut().slider_width = (room - width).max(SLIDER);
+    ui.spacing_mut().slider_width = if alone {
+        ui.available_width()
+    } else {
+        (room - width).max(SLIDER)
+    };
     if let Some(tint) = spec.about.tint {
         ui.visuals_mut().selection.bg_fill = tint;
     }
@@ -250,7 +256,10 @@ pub fn slider_and_field(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
     let (enabled, shown) = (ui.is_enabled(), *value);
     response.widget_info(|| WidgetInfo::slider(enabled, shown, name));
     aside(&response);
+    hold(&response, Held::Slider);
     response.on_hover_text(tip);
+    let mut beside = alone.then(|| beside_label(ui, if reaches_infinity { BESIDE } else { FIELD }));
+    let ui = beside.as_mut().unwrap_or(ui);
     field(ui, name, value, range, width).on_hover_text(tip);
     if reaches_infinity {
         let on = *value == f64::INFINITY;
@@ -275,6 +284,18 @@ pub fn slider_and_field(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
             *value = if on { finite } else { f64::INFINITY };
         }
     }
+}
+
+/// Returns a child `Ui` of this width beside the label, above a slider that has a line of its own.
+fn beside_label(ui: &mut Ui, width: f32) -> Ui {
+    let line = ui.max_rect();
+    let right = line.right_top() - vec2(RESET, 0.0);
+    let rect = Rect::from_min_max(right - vec2(width, line.height()), right);
+    ui.new_child(
+        UiBuilder::new()
+            .max_rect(rect)
+            .layout(Layout::left_to_right(Align::Center)),
+    )
 }
 
 /// Rounds a number to three significant digits.
@@ -330,6 +351,7 @@ pub fn field(
         .custom_formatter(move |value, _| display(value, decimals))
         .custom_parser(parse);
     let response = ui.add_sized(size, widget);
+    hold(&response, Held::Field);
     // A number from a screen reader bypasses the widget's own filter and may be NaN.
     if value.is_nan() {
         *value = before;

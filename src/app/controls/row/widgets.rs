@@ -2,6 +2,7 @@
 
 use super::layout::About;
 use super::number::{AXES, CHANNELS, SliderRange, fields};
+use crate::app::widgets::fingers::{Held, hold};
 use crate::app::widgets::focus::{aside, named, switch_named};
 use crate::app::widgets::theme::text_field;
 use crate::scene::{ChoiceOption, Rgb};
@@ -73,6 +74,7 @@ fn picker(ui: &mut Ui, name: &str, value: &mut Rgb) {
                 .show_value(false)
                 .clamping(SliderClamping::Edits);
             let response = ui.add(slider);
+            hold(&response, Held::Slider);
             let shown = *part;
             response.widget_info(|| {
                 WidgetInfo::slider(

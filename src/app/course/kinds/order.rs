@@ -3,6 +3,7 @@
 use super::card::Card;
 use super::widget::{Widget, WidgetContext};
 use crate::app::course::prose::prose_ui;
+use crate::app::system;
 use crate::app::widgets::focus::named;
 use crate::lesson::{Answer, Question, Solution};
 use crate::scene::Scene;
@@ -90,7 +91,8 @@ impl Widget for OrderWidget {
             let handle = response
                 .rect
                 .with_min_x(response.rect.min.x + 2.0 * ui.spacing().interact_size.y + 16.0);
-            if !revealed {
+            // Fingers scroll over the cards, and have the buttons.
+            if !revealed && !system::fingers(ui.ctx()) {
                 let drag = ui.interact(handle, card.id.with("drag"), Sense::drag());
                 let drag = drag.on_hover_cursor(CursorIcon::Grab);
                 if drag.dragged() {

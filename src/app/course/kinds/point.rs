@@ -2,6 +2,7 @@
 
 use super::widget::{Widget, WidgetContext};
 use crate::app::session::Session;
+use crate::app::system;
 use crate::app::widgets::focus::picture_id;
 use crate::lesson::{Answer, Question, Solution};
 use crate::scene::Scene;
@@ -27,10 +28,11 @@ impl Widget for PointWidget {
         if asked.revealed {
             return false;
         }
-        let words = if self.mark.is_some() {
-            text!("course-point-set")
-        } else {
-            text!("course-point")
+        let words = match (self.mark.is_some(), system::fingers(ui.ctx())) {
+            (true, false) => text!("course-point-set"),
+            (true, true) => text!("course-point-set.touch"),
+            (false, false) => text!("course-point"),
+            (false, true) => text!("course-point.touch"),
         };
         ui.add(Label::new(RichText::new(words).weak()).wrap());
         ui.memory(|memory| memory.has_focus(picture_id()))
