@@ -1,20 +1,20 @@
 //! Wavefront OBJ models.
 //!
 //! In: the file's bytes. Out: one [`Mesh`] of all its polygons, or the first error with its line. The file is read once,
-//! line by line: `prepare` checks every vertex, normal and face and rewrites them plainly for the crate `tobj`, which reads
-//! them into pieces; this module joins the pieces over shared points.
+//! line by line.
 //!
 //! Texture coordinates, materials, groups, lines, points and free-form surfaces are ignored; [`Mesh::names_materials`]
 //! records that there are materials, so that the caller can say so.
 
-mod prepare;
+mod lines;
 
-use super::mesh::{Corner, Mesh, NO_NORMAL};
-use glam::Vec3;
-pub use prepare::ObjError;
-use prepare::{FileFacts, Lines, Prepared};
+use super::mesh::{Corner, FAR, Mesh, NO_NORMAL};
+use crate::text::text;
+use glam::{DVec3, Vec3};
+pub use lines::ObjError;
+use lines::{Line, Lines, error_at};
 use std::collections::HashMap;
-use std::io::{BufRead, BufReader};
+use std::io::BufRead;
 
 /// Reads a model, reporting to `progress` now and then how many bytes have been read.
 ///
@@ -24,7 +24,7 @@ use std::io::{BufRead, BufReader};
 /// the others, further ones are colours and are ignored. Normals are made unit vectors; one that is zero or not finite
 /// counts as not given. Coordinates far from the origin are taken relative to the first vertex, in double precision.
 ///
-/// Memory stays below six times the size of the file: `tobj` gets the faces in pieces.
+/// Memory stays below six times the size of the file.
 ///
 /// # Examples
 /// ```
@@ -42,115 +42,233 @@ use std::io::{BufRead, BufReader};
 /// # Errors
 /// [`ObjError`], with the line where there is one.
 pub fn read_obj(reader: impl BufRead, progress: &mut dyn FnMut(u64)) -> Result<Mesh, ObjError> {
-    let mut prepared = Prepared::new(Lines::new(reader, progress));
-    // No piece names a material library, so this loader is never called.
-    let no_materials = |_: &std::path::Path| Err(tobj::LoadError::ReadError);
-    let loaded = tobj::load_obj_buf(
-        &mut BufReader::new(&mut prepared),
-        &tobj::LoadOptions::default(),
-        no_materials,
-    );
-    let facts = prepared.finish()?;
-    let (pieces, _) = loaded.map_err(ObjError::Refused)?;
-    put_together(pieces, facts)
-}
-
-/// Joins all pieces into one mesh, with positions relative to the origin. Each piece is freed once it is in.
-fn put_together(pieces: Vec<tobj::Model>, facts: FileFacts) -> Result<Mesh, ObjError> {
-    let corners: usize = pieces.iter().map(|piece| piece.mesh.indices.len()).sum();
-    if u32::try_from(corners).is_err() {
-        return Err(ObjError::TooLarge);
+    let (mut lines, mut builder) = (Lines::new(reader, progress), Builder::default());
+    builder.mesh.starts.push(0);
+    while let Some(line) = lines.next()? {
+        builder
+            .line(&line)
+            .map_err(|what| error_at(line.number, what))?;
     }
-    let mut mesh = Mesh {
-        origin: facts.origin,
-        names_materials: facts.names_materials,
-        starts: vec![0],
-        ..Mesh::default()
-    };
-    mesh.corners.reserve_exact(corners);
-    mesh.starts
-        .reserve_exact(pieces.iter().map(|piece| face_count(&piece.mesh)).sum());
-    // The point at each place, by the bits of its coordinates.
-    let mut points = HashMap::new();
-    for piece in pieces {
-        add_piece(&mut mesh, &mut points, &piece.mesh);
+    if lines.bytes == 0 {
+        return Err(ObjError::Empty);
     }
-    mesh.positions.shrink_to_fit();
-    mesh.normals.shrink_to_fit();
-    mesh.starts.shrink_to_fit();
+    let mesh = builder.finish();
     if mesh.face_count() == 0 {
         Err(ObjError::NoFace)
+    } else if u32::try_from(mesh.corners.len()).is_err() {
+        Err(ObjError::TooLarge)
     } else {
         Ok(mesh.with_concave_faces_cut().with_closedness_detected())
     }
 }
 
-fn add_piece(mesh: &mut Mesh, known: &mut HashMap<[u32; 3], u32>, piece: &tobj::Mesh) {
-    let Mesh {
-        positions,
-        normals,
-        starts,
-        corners,
-        ..
-    } = mesh;
-    let points: Vec<u32> = vectors(&piece.positions)
-        .map(|position| {
-            // Adding zero makes −0 and 0 one.
-            let position = position + 0.0;
-            *known
+/// The number of a vertex that no face has used.
+const UNUSED: u32 = u32::MAX;
+
+/// A model of the lines read so far. Errors are sentences.
+#[derive(Default)]
+struct Builder {
+    mesh: Mesh,
+    /// The vertices relative to the origin, each with the number of its point in the mesh once a face uses it.
+    vertices: Vec<(Vec3, u32)>,
+    /// The normals, each with its number in the mesh once a face uses it; zero vectors stand for useless ones.
+    normals: Vec<(Vec3, u32)>,
+    /// The point at each place, by the bits of its coordinates.
+    points: HashMap<[u32; 3], u32>,
+}
+
+impl Builder {
+    fn line(&mut self, line: &Line) -> Result<(), String> {
+        let mut words = line
+            .text
+            .split(u8::is_ascii_whitespace)
+            .filter(|word| !word.is_empty());
+        match words.next() {
+            Some(b"v") => self.position(words),
+            Some(b"vn") => self.normal(words),
+            Some(b"f" | b"fo") => self.face(line, words),
+            Some(b"mtllib" | b"usemtl") => {
+                self.mesh.names_materials = true;
+                Ok(())
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn position<'w>(&mut self, mut words: impl Iterator<Item = &'w [u8]>) -> Result<(), String> {
+        let (mut point, xyz) = vector(&mut words, "obj-coordinate", "obj-three-coordinates")?;
+        if let (Some(weight), None) = (words.next(), words.next()) {
+            let weight = parse_number(weight, "obj-weight")?;
+            if weight == 0.0 {
+                return Err(text!("obj-weight-zero").to_owned());
+            }
+            point /= weight;
+        }
+        if self.vertices.is_empty() && point.is_finite() && point.abs().max_element() > FAR {
+            self.mesh.origin = point.round();
+        }
+        let relative = (point - self.mesh.origin).as_vec3();
+        if let Some(k) = (0..3).find(|&k| !relative[k].is_finite()) {
+            return Err(text!("obj-not-finite", word = quoted(xyz[k])));
+        }
+        // Adding zero makes −0 and 0 one.
+        self.vertices.push((relative + 0.0, UNUSED));
+        Ok(())
+    }
+
+    fn normal<'w>(&mut self, mut words: impl Iterator<Item = &'w [u8]>) -> Result<(), String> {
+        let (normal, _) = vector(&mut words, "obj-normal-component", "obj-three-components")?;
+        let unit = normal.try_normalize().unwrap_or(DVec3::ZERO).as_vec3();
+        self.normals.push((unit, NO_NORMAL));
+        Ok(())
+    }
+
+    fn face<'w>(
+        &mut self,
+        line: &Line,
+        words: impl Iterator<Item = &'w [u8]>,
+    ) -> Result<(), String> {
+        let mut corners = words
+            .map(|word| self.corner(line, word))
+            .collect::<Result<Vec<_>, _>>()?;
+        if corners.len() < 3 {
+            return Err(text!("obj-few-vertices", count = corners.len()));
+        }
+        // A corner that repeats the one before is left out.
+        corners.dedup_by_key(|corner| corner.position);
+        while let [first, .., last] = corners[..]
+            && first.position == last.position
+        {
+            corners.pop();
+        }
+        if corners.len() >= 3 {
+            self.mesh.corners.extend(corners);
+            self.mesh.starts.push(self.mesh.corners.len() as u32);
+        }
+        Ok(())
+    }
+
+    fn corner(&mut self, line: &Line, word: &[u8]) -> Result<Corner, String> {
+        let mut fields = word.split(|&byte| byte == b'/');
+        let [position, texture, normal] =
+            [fields.next(), fields.next(), fields.next()].map(Option::unwrap_or_default);
+        let empty_or_whole = |field: &[u8]| field.is_empty() || whole(field).is_some();
+        // A file that ends behind a slash has been cut off.
+        let cut_off = !line.ended && line.text.ends_with(b"/") && line.text.ends_with(word);
+        let sound = whole(position).is_some() && empty_or_whole(texture) && empty_or_whole(normal);
+        if fields.next().is_some() || cut_off || !sound {
+            return Err(malformed(word, "obj-corner"));
+        }
+        let vertex = index("obj-no-such-vertex", position, self.vertices.len())?;
+        let normal = if normal.is_empty() {
+            NO_NORMAL
+        } else {
+            self.used_normal(index("obj-no-such-normal", normal, self.normals.len())?)
+        };
+        Ok(Corner {
+            position: self.point(vertex),
+            normal,
+        })
+    }
+
+    /// Returns the number in the mesh of the point at a vertex of the file.
+    fn point(&mut self, vertex: usize) -> u32 {
+        let (position, point) = &mut self.vertices[vertex];
+        if *point == UNUSED {
+            let positions = &mut self.mesh.positions;
+            *point = *self
+                .points
                 .entry(position.to_array().map(f32::to_bits))
                 .or_insert_with(|| {
-                    positions.push(position);
+                    positions.push(*position);
                     positions.len() as u32 - 1
-                })
-        })
-        .collect();
-    let given: Vec<u32> = vectors(&piece.normals)
-        .map(|normal| {
-            if normal == Vec3::ZERO {
-                return NO_NORMAL;
-            }
-            normals.push(normal);
-            normals.len() as u32 - 1
-        })
-        .collect();
-    let mut face = Vec::new();
-    let mut begin = 0;
-    for f in 0..face_count(piece) {
-        let end = begin + piece.face_arities.get(f).map_or(3, |&arity| arity as usize);
-        face.clear();
-        face.extend((begin..end).map(|c| {
-            Corner {
-                position: points[piece.indices[c] as usize],
-                normal: piece
-                    .normal_indices
-                    .get(c)
-                    .map_or(NO_NORMAL, |&normal| given[normal as usize]),
-            }
-        }));
-        begin = end;
-        // A corner that repeats the one before is left out.
-        face.dedup_by_key(|corner| corner.position);
-        while face.len() > 1 && face.first().map(|c| c.position) == face.last().map(|c| c.position)
-        {
-            face.pop();
+                });
         }
-        if face.len() >= 3 {
-            corners.extend_from_slice(&face);
-            starts.push(corners.len() as u32);
+        *point
+    }
+
+    /// Returns the number in the mesh of a normal of the file.
+    fn used_normal(&mut self, normal: usize) -> u32 {
+        let (normal, number) = &mut self.normals[normal];
+        if *number == NO_NORMAL && *normal != Vec3::ZERO {
+            *number = self.mesh.normals.len() as u32;
+            self.mesh.normals.push(*normal);
         }
+        *number
+    }
+
+    fn finish(self) -> Mesh {
+        let mut mesh = self.mesh;
+        mesh.positions.shrink_to_fit();
+        mesh.normals.shrink_to_fit();
+        mesh.starts.shrink_to_fit();
+        mesh.corners.shrink_to_fit();
+        mesh
     }
 }
 
-/// Returns the number of faces in a piece; its list of arities is empty if all are triangles.
-fn face_count(piece: &tobj::Mesh) -> usize {
-    if piece.face_arities.is_empty() {
-        piece.indices.len() / 3
+/// Returns the error that says `word` is not what was `expected`.
+fn malformed(word: &[u8], expected: &str) -> String {
+    text!(
+        "obj-malformed",
+        word = quoted(word),
+        expected = text!(expected)
+    )
+}
+
+/// Quotes a word of the file for a message: as valid text of a limited length.
+fn quoted(word: &[u8]) -> String {
+    const LONGEST_QUOTE: usize = 40;
+    let text = String::from_utf8_lossy(&word[..word.len().min(LONGEST_QUOTE)]);
+    if word.len() > LONGEST_QUOTE {
+        format!("{text}…")
     } else {
-        piece.face_arities.len()
+        text.into_owned()
     }
 }
 
-fn vectors(numbers: &[f32]) -> impl Iterator<Item = Vec3> {
-    numbers.chunks_exact(3).map(Vec3::from_slice)
+/// Reads three numbers, finite or not, and returns them with their words.
+fn vector<'w>(
+    words: &mut impl Iterator<Item = &'w [u8]>,
+    one: &str,
+    three: &str,
+) -> Result<(DVec3, [&'w [u8]; 3]), String> {
+    let mut xyz = [&[][..]; 3];
+    let mut vector = DVec3::ZERO;
+    for k in 0..3 {
+        xyz[k] = words
+            .next()
+            .ok_or_else(|| text!("obj-few-numbers", count = k, expected = text!(three)))?;
+        vector[k] = parse_number(xyz[k], one)?;
+    }
+    Ok((vector, xyz))
+}
+
+fn parse_number(word: &[u8], expected: &str) -> Result<f64, String> {
+    let number = std::str::from_utf8(word)
+        .ok()
+        .and_then(|text| text.parse().ok());
+    number.ok_or_else(|| malformed(word, expected))
+}
+
+/// Splits a whole number of any length into sign and digits; `None` if it is not one.
+fn whole(field: &[u8]) -> Option<(bool, &[u8])> {
+    let (negative, digits) = match field {
+        [b'-', digits @ ..] => (true, digits),
+        [b'+', digits @ ..] => (false, digits),
+        digits => (false, digits),
+    };
+    (!digits.is_empty() && digits.iter().all(u8::is_ascii_digit)).then_some((negative, digits))
+}
+
+/// Resolves a reference in a face to an index, where `count` items precede it; fails with the message `unknown` if there
+/// is no such item.
+fn index(unknown: &str, field: &[u8], count: usize) -> Result<usize, String> {
+    let resolved = whole(field).and_then(|(negative, digits)| {
+        let number: usize = std::str::from_utf8(digits).ok()?.parse().ok()?;
+        (1..=count)
+            .contains(&number)
+            .then(|| if negative { count - number } else { number - 1 })
+    });
+    resolved.ok_or_else(|| text!(unknown, number = quoted(field), count = count))
 }

@@ -359,7 +359,7 @@ fn far_models_keep_their_digits() {
 }
 
 #[test]
-fn many_faces_come_in_pieces_and_make_one_mesh() {
+fn many_faces_make_one_mesh_and_progress_is_told() {
     let n = 300;
     let (mut file, mut faces) = (String::new(), String::new());
     for j in 0..=n {
