@@ -39,7 +39,7 @@ pub use material::{
     Ambient, AmbientSource, Backfacing, Distribution, Material, Pattern, PatternKind, Reflectance,
     Reflection, ReflectionModel, Through, Transparency,
 };
-pub use nearest::nearest;
+pub use nearest::{did_you_mean, nearest};
 pub use object::{NormalSource, Object, ObjectKind, Weighting};
 pub use parameter::{GREATEST_INTENSITY, GREATEST_LENGTH, LEAST_LENGTH};
 pub use polygons::Polygons;
@@ -51,89 +51,87 @@ pub use shared::Shared;
 pub use surroundings::{Backdrop, CuedBy, DepthCueing, Ground};
 pub use symbol::Symbol;
 pub use view::View;
+pub(crate) use view::direction;
 
 /// Red, green and blue, linear.
 pub type Rgb = glam::DVec3;
 
-/// Everything that a picture depends on.
-///
-/// Fields can be set directly; [`Scene::validate`] then reports what is wrong. [`Scene::parse`], [`Scene::to_toml`] and
-/// [`Scene::with_overrides`] use the keys of [`parameter`].
-///
-/// ```
-/// use shading_lab::scene::{LightKind, Scene};
-///
-/// let mut scene = Scene::parse("[material]\nn = 80\n", "mine.toml")?;
-/// scene.lights[0].kind = LightKind::Directional;
-/// let scene = scene.with_override("shading.mode=gouraud")?;
-/// scene.validate()?;
-///
-/// let again = Scene::parse(&scene.to_toml(), "again.toml")?;
-/// assert_eq!(again, scene);
-///
-/// let error = Scene::parse("[material]\nm = 80\n", "mine.toml").expect_err("there is no such key");
-/// assert!(error.to_string().starts_with("mine.toml:2"));
-/// # Ok::<(), shading_lab::scene::SceneError>(())
-/// ```
-#[derive(Clone, Debug, PartialEq)]
-pub struct Scene {
-    /// The version of the file format; 1.
-    pub version: u32,
-    /// `[about]`: title, sentence and topic.
-    pub about: SceneDescription,
-    /// `[camera]`: the eye and its projection.
-    pub camera: Camera,
-    /// `[image]`: its size and background.
-    pub image: Image,
-    /// `[object]`: the shape and its polygons.
-    pub object: Object,
-    /// `[material]`: the coefficients of the equation.
-    pub material: Material,
-    /// `[pattern]`: a second colour of the surface.
-    pub pattern: Pattern,
-    /// `[transparency]`: light that passes through the surface.
-    pub transparency: Transparency,
-    /// `[reflection]`: the specular model, and the policy for the side away from a light.
-    pub reflection: Reflection,
-    /// `[shading]`: the points where the equation is evaluated, and shadows.
-    pub shading: Shading,
-    /// `[display]`: the conversion of intensities to stored values.
-    pub display: Display,
-    /// `[ground]`: a level floor.
-    pub ground: Ground,
-    /// `[backdrop]`: a patterned wall behind the object.
-    pub backdrop: Backdrop,
-    /// `[depth_cueing]`: fading with the depth.
-    pub depth_cueing: DepthCueing,
-    /// `[ambient]`: the light that arrives from all sides.
-    pub ambient: Ambient,
-    /// The lights, whose contributions are summed. A file without any `[[light]]` gets the default one; `light = []` means
-    /// darkness.
-    pub lights: Vec<Light>,
-    /// `[compare]`: panes that differ in some keys.
-    pub compare: Compare,
+/// Defines the scene by its tables, in the order of the scene file.
+macro_rules! scene {
+    ($(#[$about:meta])* pub struct Scene { $($(#[$detail:meta])* $field:ident: $table:ident,)+ }) => {
+        $(#[$about])*
+        #[derive(Clone, Debug, PartialEq)]
+        pub struct Scene {
+            /// The version of the file format; 1.
+            pub version: u32,
+            $($(#[$detail])* pub $field: $table,)+
+            /// The lights, whose contributions are summed. A file without any `[[light]]` gets the default one; `light = []` means
+            /// darkness.
+            pub lights: Vec<Light>,
+        }
+
+        impl Default for Scene {
+            fn default() -> Self {
+                Self { version: Self::VERSION, $($field: $table::default(),)+ lights: vec![Light::default()] }
+            }
+        }
+
+        /// The parameters of each table, in the order of the scene file.
+        const TABLES: &[&[&parameter::Parameter]] = &[$($table::PARAMETERS,)+ Pane::PARAMETERS, Light::PARAMETERS];
+    };
 }
 
-impl Default for Scene {
-    fn default() -> Self {
-        Self {
-            version: 1,
-            about: SceneDescription::default(),
-            camera: Camera::default(),
-            image: Image::default(),
-            object: Object::default(),
-            material: Material::default(),
-            pattern: Pattern::default(),
-            transparency: Transparency::default(),
-            reflection: Reflection::default(),
-            shading: Shading::default(),
-            display: Display::default(),
-            ground: Ground::default(),
-            backdrop: Backdrop::default(),
-            depth_cueing: DepthCueing::default(),
-            ambient: Ambient::default(),
-            lights: vec![Light::default()],
-            compare: Compare::default(),
-        }
+scene! {
+    /// Everything that a picture depends on.
+    ///
+    /// Fields can be set directly; [`Scene::validate`] then reports what is wrong. [`Scene::parse`], [`Scene::to_toml`] and
+    /// [`Scene::with_overrides`] use the keys of [`parameter`].
+    ///
+    /// ```
+    /// use shading_lab::scene::{LightKind, Scene};
+    ///
+    /// let mut scene = Scene::parse("[material]\nn = 80\n", "mine.toml")?;
+    /// scene.lights[0].kind = LightKind::Directional;
+    /// let scene = scene.with_override("shading.mode=gouraud")?;
+    /// scene.validate()?;
+    ///
+    /// let again = Scene::parse(&scene.to_toml(), "again.toml")?;
+    /// assert_eq!(again, scene);
+    ///
+    /// let error = Scene::parse("[material]\nm = 80\n", "mine.toml").expect_err("there is no such key");
+    /// assert!(error.to_string().starts_with("mine.toml:2"));
+    /// # Ok::<(), shading_lab::scene::SceneError>(())
+    /// ```
+    pub struct Scene {
+        /// `[about]`: title, sentence and topic.
+        about: SceneDescription,
+        /// `[camera]`: the eye and its projection.
+        camera: Camera,
+        /// `[image]`: its size and background.
+        image: Image,
+        /// `[display]`: the conversion of intensities to stored values.
+        display: Display,
+        /// `[object]`: the shape and its polygons.
+        object: Object,
+        /// `[material]`: the coefficients of the equation.
+        material: Material,
+        /// `[reflection]`: the specular model, and the policy for the side away from a light.
+        reflection: Reflection,
+        /// `[ambient]`: the light that arrives from all sides.
+        ambient: Ambient,
+        /// `[pattern]`: a second colour of the surface.
+        pattern: Pattern,
+        /// `[transparency]`: light that passes through the surface.
+        transparency: Transparency,
+        /// `[shading]`: the points where the equation is evaluated, and shadows.
+        shading: Shading,
+        /// `[ground]`: a level floor.
+        ground: Ground,
+        /// `[backdrop]`: a patterned wall behind the object.
+        backdrop: Backdrop,
+        /// `[depth_cueing]`: fading with the depth.
+        depth_cueing: DepthCueing,
+        /// `[compare]`: panes that differ in some keys.
+        compare: Compare,
     }
 }

@@ -466,7 +466,7 @@ fn item_ui(
         ..View::default()
     };
     for row in rows {
-        if !matches!(item, Used(_)) || (row.idle)(scene, 0).is_none() {
+        if !matches!(item, Used(_)) || row.idle(scene, 0).is_none() {
             parameter_with(ui, &session.initial, scene, row, &view);
         }
     }

@@ -4,22 +4,17 @@ use super::Scene;
 use super::choice::{Choice, ChoiceOption};
 use super::format::Datum;
 use super::problem::UnlocatedProblem;
-use std::fmt::{self, Debug};
+use std::fmt::Debug;
 use toml::de::DeValue;
 use toml::{Spanned, Value};
 
 /// The field of a scene that holds a value. The `usize` is the number of its light or pane.
+#[derive(Debug)]
 pub struct Access<T: 'static> {
     /// A function that returns the value, in the list's entry of this number; `None` where the list is shorter.
     pub get: fn(&Scene, usize) -> Option<&T>,
     /// A function that returns the value for changing it; `None` where the list is shorter.
     pub get_mut: fn(&mut Scene, usize) -> Option<&mut T>,
-}
-
-impl<T> Debug for Access<T> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("Access")
-    }
 }
 
 /// A field of a scene, whatever its type.

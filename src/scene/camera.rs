@@ -1,10 +1,10 @@
 //! The scene's description, the camera, the picture and its display.
 
+use super::Rgb;
 use super::choice::choices;
-use super::material::no_light;
-use super::parameter::{GREATEST_LENGTH, LEAST_LENGTH, Limits, Slider, Unit, table};
+use super::material::NO_LIGHT;
+use super::parameter::{GREATEST_LENGTH, LEAST_LENGTH, Limits, Reason, Slider, Unit, table};
 use super::symbol::Symbol;
-use super::{Rgb, Scene};
 use crate::text::text;
 use glam::DVec3;
 use std::ops::RangeInclusive;
@@ -41,30 +41,26 @@ table! {
         PROJECTION projection: Projection = Projection::Perspective, Choice;
         /// Angle of view in perspective projection, degrees, 0.001 to 179, across the side that `framing` names.
         FOV_Y fov_y: f64 = 40.0, Number(Limits::within(&Camera::FOV_Y), FIELD_OF_VIEW)
-            .measured_in(Unit::Degrees).idle(no_perspective);
+            .measured_in(Unit::Degrees).idle_if(&[NOT_PERSPECTIVE]);
         /// Size of the visible region in orthographic projection, world units, across the side that `framing` names.
         HEIGHT height: f64 = 2.5, Number(Limits::new(LEAST_LENGTH, GREATEST_LENGTH), Slider::logarithmic(0.1, 20.0))
-            .measured_in(Unit::World).idle(not_orthographic);
+            .measured_in(Unit::World).idle_if(&[NOT_ORTHOGRAPHIC]);
         /// The side of the picture that `fov_y` and `height` span.
         FRAMING framing: Framing = Framing::Height, Choice;
         /// The point or direction that the equation's V points to.
-        VIEWER viewer: Viewer = Viewer::Local, Choice.letter("V", Symbol::Viewer).idle(no_viewer);
+        VIEWER viewer: Viewer = Viewer::Local, Choice.letter("V", Symbol::Viewer).idle_if(&[NO_VIEWER, NO_LIGHT]);
     }
 }
 
-fn no_perspective(scene: &Scene, _: usize) -> Option<&'static str> {
-    (scene.camera.projection != Projection::Perspective).then(|| text!("idle-not-perspective"))
-}
-
-fn not_orthographic(scene: &Scene, _: usize) -> Option<&'static str> {
-    (scene.camera.projection != Projection::Orthographic).then(|| text!("idle-not-orthographic"))
-}
-
-fn no_viewer(scene: &Scene, index: usize) -> Option<&'static str> {
-    (scene.material.ks == Rgb::ZERO)
-        .then(|| text!("idle-viewer"))
-        .or(no_light(scene, index))
-}
+const NOT_PERSPECTIVE: Reason = (
+    |scene, _| scene.camera.projection != Projection::Perspective,
+    "idle-not-perspective",
+);
+const NOT_ORTHOGRAPHIC: Reason = (
+    |scene, _| scene.camera.projection != Projection::Orthographic,
+    "idle-not-orthographic",
+);
+const NO_VIEWER: Reason = (|scene, _| scene.material.ks == Rgb::ZERO, "idle-viewer");
 
 impl Camera {
     /// The range of the field of view, degrees. Below it a pixel is narrower than single precision resolves; above it the

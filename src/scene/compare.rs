@@ -6,10 +6,9 @@ use super::choice::{Choice, choices};
 use super::format::list_of;
 use super::material::ReflectionModel;
 use super::overrides::{is_inside, key_and_value};
-use super::parameter::{Limits, Parameter, Slider, at_most, table};
+use super::parameter::{Limits, Parameter, Reason, Slider, at_most, table};
 use super::problem::{Cause, Problem, ProblemLocation, SceneError, UnlocatedProblem};
 use super::setting::setting_words;
-
 use super::shading::{Interpolation, MODE, ShadingMode};
 use crate::text::text;
 
@@ -21,35 +20,35 @@ table! {
         /// The arrangement of the panes.
         COMPARE_VIEW view: CompareView = CompareView::Single, Choice;
         /// Name of the pane that is the scene itself; at most 64 characters.
-        SCENE_NAME name: String = String::new(), Text(Pane::MAX_NAME).idle(no_panes);
+        SCENE_NAME name: String = String::new(), Text(Pane::MAX_NAME).idle_if(&[NO_PANES]);
         /// Number of the pane against which the others are measured; 0 is the scene itself.
         REFERENCE reference: u32 = 0,
-            Whole(|scene| Limits::new(0.0, scene.pane_count() as f64), PANE_NUMBERS).idle(no_panes);
+            Whole(|scene| Limits::new(0.0, scene.pane_count() as f64), PANE_NUMBERS).idle_if(&[NO_PANES]);
         /// Position of the line as a fraction of the picture's width. The reference is to its right, the first other pane
         /// to its left.
-        WIPE wipe: f64 = 0.5, Number(Limits::UNIT, Slider::UNIT)
-            .idle(|scene, _| (scene.compare.view != CompareView::Wipe).then(|| text!("idle-no-wipe")));
+        WIPE wipe: f64 = 0.5, Number(Limits::UNIT, Slider::UNIT).idle_if(&[NO_WIPE]);
         /// The content of the difference picture.
-        DIFFERENCE difference: DifferenceKind = DifferenceKind::Signed, Choice.idle(no_difference);
+        DIFFERENCE difference: DifferenceKind = DifferenceKind::Signed, Choice.idle_if(&[NO_DIFFERENCE]);
         /// Factor of the difference, 1 to 64.
-        GAIN gain: f64 = 8.0, Number(Limits::new(1.0, Compare::MAX_GAIN), GAINS).idle(no_difference);
+        GAIN gain: f64 = 8.0, Number(Limits::new(1.0, Compare::MAX_GAIN), GAINS).idle_if(&[NO_DIFFERENCE]);
     }
 }
 
 const PANE_NUMBERS: Slider = Slider::linear(0.0, 1.0 + Compare::MAX_PANES as f64).decimals(0);
 const GAINS: Slider = Slider::logarithmic(1.0, Compare::MAX_GAIN).decimals(1);
 
-fn no_panes(scene: &Scene, _: usize) -> Option<&'static str> {
-    scene
-        .compare
-        .panes
-        .is_empty()
-        .then(|| text!("picture-idle-one-pane"))
-}
-
-fn no_difference(scene: &Scene, _: usize) -> Option<&'static str> {
-    (scene.compare.view != CompareView::Difference).then(|| text!("idle-no-difference"))
-}
+const NO_PANES: Reason = (
+    |scene, _| scene.compare.panes.is_empty(),
+    "picture-idle-one-pane",
+);
+const NO_WIPE: Reason = (
+    |scene, _| scene.compare.view != CompareView::Wipe,
+    "idle-no-wipe",
+);
+const NO_DIFFERENCE: Reason = (
+    |scene, _| scene.compare.view != CompareView::Difference,
+    "idle-no-difference",
+);
 
 impl Compare {
     /// The most panes beside the scene itself.

@@ -46,11 +46,6 @@ impl Scene {
     /// Not TOML, another version, unknown keys or words, values of a wrong type or out of range: each with its line.
     pub fn parse(text: &str, name: &str) -> Result<Self, SceneError> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let mut lines = Lines {
-            text: text.as_bytes(),
-            offset: 0,
-            line: 1,
-        };
         let (mut scene, mut problems) = (Self::default(), vec![]);
         let mut whole = |offset: usize, words: String| {
             problems.push(UnlocatedProblem {
@@ -85,7 +80,11 @@ impl Scene {
         problems.sort_by_key(|problem| problem.offset);
         SceneError::check(problems, |problem| ProblemLocation::Line {
             file: name.to_owned(),
-            line: lines.line_of(problem.offset.unwrap_or(0)),
+            line: 1 + text
+                .bytes()
+                .take(problem.offset.unwrap_or(0))
+                .filter(|byte| *byte == b'\n')
+                .count(),
         })?;
         Ok(scene)
     }
@@ -156,30 +155,10 @@ fn is_left_out(parameter: &Parameter, value: &Value, scene: &Scene, index: usize
         Value::Array(list) => list.is_empty(),
         _ => false,
     };
-    let off = matches!(parameter.kind, Kind::Switch(_)) || (parameter.idle)(scene, index).is_some();
+    let off = matches!(parameter.kind, Kind::Switch(_)) || parameter.idle(scene, index).is_some();
     // Compared as texts, which distinguish 0 from −0.
     let default = || parameter.default().as_ref().map(value_text);
     empty || (parameter.of_light() && off && Some(value_text(value)) == default())
-}
-
-/// A line counter that goes through the text once, however many offsets are looked up in ascending order.
-struct Lines<'a> {
-    text: &'a [u8],
-    offset: usize,
-    line: usize,
-}
-
-impl Lines<'_> {
-    /// Returns the line of a byte, counted from 1. Offsets must not decrease from call to call.
-    fn line_of(&mut self, offset: usize) -> usize {
-        let passed = self
-            .text
-            .get(self.offset..offset.min(self.text.len()))
-            .unwrap_or_default();
-        self.line += passed.iter().filter(|&&byte| byte == b'\n').count();
-        self.offset += passed.len();
-        self.line
-    }
 }
 
 /// Returns the offset of `key` in the document, or of the innermost enclosing table that is in it.

@@ -2,10 +2,9 @@
 
 use super::camera::{Projection, Viewer};
 use super::choice::choices;
-use super::parameter::{Limits, Slider, Unit, table};
+use super::parameter::{Limits, Reason, Slider, Unit, table};
 use super::symbol::Symbol;
 use super::{Rgb, Scene};
-use crate::text::text;
 use glam::DVec3;
 use std::ops::RangeInclusive;
 
@@ -30,117 +29,104 @@ table! {
         SOLO solo: bool = false, Switch.symbol(Symbol::Lights);
         /// The light's position, world; the centre of an area light. Not read for directional lights.
         POSITION position: DVec3 = DVec3::new(2.0, 2.0, 3.0), Point.letter("L", Symbol::Light).measured_in(Unit::World)
-            .idle(|scene, index| unless(scene, index, |light| light.kind.has_position(), "idle-no-position"));
+            .idle_if(&[NO_POSITION]);
         /// The direction of its light: the axis of a spot light, the normal of a rectangle. Of any length but zero, even
         /// where it is not read, so that every light can become one of any kind.
         DIRECTION direction: DVec3 = DVec3::new(-2.0, -2.0, -3.0), Direction(|_, _| true).letter("D", Symbol::Light)
-            .idle(|scene, index| unless(scene, index, Light::has_direction, "idle-no-direction"));
+            .idle_if(&[NO_DIRECTION]);
         /// Intensity Ip, linear, 0 to 10³⁰.
         COLOR color: Rgb = Rgb::ONE, Colour(Limits::INTENSITY).letter("Ip", Symbol::Ip);
         /// Angle δ from the axis to the edge of a spot light, degrees, 0.1 to 90.
         CONE cone: f64 = 20.0, Number(Limits::within(&Light::CONE), ANGLE)
-            .letter("δ", Symbol::Light).measured_in(Unit::Degrees).idle(no_spot);
+            .letter("δ", Symbol::Light).measured_in(Unit::Degrees).idle_if(&[NO_SPOT]);
         /// Exponent e of a spot light: it falls off with the e-th power of the cosine of the angle to its axis; 0 to 1000.
         EXPONENT exponent: f64 = 4.0, Number(Limits::new(0.0, Light::MAX_EXPONENT), EXPONENTS)
-            .letter("e", Symbol::Light).idle(no_spot);
+            .letter("e", Symbol::Light).idle_if(&[NO_SPOT]);
         /// Outer part of a spot light's cone over which it fades, 0 to 1; 0 is a hard edge.
-        SOFTNESS softness: f64 = 0.0, Number(Limits::UNIT, Slider::UNIT).symbol(Symbol::Light).idle(no_spot);
+        SOFTNESS softness: f64 = 0.0, Number(Limits::UNIT, Slider::UNIT).symbol(Symbol::Light).idle_if(&[NO_SPOT]);
         /// Shape of an area light.
-        SHAPE shape: AreaShape = AreaShape::Rectangle, Choice.symbol(Symbol::Light).idle(no_area);
+        SHAPE shape: AreaShape = AreaShape::Rectangle, Choice.symbol(Symbol::Light).idle_if(&[NO_AREA]);
         /// Width and height of a rectangle, world units.
         EXTENT extent: [f64; 2] = [1.0, 1.0], Pair(Limits::LENGTH, LENGTHS)
-            .symbol(Symbol::Light).measured_in(Unit::World).idle(no_rectangle);
+            .symbol(Symbol::Light).measured_in(Unit::World).idle_if(&[NO_AREA, NO_RECTANGLE]);
         /// Radius of a sphere, world units.
         RADIUS radius: f64 = 0.5, Number(Limits::LENGTH, LENGTHS)
-            .symbol(Symbol::Light).measured_in(Unit::World).idle(no_sphere);
+            .symbol(Symbol::Light).measured_in(Unit::World).idle_if(&[NO_AREA, NO_SPHERE]);
         /// Number N of points that stand for an area light, 1 to 1024.
         SAMPLES samples: u32 = 16, Whole(|_| Limits::new(1.0, Light::MAX_SAMPLES as f64), COUNT)
-            .letter("N", Symbol::Light).idle(no_area);
+            .letter("N", Symbol::Light).idle_if(&[NO_AREA]);
         /// The law f(d).
         ATTENUATION attenuation: Attenuation = Attenuation::None, Choice.letter("f", Symbol::Attenuation);
         /// Constant k of 1/(r + k), world units.
         K k: f64 = 1.0, Number(Limits::LENGTH, CONSTANT)
-            .letter("k", Symbol::Attenuation).measured_in(Unit::World).idle(no_sum);
+            .letter("k", Symbol::Attenuation).measured_in(Unit::World).idle_if(&[NO_SUM, FAR_LIGHT]);
         /// Constant c1 of the quadratic attenuation.
-        C1 c1: f64 = 0.25, Number(Limits::LENGTH, CONSTANT).letter("c1", Symbol::Attenuation).idle(no_quadratic);
+        C1 c1: f64 = 0.25, Number(Limits::LENGTH, CONSTANT).letter("c1", Symbol::Attenuation).idle_if(&[NO_QUADRATIC, FAR_LIGHT]);
         /// Constant c2 of the quadratic attenuation, 1/world unit.
         C2 c2: f64 = 0.1, Number(Limits::LENGTH, CONSTANT)
-            .letter("c2", Symbol::Attenuation).measured_in(Unit::PerWorld).idle(no_quadratic);
+            .letter("c2", Symbol::Attenuation).measured_in(Unit::PerWorld).idle_if(&[NO_QUADRATIC, FAR_LIGHT]);
         /// Constant c3 of the quadratic attenuation, 1/world unit².
         C3 c3: f64 = 0.05, Number(Limits::LENGTH, CONSTANT)
-            .letter("c3", Symbol::Attenuation).measured_in(Unit::PerWorldSquared).idle(no_quadratic);
+            .letter("c3", Symbol::Attenuation).measured_in(Unit::PerWorldSquared).idle_if(&[NO_QUADRATIC, FAR_LIGHT]);
     }
 }
 
-/// Returns the message `reason` if the light does not satisfy `used`.
-fn unless(
-    scene: &Scene,
-    index: usize,
-    used: fn(&Light) -> bool,
-    reason: &str,
-) -> Option<&'static str> {
-    scene
-        .lights
-        .get(index)
-        .is_none_or(|light| !used(light))
-        .then(|| text!(reason))
+/// Returns whether there is such a light and `holds` is true of it.
+fn light_is(scene: &Scene, index: usize, holds: fn(&Light) -> bool) -> bool {
+    scene.lights.get(index).is_some_and(holds)
 }
 
-fn no_spot(scene: &Scene, index: usize) -> Option<&'static str> {
-    unless(
-        scene,
-        index,
-        |light| light.kind == LightKind::Spot,
-        "idle-no-spotlight",
-    )
-}
-
-fn no_area(scene: &Scene, index: usize) -> Option<&'static str> {
-    unless(
-        scene,
-        index,
-        |light| light.kind == LightKind::Area,
-        "idle-no-area",
-    )
-}
-
-fn no_rectangle(scene: &Scene, index: usize) -> Option<&'static str> {
-    no_area(scene, index).or(unless(
-        scene,
-        index,
-        |light| light.shape == AreaShape::Rectangle,
-        "idle-is-sphere",
-    ))
-}
-
-fn no_sphere(scene: &Scene, index: usize) -> Option<&'static str> {
-    no_area(scene, index).or(unless(
-        scene,
-        index,
-        |light| light.shape == AreaShape::Sphere,
-        "idle-is-rectangle",
-    ))
-}
-
-/// Tells why the constant of 1/(r + k) has no effect.
-fn no_sum(scene: &Scene, index: usize) -> Option<&'static str> {
-    unused(scene, index, |form| {
-        matches!(form, Attenuation::Viewer | Attenuation::Light)
-    })
-}
-
-fn no_quadratic(scene: &Scene, index: usize) -> Option<&'static str> {
-    unused(scene, index, |form| form == Attenuation::Quadratic)
-}
-
-/// Tells why a constant that these forms of the attenuation read has no effect.
-fn unused(scene: &Scene, index: usize, read: fn(Attenuation) -> bool) -> Option<&'static str> {
-    let light = scene.lights.get(index)?;
-    let far = light.kind == LightKind::Directional && light.attenuation != Attenuation::Viewer;
-    (!read(light.attenuation))
-        .then(|| text!("idle-other-attenuation"))
-        .or(far.then(|| text!("idle-far-light")))
-}
+const NO_POSITION: Reason = (
+    |scene, index| !light_is(scene, index, |light| light.kind.has_position()),
+    "idle-no-position",
+);
+const NO_DIRECTION: Reason = (
+    |scene, index| !light_is(scene, index, Light::has_direction),
+    "idle-no-direction",
+);
+const NO_SPOT: Reason = (
+    |scene, index| !light_is(scene, index, |light| light.kind == LightKind::Spot),
+    "idle-no-spotlight",
+);
+const NO_AREA: Reason = (
+    |scene, index| !light_is(scene, index, |light| light.kind == LightKind::Area),
+    "idle-no-area",
+);
+const NO_RECTANGLE: Reason = (
+    |scene, index| !light_is(scene, index, |light| light.shape == AreaShape::Rectangle),
+    "idle-is-sphere",
+);
+const NO_SPHERE: Reason = (
+    |scene, index| !light_is(scene, index, |light| light.shape == AreaShape::Sphere),
+    "idle-is-rectangle",
+);
+/// No attenuation by 1/(r + k).
+const NO_SUM: Reason = (
+    |scene, index| {
+        light_is(scene, index, |light| {
+            !matches!(light.attenuation, Attenuation::Viewer | Attenuation::Light)
+        })
+    },
+    "idle-other-attenuation",
+);
+const NO_QUADRATIC: Reason = (
+    |scene, index| {
+        light_is(scene, index, |light| {
+            light.attenuation != Attenuation::Quadratic
+        })
+    },
+    "idle-other-attenuation",
+);
+/// No distance that the attenuation could depend on.
+const FAR_LIGHT: Reason = (
+    |scene, index| {
+        let far = |light: &Light| {
+            light.kind == LightKind::Directional && light.attenuation != Attenuation::Viewer
+        };
+        light_is(scene, index, far)
+    },
+    "idle-far-light",
+);
 
 /// Returns whether the attenuation follows the eye although V is taken as constant.
 pub fn viewer_far(scene: &Scene, index: usize) -> bool {
@@ -148,10 +134,9 @@ pub fn viewer_far(scene: &Scene, index: usize) -> bool {
     let constant =
         camera.viewer == Viewer::Infinite || camera.projection == Projection::Orthographic;
     constant
-        && scene
-            .lights
-            .get(index)
-            .is_some_and(|light| light.attenuation == Attenuation::Viewer)
+        && light_is(scene, index, |light| {
+            light.attenuation == Attenuation::Viewer
+        })
 }
 
 choices! {

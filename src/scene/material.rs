@@ -1,10 +1,9 @@
 //! The coefficients of the equation, its model of reflection, the pattern and the transparency.
 
+use super::Rgb;
 use super::choice::choices;
-use super::parameter::{Limits, Slider, Unit, table};
+use super::parameter::{Limits, Reason, Slider, Unit, table};
 use super::symbol::Symbol;
-use super::{Rgb, Scene};
-use crate::text::text;
 use std::ops::RangeInclusive;
 
 pub(super) const COEFFICIENT: Limits = Limits::new(0.0, Material::MAX_COEFFICIENT);
@@ -18,29 +17,29 @@ table! {
     pub struct Material = [material] in material {
         /// Ambient coefficient Ka, 0 to 10⁶ per channel.
         KA ka: Rgb = Rgb::splat(0.1), Coefficient(COEFFICIENT, Slider::UNIT)
-            .letter("Ka", Symbol::Ka).idle(|scene, _| no_ambient(scene));
+            .letter("Ka", Symbol::Ka).idle_if(&[NO_AMBIENT]);
         /// Diffuse coefficient Kd, 0 to 10⁶ per channel.
-        KD kd: Rgb = Rgb::splat(0.7), Coefficient(COEFFICIENT, Slider::UNIT).letter("Kd", Symbol::Kd).idle(no_light);
+        KD kd: Rgb = Rgb::splat(0.7), Coefficient(COEFFICIENT, Slider::UNIT).letter("Kd", Symbol::Kd).idle_if(&[NO_LIGHT]);
         /// Specular coefficient Ks, 0 to 10⁶ per channel.
-        KS ks: Rgb = Rgb::splat(0.4), Coefficient(COEFFICIENT, Slider::UNIT).letter("Ks", Symbol::Ks).idle(no_light);
+        KS ks: Rgb = Rgb::splat(0.4), Coefficient(COEFFICIENT, Slider::UNIT).letter("Ks", Symbol::Ks).idle_if(&[NO_LIGHT]);
         /// Specular exponent n of Phong and Blinn, 0 or more.
-        N n: f64 = 32.0, Number(Limits::new(0.0, f64::INFINITY), EXPONENTS).letter("n", Symbol::Exponent).idle(no_exponent);
+        N n: f64 = 32.0, Number(Limits::new(0.0, f64::INFINITY), EXPONENTS).letter("n", Symbol::Exponent).idle_if(&[NO_LIGHT, NO_HIGHLIGHT, NO_EXPONENT]);
         /// Colour Od of the surface, linear: it tints ambient and diffuse light.
-        COLOR color: Rgb = Rgb::new(0.9, 0.3, 0.2), Colour(COEFFICIENT).letter("Od", Symbol::Od).idle(colourless);
+        COLOR color: Rgb = Rgb::new(0.9, 0.3, 0.2), Colour(COEFFICIENT).letter("Od", Symbol::Od).idle_if(&[COLOURLESS]);
         /// Colour Os of the highlight, linear.
-        SPECULAR_COLOR specular_color: Rgb = Rgb::ONE, Colour(COEFFICIENT).letter("Os", Symbol::Os).idle(no_highlight);
+        SPECULAR_COLOR specular_color: Rgb = Rgb::ONE, Colour(COEFFICIENT).letter("Os", Symbol::Os).idle_if(&[NO_LIGHT, NO_HIGHLIGHT]);
         /// Root mean square slope m of the microfacets, 0.001 to 1. Cook–Torrance only.
         ROUGHNESS roughness: f64 = 0.25, Number(Limits::within(&Material::ROUGHNESS), SLOPES)
-            .letter("m", Symbol::Facets).idle(no_facets);
+            .letter("m", Symbol::Facets).idle_if(&[NO_LIGHT, NO_HIGHLIGHT, NO_FACETS]);
         /// The source of W(θ).
         REFLECTANCE reflectance: Reflectance = Reflectance::Constant, Choice
-            .letter("W", Symbol::Reflectance).idle(no_highlight);
+            .letter("W", Symbol::Reflectance).idle_if(&[NO_LIGHT, NO_HIGHLIGHT]);
         /// Index of refraction η, 0.01 to 100 per channel. `reflectance = "custom"` only.
         IOR ior: Rgb = Rgb::splat(1.5), Channels(Limits::within(&Material::IOR), INDEX)
-            .letter("η", Symbol::Reflectance).idle(no_index);
+            .letter("η", Symbol::Reflectance).idle_if(&[NO_LIGHT, NO_HIGHLIGHT, NO_INDEX]);
         /// Extinction coefficient k, 0 to 100 per channel. `reflectance = "custom"` only.
         EXTINCTION extinction: Rgb = Rgb::ZERO, Channels(Limits::new(0.0, *Material::IOR.end()), INDEX)
-            .letter("k", Symbol::Reflectance).idle(no_index);
+            .letter("k", Symbol::Reflectance).idle_if(&[NO_LIGHT, NO_HIGHLIGHT, NO_INDEX]);
     }
 }
 
@@ -57,42 +56,33 @@ impl Material {
     pub const IOR: RangeInclusive<f64> = 0.01..=100.0;
 }
 
-/// Tells why no effect of a light is visible.
-pub(super) fn no_light(scene: &Scene, _: usize) -> Option<&'static str> {
-    scene.lights.is_empty().then(|| text!("idle-no-light"))
-}
+// The reasons why no effect of a light, the ambient term, the specular term and the surface's own colour are not visible.
+pub(super) const NO_LIGHT: Reason = (|scene, _| scene.lights.is_empty(), "idle-no-light");
+pub(super) const NO_AMBIENT: Reason = (
+    |scene, _| scene.ambient.color == Rgb::ZERO,
+    "idle-no-ambient",
+);
+const NO_HIGHLIGHT: Reason = (
+    |scene, _| scene.material.ks == Rgb::ZERO,
+    "idle-no-highlight",
+);
+const COLOURLESS: Reason = (
+    |scene, _| scene.material.ka == Rgb::ZERO && scene.material.kd == Rgb::ZERO,
+    "idle-colourless",
+);
 
-/// Tells why the ambient term is not visible.
-pub(super) fn no_ambient(scene: &Scene) -> Option<&'static str> {
-    (scene.ambient.color == Rgb::ZERO).then(|| text!("idle-no-ambient"))
-}
-
-/// Tells why the specular term is not visible.
-pub fn no_highlight(scene: &Scene, index: usize) -> Option<&'static str> {
-    no_light(scene, index).or((scene.material.ks == Rgb::ZERO).then(|| text!("idle-no-highlight")))
-}
-
-fn no_exponent(scene: &Scene, index: usize) -> Option<&'static str> {
-    no_highlight(scene, index).or((scene.reflection.model == ReflectionModel::CookTorrance)
-        .then(|| text!("idle-roughness-instead")))
-}
-
-fn no_facets(scene: &Scene, index: usize) -> Option<&'static str> {
-    no_highlight(scene, index).or((scene.reflection.model != ReflectionModel::CookTorrance)
-        .then(|| text!("idle-no-microfacets")))
-}
-
-fn no_index(scene: &Scene, index: usize) -> Option<&'static str> {
-    no_highlight(scene, index)
-        .or((scene.material.reflectance != Reflectance::Custom)
-            .then(|| text!("idle-index-not-custom")))
-}
-
-/// Tells why the surface's own colour is not visible.
-fn colourless(scene: &Scene, _: usize) -> Option<&'static str> {
-    (scene.material.ka == Rgb::ZERO && scene.material.kd == Rgb::ZERO)
-        .then(|| text!("idle-colourless"))
-}
+const NO_EXPONENT: Reason = (
+    |scene, _| scene.reflection.model == ReflectionModel::CookTorrance,
+    "idle-roughness-instead",
+);
+const NO_FACETS: Reason = (
+    |scene, _| scene.reflection.model != ReflectionModel::CookTorrance,
+    "idle-no-microfacets",
+);
+const NO_INDEX: Reason = (
+    |scene, _| scene.material.reflectance != Reflectance::Custom,
+    "idle-index-not-custom",
+);
 
 choices! {
     /// W(θ): the part of the light that is reflected at the angle of incidence θ.
@@ -114,12 +104,12 @@ table! {
     /// The specular term, and the policy for the side away from a light.
     pub struct Reflection = [reflection] in reflection {
         /// The specular term.
-        MODEL model: ReflectionModel = ReflectionModel::Phong, Choice.symbol(Symbol::Reflected).idle(no_highlight);
+        MODEL model: ReflectionModel = ReflectionModel::Phong, Choice.symbol(Symbol::Reflected).idle_if(&[NO_LIGHT, NO_HIGHLIGHT]);
         /// Distribution D of the microfacets. Cook–Torrance only.
         DISTRIBUTION distribution: Distribution = Distribution::Beckmann, Choice
-            .letter("D", Symbol::Masking).idle(no_facets);
+            .letter("D", Symbol::Masking).idle_if(&[NO_LIGHT, NO_HIGHLIGHT, NO_FACETS]);
         /// The policy for a light behind the surface.
-        BACKFACING backfacing: Backfacing = Backfacing::Clamp, Choice.symbol(Symbol::Normal).idle(no_light);
+        BACKFACING backfacing: Backfacing = Backfacing::Clamp, Choice.symbol(Symbol::Normal).idle_if(&[NO_LIGHT]);
     }
 }
 
@@ -160,16 +150,20 @@ table! {
     pub struct Ambient = [ambient] in ambient {
         /// Ia, linear, 0 to 10³⁰.
         AMBIENT_COLOR color: Rgb = Rgb::ONE, Colour(Limits::INTENSITY).letter("Ia", Symbol::Ia)
-            .idle(|scene, _| (scene.material.ka == Rgb::ZERO).then(|| text!("idle-no-ambient-reflected")));
+            .idle_if(&[NOTHING_REFLECTED]);
         /// The source of Ia: constant, or gathered from other surfaces.
-        AMBIENT_SOURCE source: AmbientSource = AmbientSource::Constant, Choice.letter("Ia", Symbol::Bounce).idle(no_bounce);
+        AMBIENT_SOURCE source: AmbientSource = AmbientSource::Constant, Choice.letter("Ia", Symbol::Bounce).idle_if(&[NO_BOUNCE]);
     }
 }
 
-fn no_bounce(scene: &Scene, _: usize) -> Option<&'static str> {
-    (scene.ambient.source == AmbientSource::Constant && scene.lights.is_empty())
-        .then(|| text!("idle-no-bounce"))
-}
+const NOTHING_REFLECTED: Reason = (
+    |scene, _| scene.material.ka == Rgb::ZERO,
+    "idle-no-ambient-reflected",
+);
+const NO_BOUNCE: Reason = (
+    |scene, _| scene.ambient.source == AmbientSource::Constant && scene.lights.is_empty(),
+    "idle-no-bounce",
+);
 
 impl Ambient {
     /// Returns Ia as the equation uses it: zero where light from other surfaces replaces it in the whole picture.
@@ -198,13 +192,13 @@ table! {
     /// A second colour of the surface, laid out by object coordinates, so that no picture file is needed.
     pub struct Pattern = [pattern] in pattern {
         /// The kind of pattern.
-        PATTERN_KIND kind: PatternKind = PatternKind::None, Choice.symbol(Symbol::Od).idle(colourless);
+        PATTERN_KIND kind: PatternKind = PatternKind::None, Choice.symbol(Symbol::Od).idle_if(&[COLOURLESS]);
         /// The pattern's colour, linear. The material's colour is visible between.
         PATTERN_COLOR color: Rgb = Rgb::new(0.95, 0.92, 0.85), Colour(COEFFICIENT)
-            .letter("Od", Symbol::Od).idle(no_pattern);
+            .letter("Od", Symbol::Od).idle_if(&[COLOURLESS, NO_PATTERN]);
         /// Width of a field, world units, 10⁻⁴ to 10⁴.
         PATTERN_SCALE scale: f64 = 0.25, Number(FIELD, FIELD_SLIDER)
-            .measured_in(Unit::World).symbol(Symbol::Od).idle(no_pattern);
+            .measured_in(Unit::World).symbol(Symbol::Od).idle_if(&[COLOURLESS, NO_PATTERN]);
     }
 }
 
@@ -217,10 +211,10 @@ impl Pattern {
     pub const SCALE: RangeInclusive<f64> = 1e-4..=1e4;
 }
 
-fn no_pattern(scene: &Scene, index: usize) -> Option<&'static str> {
-    colourless(scene, index)
-        .or((scene.pattern.kind == PatternKind::None).then(|| text!("idle-no-pattern")))
-}
+const NO_PATTERN: Reason = (
+    |scene, _| scene.pattern.kind == PatternKind::None,
+    "idle-no-pattern",
+);
 
 choices! {
     /// The patterns. Fields are counted from the origin, the first of them centred there.
@@ -243,9 +237,9 @@ table! {
         KT kt: f64 = 0.0, Number(Limits::UNIT, Slider::UNIT).letter("Kt", Symbol::Kt);
         /// Index of refraction η of the inside relative to the outside, 0.1 to 10.
         TRANSPARENCY_IOR ior: f64 = 1.5, Number(Limits::within(&Transparency::IOR), Slider::linear(0.5, 3.0))
-            .letter("η", Symbol::Transmitted).idle(opaque);
+            .letter("η", Symbol::Transmitted).idle_if(&[OPAQUE]);
         /// The number of refractions: on entry only, or also on exit.
-        THROUGH through: Through = Through::Solid, Choice.symbol(Symbol::Transmitted).idle(opaque);
+        THROUGH through: Through = Through::Solid, Choice.symbol(Symbol::Transmitted).idle_if(&[OPAQUE]);
     }
 }
 
@@ -254,9 +248,7 @@ impl Transparency {
     pub const IOR: RangeInclusive<f64> = 0.1..=10.0;
 }
 
-fn opaque(scene: &Scene, _: usize) -> Option<&'static str> {
-    (scene.transparency.kt == 0.0).then(|| text!("idle-opaque"))
-}
+const OPAQUE: Reason = (|scene, _| scene.transparency.kt == 0.0, "idle-opaque");
 
 choices! {
     /// The extent to which a transmitted ray is followed.

@@ -1,5 +1,7 @@
 //! The search for the known word that a mistyped one probably meant.
 
+use crate::text::text;
+
 /// The longest word that is compared: no known word is near longer ones.
 const LONGEST: usize = 64;
 
@@ -26,4 +28,11 @@ pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
         .filter_map(rank)
         .min_by_key(|&(distance, _)| distance)
         .map(|(_, candidate)| candidate)
+}
+
+/// Returns words to append to an unknown word that suggest the known one that was probably meant; empty if there is none.
+pub fn did_you_mean<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> String {
+    nearest(word, known)
+        .map(|meant| text!("document-did-you-mean", name = meant))
+        .unwrap_or_default()
 }

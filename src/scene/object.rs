@@ -1,10 +1,10 @@
 //! The object: its shape, the fineness of its polygons, and the source of its vertex normals.
 
+use super::Shared;
 use super::choice::choices;
-use super::parameter::{Limits, Slider, Unit, at_most, table};
+use super::parameter::{Limits, Reason, Slider, Unit, at_most, table};
 use super::shading::{FlatAt, ShadingMode};
 use super::symbol::Symbol;
-use super::{Scene, Shared};
 use crate::text::text;
 use glam::DVec3;
 use std::path::PathBuf;
@@ -19,19 +19,18 @@ table! {
         KIND kind: ObjectKind = ObjectKind::Sphere, Choice;
         /// Polygons round the axis, 3 to 4096 (a plane's from 1, a corrugated sheet's from 2).
         SEGMENTS segments: u32 = 32, Whole(|scene| divisions(scene.object.min_segments()), DIVISIONS)
-            .symbol(Symbol::Normal).idle(polygons_unused);
+            .symbol(Symbol::Normal).idle_if(&[OWN_POLYGONS, NO_POLYGONS]);
         /// Polygons along the axis, up to 4096; [`Self::min_rings`] has the fewest.
         RINGS rings: u32 = 16, Whole(|scene| divisions(scene.object.min_rings()), DIVISIONS)
-            .symbol(Symbol::Normal).idle(polygons_unused);
+            .symbol(Symbol::Normal).idle_if(&[OWN_POLYGONS, NO_POLYGONS]);
         /// The source of the vertex normals.
-        NORMALS normals: NormalSource = NormalSource::Averaged, Choice.symbol(Symbol::Normal).idle(normals_unused);
+        NORMALS normals: NormalSource = NormalSource::Averaged, Choice.symbol(Symbol::Normal).idle_if(&[TRUE_NORMALS, POLYGON_NORMALS]);
         /// Weight of each polygon in an averaged normal.
-        WEIGHTING weighting: Weighting = Weighting::Equal, Choice.symbol(Symbol::Normal).idle(not_averaged);
+        WEIGHTING weighting: Weighting = Weighting::Equal, Choice.symbol(Symbol::Normal).idle_if(&[TRUE_NORMALS, POLYGON_NORMALS, NOT_AVERAGED]);
         /// Wavefront OBJ file of a model, for the kind `obj`.
         PATH path: Option<PathBuf> = None, Other("kind-path", String::new);
         /// A switch that centres a model and scales it into the unit sphere.
-        FIT fit: bool = true, Switch
-            .idle(|scene, _| (scene.object.kind != ObjectKind::Obj).then(|| text!("idle-no-model")));
+        FIT fit: bool = true, Switch.idle_if(&[NO_MODEL]);
         /// Vertices of the scene's own polygons, world, for the kind `polygons`; at most 16384.
         VERTICES vertices: Shared<DVec3> = Shared::default(), Other("kind-points", || at_most(Object::MAX_POLYGONS))
             .measured_in(Unit::World);
@@ -92,30 +91,33 @@ fn divisions(least: u32) -> Limits {
     Limits::new(f64::from(least), f64::from(Object::MAX_DIVISIONS))
 }
 
-/// Tells why the number of polygons makes no difference.
-pub fn polygons_unused(scene: &Scene, _: usize) -> Option<&'static str> {
-    match scene.object.kind {
-        ObjectKind::Obj | ObjectKind::Polygons => Some(text!("idle-own-polygons")),
-        _ => (scene.shading.mode == ShadingMode::Exact).then(|| text!("idle-exact-no-polygons")),
-    }
-}
-
-fn normals_unused(scene: &Scene, _: usize) -> Option<&'static str> {
-    match (scene.shading.mode, scene.shading.flat_at) {
-        (ShadingMode::Exact, _) if scene.object.kind.has_surface() => {
-            Some(text!("idle-exact-normals"))
-        }
-        (ShadingMode::Interpolated, _) | (ShadingMode::Flat, FlatAt::Centre) => {
-            Some(text!("idle-polygon-normal"))
-        }
-        _ => None,
-    }
-}
-
-fn not_averaged(scene: &Scene, index: usize) -> Option<&'static str> {
-    let averages = scene.object.averages(scene.object.normals);
-    normals_unused(scene, index).or((!averages).then(|| text!("idle-not-averaged")))
-}
+const OWN_POLYGONS: Reason = (
+    |scene, _| matches!(scene.object.kind, ObjectKind::Obj | ObjectKind::Polygons),
+    "idle-own-polygons",
+);
+const NO_POLYGONS: Reason = (
+    |scene, _| scene.shading.mode == ShadingMode::Exact,
+    "idle-exact-no-polygons",
+);
+const TRUE_NORMALS: Reason = (
+    |scene, _| scene.shading.mode == ShadingMode::Exact && scene.object.kind.has_surface(),
+    "idle-exact-normals",
+);
+const POLYGON_NORMALS: Reason = (
+    |scene, _| match scene.shading.mode {
+        ShadingMode::Flat => scene.shading.flat_at == FlatAt::Centre,
+        mode => mode == ShadingMode::Interpolated,
+    },
+    "idle-polygon-normal",
+);
+const NOT_AVERAGED: Reason = (
+    |scene, _| !scene.object.averages(scene.object.normals),
+    "idle-not-averaged",
+);
+const NO_MODEL: Reason = (
+    |scene, _| scene.object.kind != ObjectKind::Obj,
+    "idle-no-model",
+);
 
 choices! {
     /// The shapes. All but models and polygons fit into the unit sphere about the origin, except for the plane's corners.

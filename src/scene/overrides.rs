@@ -39,7 +39,6 @@ impl Scene {
     }
 }
 
-/// Replaces one key without checking limits.
 fn replace(scene: &mut Scene, assignment: &str) -> Vec<UnlocatedProblem> {
     let Some((key, value)) = key_and_value(assignment) else {
         let words = text!("problem-no-equals").to_owned();

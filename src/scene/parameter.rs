@@ -28,16 +28,6 @@ pub const LEAST_LENGTH: f64 = 1e-30;
 /// The largest intensity of a light or of the background, in units of the display's white.
 pub const GREATEST_INTENSITY: f64 = 1e30;
 
-/// A key of a scene file and the keys of its messages in the catalogue.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Keys {
-    /// The key in the scene file.
-    pub(super) key: &'static str,
-    pub(super) name: &'static str,
-    pub(super) label: &'static str,
-    pub(super) help: &'static str,
-}
-
 /// One key of a scene. Its texts for people are in the catalogue: its name, a label for its row in the window and a
 /// sentence that says what it means.
 #[derive(Debug)]
@@ -67,10 +57,11 @@ pub struct Parameter {
     pub unit: Option<Unit>,
     /// The kind of value, with access to it.
     pub kind: Kind,
-    messages: Keys,
-    /// The reason why it has no effect in a scene at present, if any; for a light's parameters, in the light of this number.
-    pub idle: fn(&Scene, usize) -> Option<&'static str>,
+    reasons: &'static [Reason],
 }
+
+/// A reason why a parameter has no effect: the condition, in the light of this number, and the message.
+pub(super) type Reason = (fn(&Scene, usize) -> bool, &'static str);
 
 /// The kind of a parameter's value, with access to it, the limits of a number and its slider.
 #[derive(Debug)]
@@ -130,13 +121,6 @@ impl Unit {
     }
 }
 
-/// A struct whose fields are the keys of a table of the scene file.
-pub(super) trait ParameterTable: Sized + 'static {
-    const PARAMETERS: &'static [&'static Parameter];
-    fn get(scene: &Scene, index: usize) -> Option<&Self>;
-    fn get_mut(scene: &mut Scene, index: usize) -> Option<&mut Self>;
-}
-
 /// Defines a struct of a scene, which is a table of the scene file, and describes each of its keys: the parameter's
 /// constant, the field with its type and default, and the kind with its limits and slider. Further properties follow as
 /// calls:
@@ -176,59 +160,31 @@ macro_rules! table {
         $(
             #[doc = concat!("The key `", $crate::scene::parameter::table!(@key $table $field), "` of a scene file: [`", stringify!($struct), "::", stringify!($field), "`].")]
             pub static $NAME: $crate::scene::parameter::Parameter = $crate::scene::parameter::Parameter::new(
-                $crate::scene::parameter::table!(@keys $table $field),
+                $crate::scene::parameter::table!(@key $table $field),
                 $crate::scene::parameter::Kind::$kind(
-                    &$crate::scene::parameter::Access {
-                        get: |scene, index| {
-                            <$struct as $crate::scene::parameter::ParameterTable>::get(scene, index).map(|table| &table.$field)
-                        },
-                        get_mut: |scene, index| {
-                            <$struct as $crate::scene::parameter::ParameterTable>::get_mut(scene, index)
-                                .map(|table| &mut table.$field)
-                        },
-                    }
+                    &$crate::scene::parameter::table!(@access $place $field)
                     $($(, $argument)+)?
                 ),
             )$(.$say($($what),+))*;
         )+
 
-        $crate::scene::parameter::table!(@place $struct [$(&$NAME),+] $place);
-    };
-    (@keys [$($table:ident).+] $field:ident) => {
-        $crate::scene::parameter::Keys {
-            key: $crate::scene::parameter::table!(@key [$($table).+] $field),
-            name: concat!("parameter-", $(stringify!($table), "-",)+ stringify!($field)),
-            label: concat!("parameter-", $(stringify!($table), "-",)+ stringify!($field), ".label"),
-            help: concat!("parameter-", $(stringify!($table), "-",)+ stringify!($field), ".help"),
+        impl $struct {
+            pub(super) const PARAMETERS: &'static [&'static $crate::scene::parameter::Parameter] = &[$(&$NAME),+];
         }
     };
     (@key [$($table:ident).+] $field:ident) => {
         concat!($(stringify!($table), ".",)+ stringify!($field))
     };
-    (@place $struct:ident $parameters:tt [$($list:ident).+]) => {
-        impl $crate::scene::parameter::ParameterTable for $struct {
-            const PARAMETERS: &'static [&'static $crate::scene::parameter::Parameter] = &$parameters;
-
-            fn get(scene: &$crate::scene::Scene, index: usize) -> Option<&Self> {
-                scene.$($list).+.get(index)
-            }
-
-            fn get_mut(scene: &mut $crate::scene::Scene, index: usize) -> Option<&mut Self> {
-                scene.$($list).+.get_mut(index)
-            }
+    (@access [$($list:ident).+] $field:ident) => {
+        $crate::scene::parameter::Access {
+            get: |scene, index| scene.$($list).+.get(index).map(|table| &table.$field),
+            get_mut: |scene, index| scene.$($list).+.get_mut(index).map(|table| &mut table.$field),
         }
     };
-    (@place $struct:ident $parameters:tt $section:ident) => {
-        impl $crate::scene::parameter::ParameterTable for $struct {
-            const PARAMETERS: &'static [&'static $crate::scene::parameter::Parameter] = &$parameters;
-
-            fn get(scene: &$crate::scene::Scene, _: usize) -> Option<&Self> {
-                Some(&scene.$section)
-            }
-
-            fn get_mut(scene: &mut $crate::scene::Scene, _: usize) -> Option<&mut Self> {
-                Some(&mut scene.$section)
-            }
+    (@access $section:ident $field:ident) => {
+        $crate::scene::parameter::Access {
+            get: |scene, _| Some(&scene.$section.$field),
+            get_mut: |scene, _| Some(&mut scene.$section.$field),
         }
     };
 }
@@ -236,12 +192,7 @@ macro_rules! table {
 pub(super) use table;
 
 static VERSION: Parameter = Parameter::new(
-    Keys {
-        key: "version",
-        name: "parameter-version",
-        label: "parameter-version.label",
-        help: "parameter-version.help",
-    },
+    "version",
     Kind::Other(
         &Access {
             get: |scene, _| Some(&scene.version),
@@ -334,16 +285,14 @@ impl Slider {
 
 impl Parameter {
     /// Creates a parameter without a letter or a unit, which always has an effect.
-    pub(super) const fn new(messages: Keys, kind: Kind) -> Self {
-        let idle = |_: &Scene, _: usize| None;
+    pub(super) const fn new(key: &'static str, kind: Kind) -> Self {
         Self {
-            key: messages.key,
+            key,
             letter: "",
             symbol: None,
             unit: None,
             kind,
-            idle,
-            messages,
+            reasons: &[],
         }
     }
 
@@ -369,23 +318,35 @@ impl Parameter {
         }
     }
 
-    pub(super) const fn idle(self, idle: fn(&Scene, usize) -> Option<&'static str>) -> Self {
-        Self { idle, ..self }
+    pub(super) const fn idle_if(self, reasons: &'static [Reason]) -> Self {
+        Self { reasons, ..self }
+    }
+
+    /// Returns the reason why it has no effect in a scene at present, if any; for a light's parameters, in the light of this number.
+    pub fn idle(&self, scene: &Scene, index: usize) -> Option<&'static str> {
+        let mut reasons = self.reasons.iter();
+        reasons
+            .find(|(holds, _)| holds(scene, index))
+            .map(|(_, reason)| text!(*reason))
     }
 
     /// Returns its name.
     pub fn name(&self) -> &'static str {
-        text!(self.messages.name)
+        self.message("")
     }
 
     /// Returns a short form of the name for its row in the window.
     pub fn label(&self) -> &'static str {
-        text!(self.messages.label)
+        self.message(".label")
     }
 
     /// Returns its meaning, in a sentence.
     pub fn help(&self) -> &'static str {
-        text!(self.messages.help)
+        self.message(".help")
+    }
+
+    fn message(&self, part: &str) -> &'static str {
+        text!(&format!("parameter-{}{part}", self.key.replace('.', "-")))
     }
 
     /// Returns its unit; empty where it has none.
@@ -395,26 +356,7 @@ impl Parameter {
 
     /// Returns every parameter, in the order of the scene file.
     pub fn all() -> impl Iterator<Item = &'static Self> {
-        let tables = [
-            super::SceneDescription::PARAMETERS,
-            super::Camera::PARAMETERS,
-            super::Image::PARAMETERS,
-            super::Display::PARAMETERS,
-            super::Object::PARAMETERS,
-            super::Material::PARAMETERS,
-            super::Reflection::PARAMETERS,
-            super::Ambient::PARAMETERS,
-            super::Pattern::PARAMETERS,
-            super::Transparency::PARAMETERS,
-            super::Shading::PARAMETERS,
-            super::Ground::PARAMETERS,
-            super::Backdrop::PARAMETERS,
-            super::DepthCueing::PARAMETERS,
-            super::Compare::PARAMETERS,
-            super::Pane::PARAMETERS,
-            super::Light::PARAMETERS,
-        ];
-        std::iter::once(&VERSION).chain(tables.into_iter().flatten().copied())
+        std::iter::once(&VERSION).chain(super::TABLES.iter().copied().flatten().copied())
     }
 
     /// Returns the parameters of a table of the scene file and of the tables inside it.
@@ -514,7 +456,6 @@ impl Parameter {
         self.field().copy(from, to, index);
     }
 
-    /// Returns the field that holds its value.
     pub(super) fn field(&self) -> &'static dyn Field {
         match self.kind {
             Kind::Number(at, ..) => at,

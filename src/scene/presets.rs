@@ -12,8 +12,6 @@ pub struct Preset {
     pub name: &'static str,
     /// The chapter that it belongs to, one of [`topics`].
     pub topic: &'static str,
-    /// The messages of its title, sentence and topic.
-    messages: [&'static str; 3],
     scene: LazyLock<Scene>,
 }
 
@@ -28,17 +26,17 @@ impl Preset {
 
     /// Returns the scene's title in the current language.
     pub fn title(&self) -> &'static str {
-        text!(self.messages[0])
+        text!(&format!("scene-{}", self.name))
     }
 
     /// Returns the sentence on what to look at and what to try.
     pub fn sentence(&self) -> &'static str {
-        text!(self.messages[1])
+        text!(&format!("scene-{}.sentence", self.name))
     }
 
     /// Returns the title of its chapter.
     pub fn topic_title(&self) -> &'static str {
-        text!(self.messages[2])
+        text!(&format!("topic-{}", self.topic))
     }
 
     /// Returns the view of the window that opens with it; may be empty.
@@ -68,11 +66,6 @@ macro_rules! scenes {
         [$($(Preset {
             name: $name,
             topic: $topic,
-            messages: [
-                concat!("scene-", $name),
-                concat!("scene-", $name, ".sentence"),
-                concat!("topic-", $topic),
-            ],
             scene: LazyLock::new(|| read($name, include_str!(concat!("../../assets/scenes/", $name, ".toml")))),
         }),+),+]
     };
@@ -113,16 +106,6 @@ pub fn topics() -> Vec<&'static str> {
 pub fn topic_title(topic: &str) -> &'static str {
     let preset = ALL.iter().find(|preset| preset.topic == topic);
     preset.map_or("", Preset::topic_title)
-}
-
-/// Returns the title of the built-in scene of that name; empty where there is none.
-pub fn title(name: &str) -> &'static str {
-    find(name).map_or("", Preset::title)
-}
-
-/// Returns the sentence on what to look at in the built-in scene of that name and what to try; empty where there is none.
-pub fn sentence(name: &str) -> &'static str {
-    find(name).map_or("", Preset::sentence)
 }
 
 /// Returns the scene shown when none is named.

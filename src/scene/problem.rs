@@ -122,7 +122,6 @@ impl Cause {
         ))
     }
 
-    /// Describes a choice that is not offered.
     pub(super) fn unknown_word(word: &str, known: &[&'static str]) -> Self {
         Self::Key(text!(
             "problem-unknown-word",

@@ -86,28 +86,3 @@ fn range_of_shapes(limits: fn(&Scene) -> Limits) -> String {
     let words: Vec<String> = std::iter::once(usual.to_string()).chain(words).collect();
     words.join(text!("comma"))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn no_key_of_a_setting_is_left() {
-        for (setting, words) in [
-            ("shading.shadows=true", "on"),
-            ("light.0.exponent=-2", "−2"),
-            ("material.n = inf", "∞"),
-        ] {
-            let shown = setting_words(setting);
-            assert!(
-                shown.ends_with(words) && !shown.contains(['=', '.']),
-                "{setting}: {shown}"
-            );
-        }
-        for parameter in Parameter::all().filter(|parameter| parameter.key != "version") {
-            let shown = setting_words(&format!("{}=1", parameter.key(0)));
-            assert!(!shown.contains(parameter.key), "{}: {shown}", parameter.key);
-        }
-        assert_eq!(setting_words("no setting"), "no setting");
-    }
-}

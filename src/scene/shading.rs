@@ -1,11 +1,9 @@
 //! The points where the equation is evaluated, and the interpolation from vertices to pixels.
 
-use super::Scene;
 use super::choice::choices;
-use super::material::no_light;
-use super::parameter::table;
+use super::material::NO_LIGHT;
+use super::parameter::{Reason, table};
 use super::symbol::Symbol;
-use crate::text::text;
 
 table! {
     /// The points where the equation is evaluated, and the interpolation from vertices to pixels.
@@ -13,29 +11,29 @@ table! {
         /// The points where the equation is evaluated.
         MODE mode: ShadingMode = ShadingMode::Phong, Choice.symbol(Symbol::Normal);
         /// The source of a flat polygon's shade.
-        FLAT_AT flat_at: FlatAt = FlatAt::Centre, Choice.symbol(Symbol::Normal).idle(not_flat);
+        FLAT_AT flat_at: FlatAt = FlatAt::Centre, Choice.symbol(Symbol::Normal).idle_if(&[NOT_FLAT]);
         /// The interpolation of values between vertices.
         INTERPOLATION interpolation: Interpolation = Interpolation::Perspective, Choice
-            .symbol(Symbol::Normal).idle(not_interpolated);
+            .symbol(Symbol::Normal).idle_if(&[NOT_INTERPOLATED]);
         /// A switch that makes Phong shading scale interpolated normals to unit length.
-        RENORMALISE renormalise: bool = true, Switch.symbol(Symbol::Normal).idle(not_phong);
+        RENORMALISE renormalise: bool = true, Switch.symbol(Symbol::Normal).idle_if(&[NOT_PHONG]);
         /// A switch that makes the object block light.
-        SHADOWS shadows: bool = false, Switch.symbol(Symbol::Shadows).idle(no_light);
+        SHADOWS shadows: bool = false, Switch.symbol(Symbol::Shadows).idle_if(&[NO_LIGHT]);
     }
 }
 
-fn not_flat(scene: &Scene, _: usize) -> Option<&'static str> {
-    (scene.shading.mode != ShadingMode::Flat).then(|| text!("idle-not-flat"))
-}
-
-fn not_interpolated(scene: &Scene, _: usize) -> Option<&'static str> {
-    matches!(scene.shading.mode, ShadingMode::Flat | ShadingMode::Exact)
-        .then(|| text!("idle-nothing-interpolated"))
-}
-
-fn not_phong(scene: &Scene, _: usize) -> Option<&'static str> {
-    (scene.shading.mode != ShadingMode::Phong).then(|| text!("idle-not-phong"))
-}
+const NOT_FLAT: Reason = (
+    |scene, _| scene.shading.mode != ShadingMode::Flat,
+    "idle-not-flat",
+);
+const NOT_INTERPOLATED: Reason = (
+    |scene, _| matches!(scene.shading.mode, ShadingMode::Flat | ShadingMode::Exact),
+    "idle-nothing-interpolated",
+);
+const NOT_PHONG: Reason = (
+    |scene, _| scene.shading.mode != ShadingMode::Phong,
+    "idle-not-phong",
+);
 
 choices! {
     /// The points where the illumination equation is evaluated.

@@ -1,12 +1,12 @@
 //! A list that many copies of a scene share.
 
 use serde::{Serialize, Serializer};
-use std::fmt;
 use std::ops::Deref;
 use std::sync::Arc;
 
 /// A list that is not copied when its scene is: a clone is the same list, and only different lists are compared by their
 /// elements. So a scene with many vertices is compared with the last one drawn in no time.
+#[derive(Clone, Debug, Default)]
 pub struct Shared<T>(Arc<[T]>);
 
 impl<T> Shared<T> {
@@ -20,24 +20,6 @@ impl<T: Clone> Shared<T> {
     /// Returns the elements for changing them; other holders of the list keep it as it was.
     pub fn make_mut(&mut self) -> &mut [T] {
         Arc::make_mut(&mut self.0)
-    }
-}
-
-impl<T> Clone for Shared<T> {
-    fn clone(&self) -> Self {
-        Self(Arc::clone(&self.0))
-    }
-}
-
-impl<T: fmt::Debug> fmt::Debug for Shared<T> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.fmt(f)
-    }
-}
-
-impl<T> Default for Shared<T> {
-    fn default() -> Self {
-        Self(Arc::new([]))
     }
 }
 

@@ -1,11 +1,10 @@
 //! The surroundings of the object: the ground under it, the wall behind it, and the fog before it.
 
+use super::Rgb;
 use super::choice::choices;
-use super::material::{COEFFICIENT, FIELD, FIELD_SLIDER, PatternKind, no_ambient, no_light};
-use super::parameter::{Limits, Slider, Unit, table};
+use super::material::{COEFFICIENT, FIELD, FIELD_SLIDER, NO_AMBIENT, NO_LIGHT, PatternKind};
+use super::parameter::{Limits, Reason, Slider, Unit, table};
 use super::symbol::Symbol;
-use super::{Rgb, Scene};
-use crate::text::text;
 
 table! {
     /// A horizontal floor that receives light and shadows. It is visible from above, behind the object, and in front of the
@@ -15,21 +14,19 @@ table! {
         GROUND_VISIBLE visible: bool = false, Switch;
         /// The floor's y, world units.
         GROUND_HEIGHT height: f64 = -1.0, Number(Limits::COORDINATE, Slider::linear(-3.0, 3.0))
-            .measured_in(Unit::World).idle(no_ground);
+            .measured_in(Unit::World).idle_if(&[NO_GROUND]);
         /// The floor's ambient coefficient Ka, 0 to 10⁶.
         GROUND_KA ka: f64 = 0.1, Number(COEFFICIENT, Slider::UNIT)
-            .idle(|scene, index| no_ground(scene, index).or(no_ambient(scene)));
+            .idle_if(&[NO_GROUND, NO_AMBIENT]);
         /// The floor's diffuse coefficient Kd, 0 to 10⁶.
         GROUND_KD kd: f64 = 0.7, Number(COEFFICIENT, Slider::UNIT)
-            .idle(|scene, index| no_ground(scene, index).or(no_light(scene, index)));
+            .idle_if(&[NO_GROUND, NO_LIGHT]);
         /// The floor's colour Od, linear.
-        GROUND_COLOR color: Rgb = Rgb::new(0.8, 0.8, 0.8), Colour(COEFFICIENT).idle(no_ground);
+        GROUND_COLOR color: Rgb = Rgb::new(0.8, 0.8, 0.8), Colour(COEFFICIENT).idle_if(&[NO_GROUND]);
     }
 }
 
-fn no_ground(scene: &Scene, _: usize) -> Option<&'static str> {
-    (!scene.ground.visible).then(|| text!("idle-no-ground"))
-}
+const NO_GROUND: Reason = (|scene, _| !scene.ground.visible, "idle-no-ground");
 
 table! {
     /// A patterned wall behind the object, perpendicular to the viewing direction and without end. Between the pattern it
@@ -38,19 +35,19 @@ table! {
         /// The pattern; without one there is no wall.
         BACKDROP_PATTERN pattern: PatternKind = PatternKind::None, Choice;
         /// Colour of the pattern, linear: displayed as it is, not lit.
-        BACKDROP_COLOR color: Rgb = Rgb::new(0.85, 0.83, 0.78), Colour(Limits::INTENSITY).idle(no_backdrop);
+        BACKDROP_COLOR color: Rgb = Rgb::new(0.85, 0.83, 0.78), Colour(Limits::INTENSITY).idle_if(&[NO_BACKDROP]);
         /// Width of a field, world units.
-        BACKDROP_SCALE scale: f64 = 0.4, Number(FIELD, FIELD_SLIDER).measured_in(Unit::World).idle(no_backdrop);
+        BACKDROP_SCALE scale: f64 = 0.4, Number(FIELD, FIELD_SLIDER).measured_in(Unit::World).idle_if(&[NO_BACKDROP]);
         /// Distance behind the target along the viewing direction, world units.
         BACKDROP_DISTANCE distance: f64 = 2.0, Number(Limits::COORDINATE, Slider::linear(0.0, 10.0))
-            .measured_in(Unit::World).idle(no_backdrop);
+            .measured_in(Unit::World).idle_if(&[NO_BACKDROP]);
     }
 }
 
-fn no_backdrop(scene: &Scene, _: usize) -> Option<&'static str> {
-    (scene.backdrop.pattern == PatternKind::None).then(|| text!("idle-no-backdrop"))
-}
-
+const NO_BACKDROP: Reason = (
+    |scene, _| scene.backdrop.pattern == PatternKind::None,
+    "idle-no-backdrop",
+);
 const DEPTHS: Slider = Slider::linear(0.0, 10.0);
 
 table! {
@@ -65,22 +62,23 @@ table! {
         CUED_BY by: CuedBy = CuedBy::Off, Choice.symbol(Symbol::Depth);
         /// Depth at which fading begins, world units.
         FRONT front: f64 = 3.0, Number(Limits::LENGTH, DEPTHS)
-            .letter("z", Symbol::Depth).measured_in(Unit::World).idle(no_cueing);
+            .letter("z", Symbol::Depth).measured_in(Unit::World).idle_if(&[NO_CUEING]);
         /// Depth at which fading ends, world units.
         BACK back: f64 = 5.0, Number(Limits::LENGTH, DEPTHS)
-            .letter("z", Symbol::Depth).measured_in(Unit::World).idle(no_cueing);
+            .letter("z", Symbol::Depth).measured_in(Unit::World).idle_if(&[NO_CUEING]);
         /// s0 up to [`Self::front`], 0 to 1.
-        FRONT_SCALE front_scale: f64 = 1.0, Number(Limits::UNIT, Slider::UNIT).letter("s0", Symbol::Depth).idle(no_cueing);
+        FRONT_SCALE front_scale: f64 = 1.0, Number(Limits::UNIT, Slider::UNIT).letter("s0", Symbol::Depth).idle_if(&[NO_CUEING]);
         /// s0 from [`Self::back`] on, 0 to 1.
-        BACK_SCALE back_scale: f64 = 0.0, Number(Limits::UNIT, Slider::UNIT).letter("s0", Symbol::Depth).idle(no_cueing);
+        BACK_SCALE back_scale: f64 = 0.0, Number(Limits::UNIT, Slider::UNIT).letter("s0", Symbol::Depth).idle_if(&[NO_CUEING]);
         /// The colour Idc to which the object fades, linear.
-        CUE_COLOR color: Rgb = Rgb::ZERO, Colour(Limits::INTENSITY).letter("Idc", Symbol::Depth).idle(no_cueing);
+        CUE_COLOR color: Rgb = Rgb::ZERO, Colour(Limits::INTENSITY).letter("Idc", Symbol::Depth).idle_if(&[NO_CUEING]);
     }
 }
 
-fn no_cueing(scene: &Scene, _: usize) -> Option<&'static str> {
-    (scene.depth_cueing.by == CuedBy::Off).then(|| text!("idle-no-cueing"))
-}
+const NO_CUEING: Reason = (
+    |scene, _| scene.depth_cueing.by == CuedBy::Off,
+    "idle-no-cueing",
+);
 
 impl DepthCueing {
     /// Returns s0 at `depth`: the fraction of the intensity that remains there.

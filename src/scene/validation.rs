@@ -180,7 +180,6 @@ impl Scene {
     }
 }
 
-/// The problems found so far.
 #[derive(Default)]
 pub(super) struct Checks {
     found: Vec<UnlocatedProblem>,

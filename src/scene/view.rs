@@ -169,7 +169,7 @@ impl Camera {
 }
 
 /// Returns the unit vector along `v`, of any magnitude but zero and infinity.
-fn direction(v: DVec3) -> Option<DVec3> {
+pub(crate) fn direction(v: DVec3) -> Option<DVec3> {
     let largest = v.abs().max_element();
     (v.is_finite() && largest > 0.0).then(|| (v / largest).normalize())
 }

@@ -57,7 +57,7 @@ pub fn lights_ui(
     for row in [
         &POSITION, &DIRECTION, &CONE, &EXPONENT, &SOFTNESS, &SHAPE, &EXTENT, &RADIUS, &SAMPLES,
     ] {
-        if (row.idle)(scene, index).is_none() {
+        if row.idle(scene, index).is_none() {
             parameter_with(ui, initial, scene, row, &view);
         }
     }

@@ -12,7 +12,7 @@ use crate::app::widgets::symbol::Symbol;
 use crate::illumination::{blinn_from_phong, phong_from_blinn, roughness_from_exponent};
 use crate::jobs::Work;
 use crate::render::Renderer;
-use crate::scene::material::no_highlight;
+use crate::scene::material::SPECULAR_COLOR;
 use crate::scene::materials::{NAMED, NamedMaterial, OF_A_KIND, recognise};
 use crate::scene::{
     Ambient, Camera, Distribution, Image, Light, Material, Object, ObjectKind, Reflection,
@@ -289,7 +289,7 @@ pub fn matching_ui(ui: &mut Ui, scene: &mut Scene) {
         name: text!("controls-matching"),
         tip: text!("controls-matching.tip"),
         symbol: Some(Symbol::Reflected),
-        idle: no_highlight(scene, 0),
+        idle: SPECULAR_COLOR.idle(scene, 0),
         ..About::default()
     };
     row(ui, &about, false, |ui| {

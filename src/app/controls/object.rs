@@ -11,7 +11,7 @@ use crate::app::session::action::Action;
 use crate::app::session::action::Requests;
 use crate::app::widgets::symbol::Symbol;
 use crate::geometry::{divisions_for, triangles};
-use crate::scene::object::{FIT, KIND, NORMALS, RINGS, SEGMENTS, WEIGHTING, polygons_unused};
+use crate::scene::object::{FIT, KIND, NORMALS, RINGS, SEGMENTS, WEIGHTING};
 use crate::scene::{ChoiceOption, NormalSource, Object, ObjectKind, Scene};
 use crate::text;
 use eframe::egui::{RichText, Ui};
@@ -62,7 +62,7 @@ pub fn object_ui(ui: &mut Ui, session: &mut Session, requests: &mut Requests, en
         ObjectKind::Polygons => polygons_ui(ui, vertex, object),
         _ => {
             if kind != ObjectKind::Corrugated {
-                let idle = polygons_unused(&shown.scene, 0);
+                let idle = SEGMENTS.idle(&shown.scene, 0);
                 triangles_ui(ui, initial, idle, &mut shown.scene.object);
             }
             parameter(ui, initial, &mut shown.scene, &SEGMENTS);

@@ -97,7 +97,7 @@ pub fn parameter_with(
         tip: &tip,
         symbol: parameter.symbol,
         parameter: Some(parameter),
-        idle: (parameter.idle)(scene, index),
+        idle: parameter.idle(scene, index),
         room: room(ui, scene, parameter, view),
     };
     let (name, range) = (&*name, range(scene, parameter, view));
@@ -185,7 +185,7 @@ pub fn pull(
     let stands = |parameter: &&Parameter| {
         parameter.symbol == Some(symbol)
             && parameter.slider().is_some()
-            && (parameter.idle)(scene, index).is_none()
+            && parameter.idle(scene, index).is_none()
     };
     let parameter = Parameter::all().find(stands)?;
     let view = View {

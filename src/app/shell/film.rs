@@ -91,7 +91,7 @@ fn values(scene: &Scene) -> impl Iterator<Item = (&'static Parameter, usize)> {
     Parameter::all()
         .filter(|parameter| is_number(parameter))
         .flat_map(|parameter| (0..parameter.count(scene)).map(move |index| (parameter, index)))
-        .filter(|(parameter, index)| (parameter.idle)(scene, *index).is_none())
+        .filter(|(parameter, index)| parameter.idle(scene, *index).is_none())
 }
 
 /// Shows the switch and the settings of the animation; `path` gets the extension of its format.

@@ -6,12 +6,13 @@ use super::super::problem::{Cause, UnlocatedProblem, quoted};
 use crate::text::text;
 use glam::DVec3;
 use serde::Serialize;
+use std::fmt::Debug;
 use std::path::PathBuf;
 use toml::de::{DeInteger, DeValue};
 use toml::{Spanned, Value};
 
 /// A type of value.
-pub trait Datum: Clone + PartialEq + Serialize + 'static {
+pub trait Datum: Clone + Debug + PartialEq + Serialize + 'static {
     fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, UnlocatedProblem>;
     /// Returns the value in a scene file; `None` where it is left out.
     fn value(&self) -> Option<Value> {
@@ -95,7 +96,7 @@ impl Datum for Option<PathBuf> {
     }
 }
 
-impl<T: Choice + Serialize> Datum for T {
+impl<T: Choice + Debug + Serialize> Datum for T {
     fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, UnlocatedProblem> {
         let words: Vec<_> = T::OPTIONS.iter().map(|option| option.word).collect();
         let DeValue::String(word) = value.get_ref() else {
