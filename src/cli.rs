@@ -48,7 +48,7 @@ struct Arguments {
     scene: SceneArguments,
     #[arg(long, value_name = "N")]
     seed: Option<u64>,
-    #[arg(long, value_name = "BASE", value_parser = link::parse_page)]
+    #[arg(long, value_name = "BASE", value_parser = shading_lab::link::page)]
     url: Option<String>,
     #[arg(long)]
     fresh: bool,
@@ -85,34 +85,30 @@ enum Command {
     Help(manual::Help),
 }
 
-impl Command {
-    /// Returns the name of a command that takes no scene.
-    fn without_scene(&self) -> Option<&'static str> {
-        match self {
-            Self::Scenes(_) => Some("scenes"),
-            Self::Materials(_) => Some("materials"),
-            Self::Parameters(_) => Some("parameters"),
-            Self::Stability(_) => Some("stability"),
-            Self::Lesson(_) => Some("lesson"),
-            Self::Collect(_) => Some("collect"),
-            Self::Completions(_) => Some("completions"),
-            Self::Manual(_) => Some("manual"),
-            Self::Help(_) => Some("help"),
-            _ => None,
-        }
-    }
-}
+/// The commands that take no scene.
+const WITHOUT_SCENE: [&str; 9] = [
+    "scenes",
+    "materials",
+    "parameters",
+    "stability",
+    "lesson",
+    "collect",
+    "completions",
+    "manual",
+    "help",
+];
 
 /// Runs the command, reports errors, and returns the exit code of the process.
 pub fn run() -> ExitCode {
     bound_threads();
     set_language(language_asked_for().unwrap_or_else(Language::of_system));
     let command = help::worded(Arguments::command(), Some(help::line_width()));
-    let arguments = command
-        .try_get_matches()
-        .and_then(|matches| Arguments::from_arg_matches(&matches));
+    let arguments = command.try_get_matches().and_then(|matches| {
+        let name = matches.subcommand_name().map(str::to_owned);
+        Ok((Arguments::from_arg_matches(&matches)?, name))
+    });
     let result = match arguments {
-        Ok(arguments) => perform(arguments),
+        Ok((arguments, name)) => perform(arguments, name.as_deref()),
         Err(error) => match (misspelt_command(&error), errors::worded(&error)) {
             (Some(failure), _) => Err(failure),
             (None, Some(message)) => Err(Failure::input(message)),
@@ -181,7 +177,8 @@ fn parse_language(tag: &str) -> Result<Language, String> {
     Language::from_tag(tag).ok_or_else(expected)
 }
 
-fn perform(arguments: Arguments) -> Result<(), Failure> {
+/// Runs the command of this `name`, or opens the window.
+fn perform(arguments: Arguments, name: Option<&str>) -> Result<(), Failure> {
     let Arguments {
         language,
         scene,
@@ -191,11 +188,7 @@ fn perform(arguments: Arguments) -> Result<(), Failure> {
         command,
     } = arguments;
     let earlier = scene.overrides();
-    if let Some(name) = command
-        .as_ref()
-        .and_then(Command::without_scene)
-        .filter(|_| !earlier.is_empty())
-    {
+    if let Some(name) = name.filter(|name| !earlier.is_empty() && WITHOUT_SCENE.contains(name)) {
         return Err(Failure::input(text!("cli-set-without-scene", name = name)));
     }
     match command {

@@ -21,7 +21,7 @@ use crate::link::{self, Link, Shown};
 use crate::picture::{PictureError, PictureText, read_scene_text, write_png};
 use crate::render::{Frame, Renderer, can_be_had};
 use crate::scene::{
-    Choice, NormalSource, Object, ObjectKind, Scene, SceneDescription, nearest, presets,
+    Choice, NormalSource, Object, ObjectKind, Scene, SceneDescription, did_you_mean, presets,
 };
 use crate::text::{Message, excerpt, text};
 #[cfg(not(target_arch = "wasm32"))]
@@ -53,6 +53,18 @@ pub struct Loaded {
 }
 
 impl Loaded {
+    /// Creates a scene that is not a file, without its model.
+    fn new(scene: Scene, name: &str, shown: Shown) -> Self {
+        let name = name.to_owned();
+        Self {
+            scene,
+            model: None,
+            name,
+            path: None,
+            shown,
+        }
+    }
+
     /// Returns a renderer that has the model.
     pub fn renderer(&self) -> Renderer {
         Renderer::default().with_model(self.model.clone())
@@ -103,18 +115,12 @@ pub type Progress<'a> = &'a mut dyn FnMut(u64, u64);
 /// assert!(error.to_string().contains("teapot"), "{error}");
 /// # Ok::<(), shading_lab::document::LoadError>(())
 /// ```
-///
-/// # Errors
-/// See [`LoadError`].
 pub fn load_scene(source: &Path) -> Result<Loaded, LoadError> {
     load_with(source, &[] as &[&str], &mut |_, _| {})
 }
 
 /// Opens a scene like [`load_scene`], with overrides in the form of [`Scene::with_overrides`], applied before the model is
 /// read. A model's path in an override is relative to the working directory.
-///
-/// # Errors
-/// See [`LoadError`].
 pub fn load_with(
     source: &Path,
     overrides: &[impl AsRef<str>],
@@ -125,9 +131,6 @@ pub fn load_with(
 
 /// Opens a scene that is not a file on disk: the text of a scene file, a picture with its scene inside, or a link.
 /// Messages call it `name`; a model's path in it is relative to the working directory.
-///
-/// # Errors
-/// See [`LoadError`].
 pub fn load_bytes(
     name: &str,
     bytes: Vec<u8>,
@@ -148,14 +151,8 @@ pub fn load_bytes(
             (parsed(&text, path)?, Shown::default())
         }
     };
-    let loaded = Loaded {
-        scene,
-        model: None,
-        name: name.trim_matches(['<', '>']).to_owned(),
-        path: None,
-        shown,
-    };
-    completed(loaded, overrides, progress)
+    let name = name.trim_matches(['<', '>']);
+    completed(Loaded::new(scene, name, shown), overrides, progress)
 }
 
 /// Returns whether a file's content is a PNG picture.
@@ -165,23 +162,17 @@ pub fn is_picture(bytes: &[u8]) -> bool {
 
 /// Applies overrides and reads the model.
 fn completed(
-    loaded: Loaded,
+    mut loaded: Loaded,
     overrides: &[impl AsRef<str>],
     progress: Progress<'_>,
 ) -> Result<Loaded, LoadError> {
-    let Loaded {
-        mut scene,
-        name,
-        path,
-        shown,
-        ..
-    } = loaded;
     if !overrides.is_empty() {
-        scene = scene.with_overrides(overrides)?;
+        loaded.scene = loaded.scene.with_overrides(overrides)?;
     }
-    let model = load_model(&scene.object, progress)?;
-    let alone = path.as_deref().and_then(ending).as_deref() == Some("obj");
-    if let Some(mesh) = model.as_ref().filter(|_| alone) {
+    let scene = &mut loaded.scene;
+    loaded.model = load_model(&scene.object, progress)?;
+    let alone = loaded.path.as_deref().and_then(ending).as_deref() == Some("obj");
+    if let Some(mesh) = loaded.model.as_ref().filter(|_| alone) {
         let (centre, radius) = mesh.ball();
         scene.camera = scene.camera.fitted(centre, radius, scene.image.size);
     }
@@ -191,13 +182,7 @@ fn completed(
     {
         *model_path = absolute;
     }
-    Ok(Loaded {
-        scene,
-        model,
-        name,
-        path,
-        shown,
-    })
+    Ok(loaded)
 }
 
 /// Maximum number of bytes that reading a model takes for each byte of its file (`tests/engine/obj_memory.rs`).
@@ -206,9 +191,6 @@ const OF_MODEL: u64 = 6;
 const LARGE_MODEL: u64 = 1 << 22;
 
 /// Reads the model of an object: none unless its kind is `obj`.
-///
-/// # Errors
-/// A path that is missing or cannot be read, or a file that is not a valid model.
 fn load_model(object: &Object, progress: Progress<'_>) -> Result<Option<Arc<Mesh>>, LoadError> {
     let (ObjectKind::Obj, Some(path)) = (object.kind, &object.path) else {
         return Ok(None);
@@ -244,8 +226,14 @@ fn read_scene(source: &Path) -> Result<Loaded, LoadError> {
         return named;
     }
     let mut scene = match ending(source).as_deref() {
-        Some("toml") => read_scene_file(source)?,
-        Some("png") => read_scene_picture(source)?,
+        Some("toml") => parsed(&read_text(source, SCENE_FILE, Scene::MAX_TEXT)?, source)?,
+        Some("png") => {
+            let text = read_scene_text(open_picture(source)?);
+            parsed(
+                &text.map_err(|error| LoadError::file(source, error))?,
+                source,
+            )?
+        }
         Some("obj") => scene_of_model(source)?,
         _ => return Err(unknown(source)),
     };
@@ -253,38 +241,25 @@ fn read_scene(source: &Path) -> Result<Loaded, LoadError> {
         *model_path = folder.join(&*model_path);
     }
     let name = source.file_name().unwrap_or(source.as_os_str());
-    let name = name.to_string_lossy().into_owned();
+    let loaded = Loaded::new(scene, &name.to_string_lossy(), Shown::default());
     Ok(Loaded {
-        scene,
-        model: None,
-        name,
         path: Some(source.to_owned()),
-        shown: Shown::default(),
+        ..loaded
     })
 }
 
 /// Opens anything that is not a file: a link, or a built-in scene by its name.
 fn read_named(name: &str) -> Option<Result<Loaded, LoadError>> {
-    let loaded = |scene, name, shown| Loaded {
-        scene,
-        model: None,
-        name,
-        path: None,
-        shown,
-    };
     if link::is_link(name) {
         let read = link::read(name).map_err(LoadError::from);
-        return Some(read.map(|Link { scene, name, shown }| loaded(scene, name, shown)));
+        return Some(read.map(|Link { scene, name, shown }| Loaded::new(scene, &name, shown)));
     }
     let scene = presets::find(name)?.scene();
-    Some(Ok(loaded(scene, name.to_owned(), Shown::default())))
+    Some(Ok(Loaded::new(scene, name, Shown::default())))
 }
 
 /// Opens a built-in scene or a link, and nothing else whatever `name` is: for names from untrusted sources, which
 /// must not open files.
-///
-/// # Errors
-/// See [`LoadError`].
 pub(crate) fn load_named(name: &str) -> Result<Loaded, LoadError> {
     read_named(name).unwrap_or_else(|| Err(no_such_scene(name)))
 }
@@ -299,16 +274,8 @@ fn parsed(text: &str, path: &Path) -> Result<Scene, LoadError> {
     Ok(scene)
 }
 
-fn read_scene_file(path: &Path) -> Result<Scene, LoadError> {
-    let text = read_text(path, SCENE_FILE, Scene::MAX_TEXT)?;
-    parsed(&text, path)
-}
-
 /// Reads the text of a file, which was expected to be `what`: at most one byte more than `most`, so that its reader
 /// can report the error.
-///
-/// # Errors
-/// A file that cannot be read, or is not text in UTF-8.
 pub(crate) fn read_text(path: &Path, what: Message, most: usize) -> Result<String, LoadError> {
     let (file, _) = disk::open(path, what)?;
     let mut bytes = Vec::new();
@@ -329,12 +296,6 @@ fn utf_8(path: &Path, bytes: Vec<u8>) -> Result<String, LoadError> {
             problem: text!("document-not-utf-8").to_owned(),
         }
     })
-}
-
-fn read_scene_picture(path: &Path) -> Result<Scene, LoadError> {
-    let text =
-        read_scene_text(open_picture(path)?).map_err(|error| LoadError::file(path, error))?;
-    parsed(&text, path)
 }
 
 /// Returns the default scene with a model in place of its object.
@@ -368,10 +329,7 @@ fn unknown(source: &Path) -> LoadError {
 /// Returns the reason why there is no scene of that name.
 fn no_such_scene(name: &str) -> LoadError {
     let name = excerpt(name);
-    let meant = nearest(&name, presets::ALL.iter().map(|preset| preset.name));
-    let meant = meant
-        .map(|meant| text!("document-did-you-mean", name = meant))
-        .unwrap_or_default();
+    let meant = did_you_mean(&name, presets::ALL.iter().map(|preset| preset.name));
     LoadError::file(
         Path::new(&name),
         text!("document-no-such-scene", meant = meant),
@@ -379,9 +337,6 @@ fn no_such_scene(name: &str) -> LoadError {
 }
 
 /// Writes a scene file. The path of a model at or below the file's folder is written relative to it.
-///
-/// # Errors
-/// See [`SaveError`].
 pub fn save_scene(path: &Path, scene: &Scene) -> Result<(), SaveError> {
     let mut portable = scene.clone();
     let folder = std::path::absolute(path)
@@ -396,29 +351,11 @@ pub fn save_scene(path: &Path, scene: &Scene) -> Result<(), SaveError> {
 }
 
 /// Writes a picture as PNG with its scene inside; a model's path stays absolute.
-///
-/// # Errors
-/// See [`SaveError`].
 pub fn save_picture(path: &Path, frame: &Frame, scene: &Scene) -> Result<(), SaveError> {
     write_picture(path, frame, Some(scene), &[])
 }
 
-/// Writes a picture as PNG with its scene and other texts inside, by their keywords.
-///
-/// # Errors
-/// See [`SaveError`].
-pub(crate) fn save_picture_with(
-    path: &Path,
-    frame: &Frame,
-    scene: &Scene,
-    texts: &[PictureText<'_>],
-) -> Result<(), SaveError> {
-    write_picture(path, frame, Some(scene), texts)
-}
-
-/// Draws and writes a film, frame by frame: see [`write_film`].
-///
-/// # Errors See [`SaveError`]. No file is left behind if `draw` has stopped it.
+/// Draws and writes a film, frame by frame: see [`write_film`]. No file is left behind if `draw` has stopped it.
 pub fn save_film(
     path: &Path,
     format: FilmFormat,
@@ -430,9 +367,6 @@ pub fn save_film(
 }
 
 /// Opens a picture's file for [`crate::picture::read_texts`].
-///
-/// # Errors
-/// A file that cannot be read.
 pub(crate) fn open_picture(path: &Path) -> Result<impl BufRead + Seek + use<>, LoadError> {
     disk::open(path, PICTURE).map(|(file, _)| BufReader::new(file))
 }
@@ -446,7 +380,8 @@ pub fn picture_bytes(frame: &Frame, scene: Option<&Scene>) -> Result<Vec<u8>, Pi
     write_png(&mut bytes, frame, scene, &[]).map(|()| bytes)
 }
 
-fn write_picture(
+/// Writes a picture as PNG, with its scene and other texts inside by their keywords.
+pub(crate) fn write_picture(
     path: &Path,
     frame: &Frame,
     scene: Option<&Scene>,
@@ -466,9 +401,6 @@ fn write_text(path: &Path, text: &str) -> Result<(), SaveError> {
 }
 
 /// Writes the parts of a scene's code, each to its [path](Export::path_of): all of them or none.
-///
-/// # Errors
-/// See [`SaveError`].
 pub fn save_code(target: &Path, export: &Export) -> Result<(), SaveError> {
     let file = |part| (export.path_of(part, target), &*part.text);
     let files: Vec<(PathBuf, &str)> = export.parts.iter().map(file).collect();
@@ -493,44 +425,37 @@ pub fn save_answer(
     about: &ReportContext<'_>,
     (size, paper): (Option<[u32; 2]>, Paper),
 ) -> Result<(), SaveError> {
-    let figure = || {
-        answer
-            .figure(about, size, paper)
-            .ok_or_else(|| SaveError::Nothing {
-                path: path.to_owned(),
-            })
+    let nothing = || SaveError::Nothing {
+        path: path.to_owned(),
     };
+    let figure = || answer.figure(about, size, paper).ok_or_else(nothing);
     match format {
         Format::Csv => write_text(path, &answer.csv(about)),
         Format::Json => write_text(path, &answer.json(about)),
         Format::Svg => match figure()? {
             Figure::Drawing { drawing, title } => write_text(path, &drawing.to_svg(&title)),
-            Figure::Picture { .. } => Err(SaveError::Nothing {
-                path: path.to_owned(),
-            }),
+            Figure::Picture { .. } => Err(nothing()),
         },
         Format::Png => match figure()? {
-            Figure::Drawing { drawing, .. } => {
-                let frame = drawing.to_frame().ok_or_else(|| SaveError::TooLarge {
-                    path: path.to_owned(),
-                })?;
-                save_picture(path, &frame, about.scene)
-            }
+            Figure::Drawing { drawing, .. } => write_drawing(path, &drawing, Some(about.scene)),
             Figure::Picture { frame, scene } => write_picture(path, &frame, scene.as_deref(), &[]),
         },
     }
 }
 
+fn write_drawing(path: &Path, drawing: &Drawing, scene: Option<&Scene>) -> Result<(), SaveError> {
+    let problem = Message("document-figure-too-large");
+    let too_large = || SaveError::Target {
+        path: path.to_owned(),
+        problem,
+    };
+    write_picture(path, &drawing.to_frame().ok_or_else(too_large)?, scene, &[])
+}
+
 /// Writes a drawing that shows no scene; as SVG according to the name's ending, otherwise as PNG.
-///
-/// # Errors
-/// See [`SaveError`].
 pub fn save_drawing(path: &Path, drawing: &Drawing, title: &str) -> Result<(), SaveError> {
     if Format::from_path(path) == Some(Format::Svg) {
         return write_text(path, &drawing.to_svg(title));
     }
-    let frame = drawing.to_frame().ok_or_else(|| SaveError::TooLarge {
-        path: path.to_owned(),
-    })?;
-    write_picture(path, &frame, None, &[])
+    write_drawing(path, drawing, None)
 }

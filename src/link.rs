@@ -18,7 +18,7 @@ pub use read::{is_link, read};
 pub use shown::{Shown, VIEWS};
 pub use write::{Written, write};
 
-use crate::scene::{Scene, nearest};
+use crate::scene::Scene;
 use crate::text::text;
 use std::fmt;
 
@@ -115,11 +115,4 @@ pub fn page(address: &str) -> Result<String, String> {
         return Err(text!("link-no-page").to_owned());
     }
     Ok(page.to_owned())
-}
-
-/// Returns words to append that suggest the name among `known` that was probably meant.
-fn did_you_mean<'a>(name: &str, known: impl Iterator<Item = &'a str>) -> String {
-    nearest(name, known)
-        .map(|meant| text!("link-did-you-mean", name = meant))
-        .unwrap_or_default()
 }

@@ -29,7 +29,6 @@ use shading_lab::scene::{Choice, Interpolation, Object, Scene, ShadingMode};
 use shading_lab::text::text;
 use std::path::{Path, PathBuf};
 
-/// The arguments of one analysis.
 pub trait AnalysisArguments: Args {
     type Question: Question;
 
@@ -56,7 +55,6 @@ pub trait AnalysisArguments: Args {
     }
 }
 
-/// A command that analyses a scene.
 #[derive(Args)]
 pub struct Analyse<A: Args> {
     #[command(flatten)]
@@ -198,7 +196,6 @@ impl<A: AnalysisArguments> Catalogued<A> {
     }
 }
 
-/// Returns the formats that an analysis can write.
 fn formats_of(name: &str) -> &'static [Format] {
     Analysis::find(name).map_or(&[], |analysis| analysis.formats)
 }
@@ -210,7 +207,6 @@ fn format_of(path: &Path, formats: &[Format]) -> Format {
     Format::from_path(path).or(usual).unwrap_or(Format::Png)
 }
 
-/// Checks that an optional pixel is inside the picture.
 fn checked(pixel: Option<[u32; 2]>, scene: &Scene) -> Result<Option<[u32; 2]>, Failure> {
     pixel.map_or(Ok(()), |pixel| {
         inside_picture("--pixel", pixel, scene.image.size)
@@ -520,7 +516,6 @@ pub struct Profile {
 }
 
 impl Profile {
-    /// Returns the viewing conditions and the model of the eye.
     fn eye(&self) -> Result<(Viewing, Perception), Failure> {
         let Self {
             viewing_distance: distance,

@@ -107,7 +107,6 @@ fn refused(error: SweepError) -> Failure {
     })
 }
 
-/// Draws a scene, or the sheet of its comparison.
 fn drawn(renderer: &mut Renderer, scene: &Scene, samples: u32) -> Frame {
     let which = panes_on_sheet(scene);
     let nothing = |_: &mut Frame, _: &mut Renderer, _: &Scene| Ok::<(), Infallible>(());

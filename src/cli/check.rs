@@ -21,7 +21,6 @@ pub struct Check {
     json: bool,
 }
 
-/// Content of a valid file.
 enum Sound {
     Scene(Box<Loaded>),
     /// The lesson, with remarks on its questions.
@@ -50,7 +49,6 @@ impl Check {
         print(&(sound.line(&name) + "\n"))
     }
 
-    /// Returns the name of the file in messages.
     fn called(&self) -> &Path {
         if is_stdin(&self.file) {
             Path::new(STDIN)
@@ -148,7 +146,6 @@ impl Sound {
     }
 }
 
-/// Returns the number of polygons in a model's file.
 fn polygons(loaded: &Loaded) -> Option<usize> {
     let model = loaded.model.as_ref()?;
     Some(model.starts.len().saturating_sub(1))

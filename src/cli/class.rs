@@ -267,7 +267,6 @@ fn csv(class: &Class) -> String {
     table.to_csv()
 }
 
-/// Formats an answer for a cell: numbers as programs read them.
 fn cell(answer: &shading_lab::lesson::Answer) -> String {
     let list = |value: &Value| {
         let entries = value.as_array()?.iter();
@@ -280,7 +279,6 @@ fn cell(answer: &shading_lab::lesson::Answer) -> String {
     }
 }
 
-/// Returns the table of a lesson for a terminal.
 fn table(group: &Group) -> String {
     let mut rows = vec![[text!("class-name").to_owned()].to_vec()];
     rows[0].extend((1..=group.questions.len()).map(|number| number.to_string()));

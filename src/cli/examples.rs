@@ -1,7 +1,6 @@
 //! The examples at the start of the program's and each command's help, also in the manual pages. They are as typed,
 //! in any language; a test parses them.
 
-/// Returns example invocations of a command.
 pub fn examples(command: &str) -> &'static [&'static str] {
     match command {
         "render" => &[

@@ -40,7 +40,6 @@ const GROUPS: [(&str, &[&str]); 6] = [
     ("cli-group-program", &["completions", "manual", "help"]),
 ];
 
-/// Returns the line width of the help, columns.
 pub fn line_width() -> usize {
     terminal_size::terminal_size().map_or(WIDEST, |(width, _)| {
         usize::from(width.0).clamp(NARROWEST, WIDEST)
@@ -128,7 +127,6 @@ fn key(argument: &Arg, command: &str) -> String {
     }
 }
 
-/// Returns the heading of an argument.
 fn heading(argument: &Arg, command: &str) -> &'static str {
     match argument.get_id().as_str() {
         "source" | "set" | "material" | "pane" => "cli-heading-scene",
@@ -141,7 +139,6 @@ fn heading(argument: &Arg, command: &str) -> &'static str {
     }
 }
 
-/// The headings in their order.
 const HEADINGS: [&str; 6] = [
     "cli-arguments",
     "cli-heading-scene",
@@ -216,7 +213,6 @@ fn template(command: &Command, name: &str, inherited: &[Arg], width: usize) -> S
     out.into()
 }
 
-/// Returns an argument as it is typed, and its help.
 fn row(argument: &Arg) -> (String, String) {
     let names = argument.get_value_names().unwrap_or_default();
     let value = names

@@ -1,6 +1,6 @@
 //! Arguments that several commands share.
 
-use super::output::{Failure, did_you_mean, note, progress_bar};
+use super::output::{Failure, note, progress_bar};
 use clap::Args;
 use clap::builder::{PathBufValueParser, PossibleValue, TypedValueParser};
 use glam::DVec2;
@@ -10,7 +10,7 @@ use shading_lab::document::{LoadError, Loaded, STDOUT, is_picture, load_bytes, l
 use shading_lab::lesson::Lesson;
 use shading_lab::scene::materials::{self, NamedMaterial};
 use shading_lab::scene::parameter::Parameter;
-use shading_lab::scene::{CompareView, Image, Pane, Scene, presets};
+use shading_lab::scene::{CompareView, Image, Pane, Scene, did_you_mean, presets};
 use shading_lab::text::{interned, text};
 use std::ffi::OsStr;
 use std::io::{self, Read};
@@ -34,7 +34,6 @@ const MOST_PICTURE: u64 = 1 << 30;
 /// Maximum size in bytes of a text: one more than a scene may have, so that its reader can report the error.
 const MOST_TEXT: u64 = Scene::MAX_TEXT as u64 + 1;
 
-/// Returns whether a file's name stands for the standard input.
 pub fn is_stdin(path: &Path) -> bool {
     path == Path::new(STANDARD)
 }
@@ -62,7 +61,6 @@ pub fn stdin() -> Result<Vec<u8>, LoadError> {
     })
 }
 
-/// Returns an error that concerns a file as a whole.
 fn refused(path: &Path, problem: String) -> LoadError {
     LoadError::File {
         path: path.to_owned(),
@@ -138,7 +136,6 @@ fn assignments(named: &NamedMaterial) -> Vec<String> {
         .collect()
 }
 
-/// Parses a whole number in a range.
 pub fn whole<T: TryFrom<u32> + Clone + Send + Sync + 'static>(
     range: RangeInclusive<u32>,
 ) -> impl Fn(&str) -> Result<T, String> + Clone + Send + Sync + 'static {
@@ -170,7 +167,6 @@ pub fn one_of(words: &[impl AsRef<str>]) -> String {
     }
 }
 
-/// The panes beside the scene itself.
 #[derive(Args)]
 pub struct PaneArguments {
     #[arg(long, value_name = "KEY=VALUE[;KEY=VALUE]")]
@@ -236,7 +232,6 @@ fn pair<T: FromStr>(text: &str, separators: &[char], sound: fn(&T) -> bool) -> O
     Some([number(first)?, number(second)?])
 }
 
-/// Parses the number of a vertex.
 pub fn parse_vertex(text: &str) -> Result<u32, String> {
     text.trim()
         .parse()
@@ -347,7 +342,6 @@ pub fn output_name() -> impl TypedValueParser<Value = PathBuf> {
     output_ending_in(&["json", "png", "svg", "csv"], "cli-expected-output")
 }
 
-/// Parses the name of a picture.
 pub fn picture_name() -> impl TypedValueParser<Value = PathBuf> {
     output_ending_in(&["png"], "cli-expected-png")
 }

@@ -9,7 +9,7 @@ use shading_lab::document::{check_target, write_whole};
 use shading_lab::lesson::{
     LESSONS, Lesson, LessonError, OpenError, Worksheet, find, in_words, topic_name, worksheet,
 };
-use shading_lab::scene::nearest;
+use shading_lab::scene::did_you_mean;
 use shading_lab::text::{excerpt, text};
 use std::path::{Path, PathBuf};
 
@@ -30,7 +30,6 @@ pub struct LessonCommand {
     json: bool,
 }
 
-/// Parses the name of a page.
 pub fn page_name() -> impl TypedValueParser<Value = PathBuf> {
     output_ending_in(&["html", "htm"], "cli-expected-html")
 }
@@ -85,12 +84,11 @@ fn open(name: &Path) -> Result<Lesson, Failure> {
         return open_file(name);
     }
     let name = excerpt(&name.to_string_lossy());
-    let meant = nearest(&name, LESSONS.iter().map(|lesson| lesson.name));
-    let meant = meant.map(|meant| text!("document-did-you-mean", name = meant));
+    let meant = did_you_mean(&name, LESSONS.iter().map(|lesson| lesson.name));
     Err(Failure::input(text!(
         "cli-no-lesson",
         name = name,
-        meant = meant.unwrap_or_default()
+        meant = meant
     )))
 }
 

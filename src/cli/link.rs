@@ -17,17 +17,12 @@ const MODULE: f64 = 10.0;
 pub struct Link {
     #[command(flatten)]
     scene: SceneArguments,
-    #[arg(long, value_name = "BASE", value_parser = parse_page)]
+    #[arg(long, value_name = "BASE", value_parser = link::page)]
     url: Option<String>,
     #[arg(short, long, value_name = "FILE", value_parser = output_ending_in(&["png", "svg"], "cli-expected-qr"))]
     output: Option<PathBuf>,
     #[arg(long)]
     json: bool,
-}
-
-/// Parses the address of a page.
-pub fn parse_page(address: &str) -> Result<String, String> {
-    link::page(address)
 }
 
 impl Link {

@@ -2,11 +2,12 @@
 
 use super::examples::examples;
 use super::help::{line_width, worded};
-use super::output::{Failure, did_you_mean, print};
+use super::output::{Failure, print};
 use clap::{Args, Command};
 use clap_complete::Shell;
 use clap_mangen::Man;
 use shading_lab::document::write_whole;
+use shading_lab::scene::did_you_mean;
 use shading_lab::text::{excerpt, text};
 use std::path::PathBuf;
 

@@ -2,7 +2,6 @@
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
 use shading_lab::document::{LoadError, STDOUT, SaveError};
-use shading_lab::scene::nearest;
 use shading_lab::text::{escaped, escaped_json, text};
 use std::fmt::Display;
 use std::io::{self, IsTerminal, Write};
@@ -139,13 +138,6 @@ fn shown(total: Option<u64>, doing: &'static str, template: &str) -> ProgressBar
         .with_finish(ProgressFinish::AndClear);
     bar.enable_steady_tick(TICK);
     bar
-}
-
-/// Returns a question to append to an unknown word, whether the nearest known word was meant.
-pub fn did_you_mean<'a>(text: &str, known: impl Iterator<Item = &'a str>) -> String {
-    nearest(text, known)
-        .map(|meant| text!("document-did-you-mean", name = meant))
-        .unwrap_or_default()
 }
 
 /// Returns the number of terminal columns that a text takes; Chinese characters take two.

@@ -30,10 +30,7 @@ pub fn open(path: &Path, expected: Message) -> Result<(File, u64), LoadError> {
 }
 
 /// Writes a file by `content`: the old one stays until the new one is complete and on the disk, and passes its mode
-/// on. A link is followed; a device or a pipe is written to directly.
-///
-/// # Errors
-/// A target that cannot be written, or an error of `content`; nothing is left behind then.
+/// on. A link is followed; a device or a pipe is written to directly. After an error nothing is left behind.
 pub fn write_whole(
     path: &Path,
     content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
@@ -42,9 +39,6 @@ pub fn write_whole(
 }
 
 /// Writes several texts like [`write_whole`]: no file is replaced before all of them are complete and on the disk.
-///
-/// # Errors
-/// A target that cannot be written; nothing is left behind then.
 pub fn write_texts(files: &[(PathBuf, &str)]) -> Result<(), SaveError> {
     let filled = |(path, text): &(PathBuf, &str)| {
         Unfinished::filled(path, |out| out.write_all(text.as_bytes()))

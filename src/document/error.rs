@@ -74,7 +74,7 @@ impl LoadError {
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum SaveError {
-    /// The target cannot be written to: a folder, say, or a name too long.
+    /// The target cannot be written to, a folder, say; or a figure has more pixels than can be drawn.
     #[error("{}: {}", .path.display(), .problem.text())]
     Target {
         /// The target.
@@ -93,12 +93,6 @@ pub enum SaveError {
     /// An answer that has no figure.
     #[error("{}: {}", .path.display(), text!("document-nothing-to-draw"))]
     Nothing {
-        /// The target.
-        path: PathBuf,
-    },
-    /// A figure of more pixels than can be drawn.
-    #[error("{}: {}", .path.display(), text!("document-figure-too-large"))]
-    TooLarge {
         /// The target.
         path: PathBuf,
     },

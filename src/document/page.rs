@@ -35,9 +35,6 @@ pub fn open(path: &Path, expected: Message) -> Result<(Cursor<Arc<[u8]>>, u64), 
 }
 
 /// Downloads a file by `content`, under the last part of its path.
-///
-/// # Errors
-/// An error of `content`, or the browser's refusal.
 pub fn write_whole(
     path: &Path,
     content: impl FnOnce(&mut dyn Write) -> io::Result<()>,
@@ -56,18 +53,12 @@ pub fn write_whole(
 }
 
 /// Downloads several texts.
-///
-/// # Errors
-/// The browser's refusal.
 pub fn write_texts(files: &[(PathBuf, &str)]) -> Result<(), SaveError> {
     let mut files = files.iter();
     files.try_for_each(|(path, text)| write_whole(path, |out| out.write_all(text.as_bytes())))
 }
 
 /// Accepts any target, since a download can always be started.
-///
-/// # Errors
-/// None.
 pub fn check_target(_: &Path) -> Result<(), SaveError> {
     Ok(())
 }

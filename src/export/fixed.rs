@@ -51,19 +51,11 @@ pub fn opengl_c_snippet(scene: &Scene, mesh: &Mesh) -> Export {
     let mesh = export_mesh(scene, mesh);
     let mut limits = limits(scene, &mesh);
     limits.push(limit!("export-limit-vertex-clamp"));
-    let functions = functions(scene, &mesh);
-    let text = format!(
-        "/*\n{} */\n\n#include <GL/gl.h>\n\n{functions}",
-        head(&SNIPPET, &limits, " * ")
-    );
-    Export {
-        parts: vec![Part {
-            title: Message("export-c"),
-            ending: "c",
-            text,
-        }],
+    let (head, functions) = (head(&SNIPPET, &limits, " * "), functions(scene, &mesh));
+    in_c(
+        format!("/*\n{head} */\n\n#include <GL/gl.h>\n\n{functions}"),
         limits,
-    }
+    )
 }
 
 /// Returns a whole program in C99: the functions of [`opengl_c_snippet`], the polygons and a `main` that draws them
@@ -98,15 +90,22 @@ pub fn opengl_c(scene: &Scene, mesh: &Mesh) -> Result<Export, ExportError> {
         head(&PROGRAM, &limits, " * "),
         include_str!("fixed/includes.c"),
     );
-    let text = format!("/*\n{head} */\n\n{includes}\n{functions}\n{main}");
-    Ok(Export {
+    Ok(in_c(
+        format!("/*\n{head} */\n\n{includes}\n{functions}\n{main}"),
+        limits,
+    ))
+}
+
+fn in_c(text: String, limits: Vec<Limit>) -> Export {
+    let title = Message("export-c");
+    Export {
         parts: vec![Part {
-            title: Message("export-c"),
+            title,
             ending: "c",
             text,
         }],
         limits,
-    })
+    }
 }
 
 fn functions(scene: &Scene, mesh: &VertexMesh) -> String {

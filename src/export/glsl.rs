@@ -8,6 +8,7 @@ use super::sources::{Emitter, EmitterPosition, emitters, flat, interpolation, su
 use super::text::{filled, float, head, said, vec3};
 use super::{Export, Part};
 use crate::illumination::{Index, SpecularForm};
+use crate::render::srgb;
 use crate::scene::{
     Attenuation, Backfacing, Camera, CuedBy, Distribution, Encoding, Interpolation, Light,
     LightKind, NormalSource, Object, ObjectKind, Overflow, PatternKind, Projection, Scene,
@@ -113,10 +114,9 @@ fn host(scene: &Scene) -> String {
         }
         _ => "",
     };
-    let encoded = |v: f64| match (v.clamp(0.0, 1.0), scene.display.encoding) {
-        (v, Encoding::Srgb) if v > 0.003_130_8 => 1.055 * v.powf(1.0 / 2.4) - 0.055,
-        (v, Encoding::Srgb) => 12.92 * v,
-        (v, Encoding::Raw) => v,
+    let encoded = |v: f64| match scene.display.encoding {
+        Encoding::Srgb => srgb(v.clamp(0.0, 1.0)),
+        Encoding::Raw => v.clamp(0.0, 1.0),
     };
     let background = scene
         .image

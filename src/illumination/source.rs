@@ -1,10 +1,9 @@
 //! Light sources, prepared: each yields a direction and an attenuation at a point. Area lights are sets of points.
 
 use super::{Real, Scalar, V3};
-use crate::scene::{AreaShape, Attenuation, Light, LightKind, Rgb};
+use crate::scene::{self, AreaShape, Attenuation, Light, LightKind, Rgb};
 use glam::DVec3;
 use std::f64::consts::TAU;
-use std::ops::Range;
 
 /// The distance, in camera distances, beyond which a light's rays count as parallel: over an object as large as the camera
 /// distance its direction turns by less than 10⁻¹², over the largest, of 10⁸ camera distances, by less than can be seen.
@@ -124,7 +123,6 @@ impl Share {
         }
     }
 
-    /// Returns the largest f for these coefficients.
     fn attenuation(self, diffuse: Rgb, specular: Rgb) -> f64 {
         // Even a dark source's f must stay within the range of numbers.
         let most = |share: f64, coefficients: Rgb| share / coefficients.max_element().max(1.0);
@@ -353,12 +351,7 @@ fn length(v: DVec3) -> f64 {
 
 /// Returns the unit vector of any finite vector; zero stays zero.
 pub(crate) fn direction(v: DVec3) -> DVec3 {
-    let largest = v.abs().max_element();
-    if largest > 0.0 {
-        (v / largest).normalize_or_zero()
-    } else {
-        DVec3::ZERO
-    }
+    scene::direction(v).unwrap_or_default()
 }
 
 fn scalars<T: Scalar>(v: DVec3) -> [T; 3] {
@@ -403,17 +396,6 @@ pub fn rectangle_axes(light: &Light) -> [DVec3; 2] {
     [level * light.extent[0], up * light.extent[1]]
 }
 
-/// Returns the samples of each row of a rectangular light of `count` samples; those of a row lie on a line.
-fn area_rows(count: u32) -> impl Iterator<Item = Range<u32>> {
-    let rows = row_count(count);
-    let end = move |row: u32| (u64::from(count) * u64::from(row) / u64::from(rows)) as u32;
-    (0..rows).map(move |row| end(row)..end(row + 1))
-}
-
-fn row_count(count: u32) -> u32 {
-    (f64::from(count).sqrt().round() as u32).clamp(1, count.max(1))
-}
-
 /// Returns the corners of a polyhedron that holds an area light: a rectangle's own, in their order; those of the cube about
 /// a sphere.
 pub fn area_hull(light: &Light) -> Vec<DVec3> {
@@ -441,11 +423,14 @@ pub fn area_hull(light: &Light) -> Vec<DVec3> {
 
 /// Returns the middles of `count` cells of equal area in the unit square, each with its row.
 fn strata(count: u32) -> Vec<([f64; 2], usize)> {
+    let rows = (f64::from(count).sqrt().round() as u32).clamp(1, count.max(1));
+    let end = |row: u32| (u64::from(count) * u64::from(row) / u64::from(rows)) as u32;
     let mut middles = Vec::with_capacity(count as usize);
-    for (row, range) in area_rows(count).enumerate() {
-        let cells = range.len();
-        let v = (f64::from(range.start) + 0.5 * cells as f64) / f64::from(count);
-        middles.extend((0..cells).map(|cell| ([(cell as f64 + 0.5) / cells as f64, v], row)));
+    for row in 0..rows {
+        let (start, cells) = (end(row), end(row + 1) - end(row));
+        let v = (f64::from(start) + 0.5 * f64::from(cells)) / f64::from(count);
+        let u = |cell: u32| (f64::from(cell) + 0.5) / f64::from(cells);
+        middles.extend((0..cells).map(|cell| ([u(cell), v], row as usize)));
     }
     middles
 }

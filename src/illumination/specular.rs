@@ -195,9 +195,7 @@ pub struct Lobe<T> {
     at_zero: T,
     /// The cosine up to which no power is needed, because it would add nothing visible.
     faint: T,
-    /// The square of the roughness.
     roughness_squared: T,
-    /// 1 over the square of the roughness.
     inverse_roughness_squared: T,
 }
 

@@ -6,7 +6,7 @@
 //! collector of the answers computes them.
 
 use super::{Answer, Answered, Grade, Lesson, Record, find};
-use crate::document::{SaveError, save_picture_with};
+use crate::document::{SaveError, write_picture};
 use crate::picture::{PictureError, SCENE_KEYWORD, read_texts, write_png};
 use crate::render::Frame;
 use crate::scene::Scene;
@@ -128,7 +128,7 @@ pub fn hand_in(
     name: &str,
 ) -> Result<(), SaveError> {
     let answers = answers_text(lesson, record, name, &scene.to_toml());
-    save_picture_with(path, frame, scene, &[(ANSWERS_KEYWORD, &answers)])
+    write_picture(path, frame, Some(scene), &[(ANSWERS_KEYWORD, &answers)])
 }
 
 /// Returns the bytes of a PNG with the answers to a lesson.

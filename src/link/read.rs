@@ -2,10 +2,10 @@
 
 use super::encoding::{after, decoded, from_base64};
 use super::shown::Shown;
-use super::{
-    DEFAULTS, Link, LinkError, LinkProblem, MOST_LINK, MOST_QUERY, MOST_TEXT, did_you_mean,
+use super::{DEFAULTS, Link, LinkError, LinkProblem, MOST_LINK, MOST_QUERY, MOST_TEXT};
+use crate::scene::{
+    Compare, Pane, Problem, ProblemLocation, Scene, SceneError, did_you_mean, presets,
 };
-use crate::scene::{Compare, Pane, Problem, ProblemLocation, Scene, SceneError, presets};
 use crate::text::text;
 use miniz_oxide::inflate::TINFLStatus;
 use miniz_oxide::inflate::decompress_to_vec_with_limit;
@@ -66,7 +66,8 @@ fn bare(text: &str) -> &str {
 /// # Guarantees
 /// The scene is one that [`Scene::validate`] accepts, and names no file.
 ///
-/// # Errors Unknown keys of a link or a scene, and invalid values, each with its position.
+/// # Errors
+/// Unknown keys of a link or a scene, and invalid values, each with its position.
 pub fn read(text: &str) -> Result<Link, LinkError> {
     let text = bare(text);
     let reader = Reader { text };
@@ -166,7 +167,7 @@ impl Reader<'_> {
                 continue;
             }
             let Some(known) = KEYS.into_iter().find(|known| *known == key) else {
-                let meant = did_you_mean(&key, KEYS.into_iter());
+                let meant = did_you_mean(&key, KEYS);
                 let words = text!("link-unknown-key", keys = KEYS.join(", "), meant = meant);
                 return Err(self.wrong(&key, at, &words));
             };
@@ -322,26 +323,14 @@ impl Reader<'_> {
     }
 
     fn in_file(&self, at: usize, error: &SceneError) -> LinkError {
-        let problem = |problem: &Problem| {
+        let in_line = |problem: &Problem| {
             let line = match problem.place {
                 ProblemLocation::Line { line, .. } => line,
                 _ => 1,
             };
-            let key = if problem.key.is_empty() {
-                "#scene"
-            } else {
-                &problem.key
-            };
-            let words = text!("link-line", line = line, words = words(problem));
-            LinkProblem {
-                key: key.to_owned(),
-                position: self.position(at),
-                words,
-            }
+            text!("link-line", line = line, words = words(problem))
         };
-        LinkError {
-            problems: error.problems().iter().map(problem).collect(),
-        }
+        self.located(error, "#scene", |_| at, in_line)
     }
 
     fn in_settings(&self, parts: &Parts, error: &SceneError) -> LinkError {
@@ -351,27 +340,31 @@ impl Reader<'_> {
                 ProblemLocation::Override(text) => set(text).map(|(at, _)| *at),
                 _ => None,
             };
-            let panes = || {
-                parts
-                    .panes
-                    .as_ref()
-                    .map(|(at, _)| *at)
-                    .filter(|_| problem.key.starts_with("compare"))
-            };
+            let in_panes = problem.key.starts_with("compare");
+            let panes = || parts.panes.as_ref().map(|(at, _)| *at).filter(|_| in_panes);
             let scene = || parts.scene.as_ref().map(|(at, _)| *at);
             own.or_else(panes).or_else(scene).unwrap_or(0)
         };
-        let problem = |problem: &Problem| {
-            let key = if problem.key.is_empty() {
-                "set"
+        self.located(error, "set", place, words)
+    }
+
+    /// Returns the problems of a scene, each with its place in the link; `whole` is the key of those without one.
+    fn located(
+        &self,
+        error: &SceneError,
+        whole: &str,
+        place: impl Fn(&Problem) -> usize,
+        words: impl Fn(&Problem) -> String,
+    ) -> LinkError {
+        let problem = |problem: &Problem| LinkProblem {
+            key: if problem.key.is_empty() {
+                whole
             } else {
                 &problem.key
-            };
-            LinkProblem {
-                key: key.to_owned(),
-                position: self.position(place(problem)),
-                words: words(problem),
             }
+            .to_owned(),
+            position: self.position(place(problem)),
+            words: words(problem),
         };
         LinkError {
             problems: error.problems().iter().map(problem).collect(),

@@ -1,6 +1,7 @@
 //! The part of a link beside the scene: the view of it.
 
 use super::encoding::encoded;
+use crate::scene::did_you_mean;
 use crate::text::text;
 use glam::DVec2;
 
@@ -75,8 +76,7 @@ impl Shown {
                 .find(|view| *view == value)
                 .map(|view| self.view = Some(view))
                 .ok_or_else(|| {
-                    text!("expected-one-of", words = VIEWS.join(", "))
-                        + &super::did_you_mean(value, VIEWS.into_iter())
+                    text!("expected-one-of", words = VIEWS.join(", ")) + &did_you_mean(value, VIEWS)
                 }),
             "probe" => places(value)
                 .map(|[probe]| self.probe = Some(probe))

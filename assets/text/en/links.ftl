@@ -1,7 +1,6 @@
 # Links to a scene.
 link-problem = link, character { $position }: { $words }
 link-line = line { $line } of its scene: { $words }
-link-did-you-mean = {" "}(did you mean { $name }?)
 link-unknown-key = is not a key of a link, expected one of { $keys }{ $meant }
 link-twice = appears twice, expected once
 link-not-encoded = has a % without two hexadecimal digits, or bytes that are not UTF-8, expected %25 for a percent sign

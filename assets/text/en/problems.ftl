@@ -77,7 +77,6 @@ obj-unreadable = cannot be read: { $error }
 obj-empty = the file is empty, expected an OBJ model with `v` and `f` lines
 obj-no-face = there is no face with three different corners, expected at least one `f` line
 obj-too-large = the model has more than { $most } corners, expected fewer
-obj-refused = the model was refused: { $error }
 obj-line-too-long = the line is longer than { $longest } bytes, expected an OBJ model
 obj-not-text = this is not text, expected an OBJ model in ASCII or UTF-8
 obj-weight-zero = a vertex of weight 0 is at infinity, expected a weight that is not zero

@@ -1,7 +1,6 @@
 # 場景的連結。
 link-problem = 連結的第 { $position } 個字元：{ $words }
 link-line = 其場景的第 { $line } 行：{ $words }
-link-did-you-mean = （是否要找 { $name }？）
 link-unknown-key = 不是連結的鍵，應為下列之一：{ $keys }{ $meant }
 link-twice = 出現兩次，應只有一次
 link-not-encoded = 的 % 之後沒有兩個十六進位數字，或不是 UTF-8，百分號應寫成 %25

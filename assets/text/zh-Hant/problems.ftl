@@ -77,7 +77,6 @@ obj-unreadable = 無法讀取：{ $error }
 obj-empty = 檔案是空的，應為有 `v` 與 `f` 行的 OBJ 模型
 obj-no-face = 沒有具三個不同角點的面，應至少有一行 `f`
 obj-too-large = 模型的角點超過 { $most } 個，應較少
-obj-refused = 無法接受此模型：{ $error }
 obj-line-too-long = 此行超過 { $longest } 位元組，應為 OBJ 模型
 obj-not-text = 這不是文字，應為 ASCII 或 UTF-8 的 OBJ 模型
 obj-weight-zero = 權重為 0 的頂點在無窮遠處，權重應不為零

@@ -18,9 +18,6 @@ pub struct HiddenFile {
 
 impl HiddenFile {
     /// Creates an empty file with the mode and the owner of its target, if that exists.
-    ///
-    /// # Errors
-    /// A folder in which no file can be created.
     pub fn open(target: PathBuf) -> io::Result<Self> {
         let (file, hidden) = hidden_file(&target)?;
         let new = Self {
@@ -41,10 +38,7 @@ impl HiddenFile {
         Ok(new)
     }
 
-    /// Replaces its target.
-    ///
-    /// # Errors
-    /// An error of the system; the target is then unchanged.
+    /// Replaces its target, which an error leaves unchanged.
     pub fn finish(mut self) -> io::Result<()> {
         self.file.sync_all()?;
         fs::rename(&self.hidden, &self.target)?;
