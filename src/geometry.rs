@@ -15,5 +15,5 @@ pub use mesh::{Corner, Mesh, NO_NORMAL, VertexMesh};
 pub use obj::{ObjError, read_obj};
 pub use primitives::{divisions_for, tessellate, triangles};
 pub use surface::{Ray, Surface, SurfaceHit, TOGETHER};
-pub(crate) use vector::{angle, cross, dot, sub};
+pub(crate) use vector::{angle, cross, dot, load, splat, sub};
 pub use vertex_normals::{FaceShare, NormalOrigin, VertexShares};

@@ -289,10 +289,7 @@ impl Mesh {
     /// Returns the signed volume of the pyramid from `apex` (relative to the mesh's origin) to face `f`.
     fn face_volume(&self, f: usize, apex: DVec3) -> f64 {
         let mut points = self.face_points(f).map(|p| p - apex);
-        let Some(first) = points.next() else {
-            return 0.0;
-        };
-        let Some(mut previous) = points.next() else {
+        let (Some(first), Some(mut previous)) = (points.next(), points.next()) else {
             return 0.0;
         };
         let mut volume = 0.0;

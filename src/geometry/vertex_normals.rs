@@ -146,7 +146,6 @@ impl Mesh {
         self.vertex_mesh(positions, normals, indices)
     }
 
-    /// Averages the normals of the faces round each point.
     fn averaged_normals(&self, weighting: Weighting) -> Vec<Vec3> {
         let mut sums = vec![DVec4::ZERO; self.positions.len()];
         for f in 0..self.face_count() {

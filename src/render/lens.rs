@@ -14,7 +14,6 @@ pub const FARTHEST: f64 = 1e12;
 /// from lights at infinity, and anything nearer than [`NEAR`] is less than single precision resolves of the object.
 pub const DEEPEST: f64 = 1e8;
 
-/// Returns the centre of a pixel.
 pub fn pixel_centre(x: usize, y: usize) -> DVec2 {
     DVec2::new(x as f64 + 0.5, y as f64 + 0.5)
 }
@@ -92,7 +91,6 @@ impl Lens {
         }
     }
 
-    /// Returns the depth of a key.
     pub fn depth_from_key(&self, key: f64) -> f64 {
         if self.perspective { 1.0 / key } else { -key }
     }
@@ -114,7 +112,6 @@ impl Lens {
         (self.world(point), direction.normalize())
     }
 
-    /// Returns the key of the farthest depth.
     pub fn least_key(&self) -> f64 {
         self.key_from_depth(FARTHEST)
     }

@@ -3,7 +3,8 @@
 use super::lens::DEEPEST;
 use super::node::{Memory, capacity, capacity_of_planes};
 use crate::geometry::{Mesh, VertexMesh, tessellate};
-use crate::scene::{Camera, Object};
+use crate::illumination::direction;
+use crate::scene::{Camera, Object, area_vector};
 use glam::{DVec3, Vec3};
 use std::collections::HashMap;
 use std::sync::{Arc, OnceLock};
@@ -69,7 +70,6 @@ pub struct Model {
     pub normal: Planes,
     /// The vertices of each triangle, counter-clockwise from outside.
     pub triangles: Vec<[u32; 3]>,
-    /// The face that each triangle belongs to.
     pub faces: Vec<u32>,
     /// The faces themselves: face f has the vertices `indices[starts[f]..starts[f + 1]]`.
     pub starts: Vec<u32>,
@@ -124,18 +124,15 @@ impl Model {
         self.starts.len().saturating_sub(1)
     }
 
-    /// Returns the number of vertices, padding included.
     pub fn padded_len(&self) -> usize {
         self.position[0].len()
     }
 
-    /// Returns the vertices of face `face`.
     pub fn face(&self, face: u32) -> &[u32] {
         let face = face as usize;
         &self.indices[self.starts[face] as usize..self.starts[face + 1] as usize]
     }
 
-    /// Returns the triangles of face `face`.
     pub fn triangles_of(&self, face: u32) -> &[[u32; 3]] {
         let [begin, end] = [face, face + 1].map(|next| self.faces.partition_point(|f| *f < next));
         &self.triangles[begin..end]
@@ -154,7 +151,6 @@ impl Model {
         vector_at(&self.normal, vertex).as_dvec3()
     }
 
-    /// Returns the mean of a face's corners, world.
     pub fn face_centre(&self, face: u32) -> DVec3 {
         self.of_large(face)
             .map_or_else(|| self.origin + self.mean(face), |[centre, _]| centre)
@@ -193,24 +189,11 @@ impl Model {
     }
 
     fn newell(&self, face: u32) -> DVec3 {
-        let corners = self.face(face);
-        let Some((&first, rest)) = corners.split_first() else {
-            return DVec3::ZERO;
-        };
-        // Relative to the first corner, so that nothing cancels far from the origin.
-        let base = vector_at(&self.position, first).as_dvec3();
-        let mut sum = DVec3::ZERO;
-        for pair in rest.windows(2) {
-            let a = vector_at(&self.position, pair[0]).as_dvec3() - base;
-            let b = vector_at(&self.position, pair[1]).as_dvec3() - base;
-            sum += a.cross(b);
-        }
-        let largest = sum.abs().max_element();
-        if largest > 0.0 {
-            (sum / largest).normalize_or_zero()
-        } else {
-            DVec3::ZERO
-        }
+        let corners = self
+            .face(face)
+            .iter()
+            .map(|&v| vector_at(&self.position, v).as_dvec3());
+        direction(area_vector(corners))
     }
 }
 

@@ -5,28 +5,23 @@ use serde::{Deserialize, Serialize};
 
 /// A SIMD level that the kernels are compiled for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 #[non_exhaustive]
 pub enum SimdLevel {
     /// 512-bit vectors of x86-64.
-    #[serde(rename = "avx512")]
     Avx512,
     /// 256-bit vectors of x86-64 with fused multiply-add.
-    #[serde(rename = "avx2")]
     Avx2,
     /// 128-bit vectors of x86-64 with SSE4.2.
     #[serde(rename = "sse4.2")]
     Sse42,
     /// 128-bit vectors of every x86-64.
-    #[serde(rename = "sse2")]
     Sse2,
     /// 128-bit vectors of ARM.
-    #[serde(rename = "neon")]
     Neon,
     /// WebAssembly's 128-bit vectors.
-    #[serde(rename = "simd128")]
     Simd128,
     /// One number at a time.
-    #[serde(rename = "scalar")]
     Scalar,
 }
 

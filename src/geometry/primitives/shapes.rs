@@ -26,7 +26,6 @@ impl Builder {
         Self { mesh }
     }
 
-    /// Adds a point and returns its index.
     pub fn position(&mut self, position: DVec3) -> u32 {
         self.mesh.positions.push(position.as_vec3());
         self.mesh.positions.len() as u32 - 1

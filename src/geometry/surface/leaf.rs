@@ -11,17 +11,15 @@
 use super::patch_ray::EDGE;
 use super::solids::UnitRay;
 use crate::geometry::bezier::{Jet, Patch, bernstein, bernstein_slopes};
-use crate::geometry::vector::{cross, dot, sub};
+use crate::geometry::vector::{cross, dot, load, splat, sub};
 use fearless_simd::{f64x4, prelude::*};
 use glam::DVec3;
 
 /// The rounding error of distances in leaves and from rays, for a surface of a size about 1.
 const ROUNDING: f64 = 1e-12;
 
-/// The number of rays iterated together.
 pub const QUAD: usize = 4;
 
-/// A part of a patch.
 pub struct Leaf {
     pub patch: Patch<DVec3>,
     middle: Jet<DVec3>,
@@ -65,7 +63,6 @@ impl Leaf {
     }
 }
 
-/// The outcome for four rays.
 pub struct Quad {
     /// The rays that meet the leaf, a bit each.
     pub roots: u32,
@@ -95,13 +92,13 @@ impl Quad {
                 direction[axis][lane] = ray.direction[axis];
             }
         }
-        let (origin, direction) = (load_vectors(simd, &origin), load_vectors(simd, &direction));
+        let (origin, direction) = (load(simd, &origin, 0), load(simd, &direction, 0));
         let Jet {
             point,
             along_u,
             along_v,
         } = leaf.middle;
-        let [along_u, along_v] = [splat(simd, along_u), splat(simd, along_v)];
+        let [along_u, along_v]: [Four<S>; 2] = [splat(simd, along_u), splat(simd, along_v)];
         let from = sub(splat(simd, point), origin);
         let normal = splat(simd, leaf.normal);
         let jacobian = dot(normal, direction);
@@ -185,22 +182,4 @@ fn jet<S: Simd>(simd: S, patch: &Patch<DVec3>, u: f64x4<S>, v: f64x4<S>) -> [Fou
         }
     }
     [point, along_u, along_v]
-}
-
-#[inline(always)]
-fn load_vectors<S: Simd>(simd: S, planes: &[[f64; QUAD]; 3]) -> Four<S> {
-    [
-        f64x4::from_slice(simd, &planes[0]),
-        f64x4::from_slice(simd, &planes[1]),
-        f64x4::from_slice(simd, &planes[2]),
-    ]
-}
-
-#[inline(always)]
-fn splat<S: Simd>(simd: S, v: DVec3) -> Four<S> {
-    [
-        f64x4::splat(simd, v.x),
-        f64x4::splat(simd, v.y),
-        f64x4::splat(simd, v.z),
-    ]
 }

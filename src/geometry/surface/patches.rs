@@ -9,6 +9,7 @@ use super::patch_ray::meet;
 use super::solids::{Meeting, UnitRay};
 use crate::geometry::bezier::Patch;
 use crate::geometry::teapot::TEAPOT;
+use crate::geometry::vector::load;
 use fearless_simd::{f64x8, prelude::*};
 use glam::{DVec2, DVec3};
 use std::array;
@@ -48,7 +49,7 @@ pub fn teapot<S: Simd>(
     let tree = &*TREE;
     let found = tree.nearest(simd, rays, requested);
     let meeting = |ray: usize| {
-        let LeafHit { leaf, uv, .. } = found.0[ray];
+        let LeafHit { leaf, uv, .. } = found[ray];
         let patch = &tree.leaves.get(leaf?)?.patch;
         let s = (patch.at(uv.x, uv.y) - rays[ray].origin).dot(rays[ray].direction);
         Some(Meeting {
@@ -67,16 +68,12 @@ fn box_of(patch: &Patch<DVec3>) -> (DVec3, DVec3) {
         .fold((first, first), |(low, high), &p| (low.min(p), high.max(p)))
 }
 
-/// The point where a ray meets a leaf.
 #[derive(Clone, Copy)]
 struct LeafHit {
     s: f64,
     leaf: Option<usize>,
     uv: DVec2,
 }
-
-/// The nearest meeting of each ray so far.
-struct Found([LeafHit; TOGETHER]);
 
 /// Rays prepared for the test against boxes.
 struct Rays<S: Simd> {
@@ -103,19 +100,9 @@ impl<S: Simd> Rays<S> {
             }
             s_min[k] = ray.s_min;
         }
-        let [ox, oy, oz] = &origin;
-        let [rx, ry, rz] = &reciprocal;
         Self {
-            origin: [
-                f64x8::from_slice(simd, ox),
-                f64x8::from_slice(simd, oy),
-                f64x8::from_slice(simd, oz),
-            ],
-            reciprocal: [
-                f64x8::from_slice(simd, rx),
-                f64x8::from_slice(simd, ry),
-                f64x8::from_slice(simd, rz),
-            ],
+            origin: load(simd, &origin, 0),
+            reciprocal: load(simd, &reciprocal, 0),
             s_min: f64x8::from_slice(simd, &s_min),
         }
     }
@@ -219,17 +206,21 @@ impl Tree {
 
     /// Visits the boxes that the rays enter, nearer ones first, except those behind the nearest meetings so far.
     #[inline(always)]
-    fn nearest<S: Simd>(&self, simd: S, rays: &[UnitRay; TOGETHER], requested: u32) -> Found {
+    fn nearest<S: Simd>(
+        &self,
+        simd: S,
+        rays: &[UnitRay; TOGETHER],
+        requested: u32,
+    ) -> [LeafHit; TOGETHER] {
         /// The largest depth: the tree is halved at every level, so its depth is the logarithm of the number of leaves.
         const DEPTH: usize = 40;
         let lanes = Rays::new(simd, rays);
-        let mut found = Found(
-            [LeafHit {
-                s: f64::INFINITY,
-                leaf: None,
-                uv: DVec2::ZERO,
-            }; TOGETHER],
-        );
+        let nothing = LeafHit {
+            s: f64::INFINITY,
+            leaf: None,
+            uv: DVec2::ZERO,
+        };
+        let mut found = [nothing; TOGETHER];
         let mut s_max = f64x8::splat(simd, f64::INFINITY);
         let mut waiting = [(0, 0); DEPTH];
         let mut count = 0;
@@ -238,7 +229,13 @@ impl Tree {
             let node = &self.nodes[here as usize];
             if among != 0 && node.is_leaf {
                 if self.meet_leaf(simd, rays, node.index as usize, among, &mut found) {
-                    s_max = found.ends(simd);
+                    s_max = f64x8::from_slice(
+                        simd,
+                        &found.map(
+                            #[inline(always)]
+                            |place| place.s,
+                        ),
+                    );
                 }
             } else if among != 0 {
                 let (left, right) = (node.index, node.index + 1);
@@ -277,7 +274,7 @@ impl Tree {
         rays: &[UnitRay; TOGETHER],
         index: usize,
         among: u32,
-        found: &mut Found,
+        found: &mut [LeafHit; TOGETHER],
     ) -> bool {
         let leaf = &self.leaves[index];
         let mut nearer = false;
@@ -288,7 +285,7 @@ impl Tree {
             }
             let quad = Quad::solve(simd, leaf, &rays[first..first + QUAD], requested);
             for lane in 0..QUAD {
-                let (ray, place) = (&rays[first + lane], &mut found.0[first + lane]);
+                let (ray, place) = (&rays[first + lane], &mut found[first + lane]);
                 let met = if quad.roots >> lane & 1 == 1 {
                     let s = quad.s[lane];
                     (s > ray.s_min && s < place.s)
@@ -306,18 +303,6 @@ impl Tree {
             }
         }
         nearer
-    }
-}
-
-impl Found {
-    /// Returns the lengths at which the rays end.
-    #[inline(always)]
-    fn ends<S: Simd>(&self, simd: S) -> f64x8<S> {
-        let mut s = [0.0; TOGETHER];
-        for (s, place) in s.iter_mut().zip(&self.0) {
-            *s = place.s;
-        }
-        f64x8::from_slice(simd, &s)
     }
 }
 

@@ -15,7 +15,6 @@ use std::ops::Range;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Run {
     pub triangle: u32,
-    /// The row within the band.
     pub row: u16,
     pub x0: u16,
     pub x1: u16,
@@ -35,7 +34,6 @@ pub struct Band {
     pub place: BandExtent,
     /// The runs, sorted by row and x if a depth test was made; otherwise by triangle, without gaps in a row.
     pub runs: Vec<Run>,
-    /// True if a depth test was made.
     pub sorted: bool,
     /// For each row the pixels between the first and the last that show the object.
     pub extents: Vec<Range<u32>>,
@@ -50,7 +48,6 @@ pub struct Band {
 pub struct DepthScratch {
     keys: Vec<f32>,
     triangles: Vec<u32>,
-    /// The number of pixels tested.
     drawn: u64,
 }
 
@@ -171,7 +168,6 @@ impl Band {
         same.map(move |runs| (face(&runs[0]), runs))
     }
 
-    /// Clears the coverage.
     fn begin(&mut self, sorted: bool) {
         self.runs.clear();
         self.sorted = sorted;
@@ -250,7 +246,6 @@ impl DepthScratch {
     }
 }
 
-/// The rows of a band.
 pub const ROWS: usize = BAND as usize;
 
 /// The bands of a picture from the top, with their fragments where these are stored.
@@ -271,7 +266,6 @@ impl<'a> Coverage<'a> {
         })
     }
 
-    /// Returns the fragment of a pixel, if it is stored.
     pub fn fragment_at(self, [x, y]: [u32; 2]) -> Option<Fragment> {
         let count = Block::count(self.size[0]);
         let line = self
@@ -280,7 +274,6 @@ impl<'a> Coverage<'a> {
         (x < self.size[0]).then(|| fragment(line, x as usize))
     }
 
-    /// Returns the triangle that a pixel shows.
     pub fn triangle_at(self, [x, y]: [u32; 2]) -> Option<u32> {
         let runs = &self.bands.get((y / BAND) as usize)?.runs;
         let sees = |run: &&Run| {
@@ -307,7 +300,6 @@ pub fn meet(lens: &Lens, surface: &Surface, place: DVec2) -> Option<(DVec3, Surf
     Some((ray.origin + ray.direction * hit.t, hit))
 }
 
-/// Fills the fragments of a band and its extents.
 pub fn meet_band(
     level: Level,
     lens: &Lens,

@@ -17,7 +17,6 @@ pub type Fragment = [f32; 4];
 /// The fragment of a pixel that does not show the object.
 pub const GAP: Fragment = [0.0, 0.0, 0.0, f32::MIN];
 
-/// The component of a fragment that is its depth key.
 const KEY: usize = 3;
 
 /// The pixels of a block: as many as the kernels process at once.
@@ -57,15 +56,6 @@ impl Block {
         }
     }
 
-    /// Writes a fragment at pixel `index`.
-    #[inline(always)]
-    pub fn put(&mut self, index: usize, fragment: Fragment) {
-        for (plane, value) in self.planes.iter_mut().zip(fragment) {
-            plane[index] = value;
-        }
-    }
-
-    /// Loads the lanes of each component.
     #[inline(always)]
     pub fn load<S: Simd>(&self, simd: S) -> [Lanes<S>; 4] {
         let [a, b, c, key] = &self.planes;
@@ -78,7 +68,6 @@ impl Block {
     }
 }
 
-/// Returns the fragment of the pixel in column `x` of a row.
 #[inline(always)]
 pub fn fragment(line: &[Block], x: usize) -> Fragment {
     let Block {
@@ -88,13 +77,13 @@ pub fn fragment(line: &[Block], x: usize) -> Fragment {
     [a[x], b[x], c[x], key[x]]
 }
 
-/// Writes a fragment into column `x` of a row.
 #[inline(always)]
 pub fn put(line: &mut [Block], x: usize, fragment: Fragment) {
-    line[x / PIXELS].put(x % PIXELS, fragment);
+    for (plane, value) in line[x / PIXELS].planes.iter_mut().zip(fragment) {
+        plane[x % PIXELS] = value;
+    }
 }
 
-/// Makes the pixels of these blocks gaps.
 #[inline(always)]
 pub fn open(blocks: &mut [Block]) {
     // Only the key of a gap is ever read.

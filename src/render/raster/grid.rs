@@ -52,7 +52,6 @@ pub fn first_centre(fixed: i32) -> i32 {
 /// The rows of a band: its fragments, 16 bytes per pixel, stay in a core's own cache.
 pub const BAND: u32 = 16;
 
-/// The rows of a band and its width.
 #[derive(Clone, Copy, Default)]
 pub struct BandExtent {
     pub first_row: u32,

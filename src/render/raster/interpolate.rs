@@ -124,9 +124,7 @@ impl<'a, S: Simd> Barycentric<'a, S> {
 
 /// Linear interpolation along the polygon's edges to P and Q on the scan line, then from P to Q (Gouraud 1971).
 struct Span {
-    /// The positions of P and Q.
     x: [f64; 2],
-    /// The values at P and Q.
     values: [[f64; 4]; 2],
 }
 

@@ -17,7 +17,6 @@ use super::transform::{BAND_HEIGHT, MANY, edge_table, edges, is_whole};
 use super::triangles::Triangles;
 use std::collections::HashMap;
 
-/// The crossing of a line with an edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
     /// The x coordinate, in the unit of the positions.
@@ -62,7 +61,6 @@ pub fn crossing_pair(crossings: &[Crossing], x: f64) -> Option<[&Crossing; 2]> {
 pub enum Outline<'a> {
     /// A triangle by itself: a clipped polygon has lost corners, so that its pieces are treated separately.
     Triangle([u32; 3]),
-    /// The whole polygon of this face.
     Polygon(u32, &'a [u32]),
     /// A polygon of many corners, by its edges in each band.
     Many(u32, &'a [Vec<[u32; 2]>]),

@@ -23,7 +23,6 @@ pub struct Placed {
     pub places: Vec<GridPosition>,
     /// The depth key of each, see [`Lens::key_from_depth`].
     pub keys: Vec<f32>,
-    /// The rows of the picture.
     pub rows: u32,
     /// The edges that scan lines cross, computed at first use.
     pub edges: OnceLock<EdgeTable>,
@@ -40,7 +39,6 @@ impl Placed {
             capacity(&self.places) + capacity(&self.keys) + edges.map(capacity).sum::<u64>();
     }
 
-    /// Returns the positions of a triangle's vertices.
     #[inline(always)]
     pub fn corners(&self, [a, b, c]: [u32; 3]) -> [GridPosition; 3] {
         [
@@ -103,7 +101,6 @@ impl Rows {
     }
 }
 
-/// Returns one view component of a point.
 #[inline(always)]
 fn component<S: Simd>(p: V3<Lanes<S>>, [a, b, c, d]: [f32; 4]) -> Lanes<S> {
     p.x.mul_add(
@@ -179,7 +176,6 @@ pub fn is_whole(polygon: &[u32], places: &[GridPosition]) -> bool {
 /// The edges of polygons of many corners, band by band of the rows that they cross; `None` for a clipped polygon.
 pub type EdgeTable = HashMap<u32, Option<Vec<Vec<[u32; 2]>>>>;
 
-/// The height of a band, fixed point.
 pub const BAND_HEIGHT: i32 = BAND.cast_signed() * SUBPIXELS;
 
 /// Builds the table of a model's faces in a picture of `rows` rows.

@@ -31,7 +31,6 @@ pub struct PlacedTriangles {
 
 #[derive(Default)]
 struct Chunk {
-    /// One list for each band.
     bands: Vec<Vec<u32>>,
     /// The triangles for the clipper.
     clip: Vec<u32>,
@@ -190,7 +189,6 @@ impl Triangles<'_> {
         }
     }
 
-    /// Returns the positions of a triangle's vertices.
     #[inline(always)]
     pub fn corners(&self, triangle: u32) -> [GridPosition; 3] {
         self.placed.corners(self.vertices(triangle))
@@ -220,7 +218,6 @@ impl Triangles<'_> {
         }
     }
 
-    /// Returns the face that a triangle belongs to.
     #[inline(always)]
     pub fn face(&self, triangle: u32) -> u32 {
         self.model.faces[self.whole(triangle)]

@@ -20,7 +20,6 @@ use std::ops::Range;
 
 /// The directions from a point: rows times columns.
 const DIRECTIONS: [usize; 2] = [8, 8];
-/// Every ray of a packet.
 const ALL: u32 = u32::MAX >> (32 - RAYS);
 /// The points of the grid along the picture's longer side: light from other surfaces changes over the object, not over pixels.
 const POINTS: usize = 72;
@@ -31,7 +30,6 @@ const WIDTH: f32 = 2.5;
 /// The cells on either side within that distance.
 const NEIGHBOURS: usize = 2;
 
-/// A point to gather at.
 #[derive(Clone, Copy, Debug, Default)]
 struct Receiver {
     /// The position relative to the eye, camera distances.
@@ -299,11 +297,9 @@ fn directions(n: DVec3, salt: usize) -> [DVec3; DIRECTIONS[0] * DIRECTIONS[1]] {
 struct Grid {
     points: Vec<(Receiver, Vec3)>,
     columns: usize,
-    /// The pixels along a cell.
     step: usize,
 }
 
-/// Pixels in lanes.
 struct Pixels<S: Simd> {
     x: Lanes<S>,
     place: V3<Lanes<S>>,

@@ -40,7 +40,6 @@ impl Node {
     }
 }
 
-/// A hierarchy over a model's triangles.
 #[derive(Default)]
 pub struct Bvh {
     pub nodes: Vec<Node>,
@@ -132,7 +131,6 @@ impl Bvh {
         memory.triangles += capacity(&self.nodes) + capacity(&self.corners) + capacity(&self.order);
     }
 
-    /// Returns the height of the lowest corner.
     pub fn lowest(&self) -> f64 {
         self.nodes
             .first()

@@ -2,9 +2,8 @@
 
 use crate::illumination::Reached;
 use fearless_simd::{f32x16, mask32x16, prelude::*};
-use glam::{DVec3, Vec3};
+use glam::DVec3;
 
-/// The rays of a packet.
 pub const RAYS: usize = 16;
 
 /// The rays traced together, relative to the model's origin.
@@ -31,7 +30,6 @@ impl Packet {
     }
 }
 
-/// Returns the rays whose bits are set.
 pub fn rays_of(bits: u32) -> impl Iterator<Item = usize> {
     (0..RAYS).filter(move |ray| bits >> ray & 1 == 1)
 }
@@ -41,7 +39,6 @@ pub fn rays_of(bits: u32) -> impl Iterator<Item = usize> {
 pub struct PointRow {
     /// The origins of the rays before their clearance, relative to the middle of the object's ball, world units.
     pub start: [Vec<f64>; 3],
-    /// The unit normals.
     pub normal: [Vec<f64>; 3],
     /// A bit for each of [`RAYS`] points, set if the point exists.
     pub present: Vec<u32>,
@@ -81,7 +78,6 @@ pub const BLOCK: usize = 4096;
 #[derive(Default)]
 pub struct Visibility {
     pub words: Vec<u64>,
-    /// The words of one block.
     pub block: usize,
     /// The words of one source within a block.
     pub stride: usize,
@@ -110,31 +106,7 @@ impl Visibility {
     }
 }
 
-/// Sixteen vectors in single precision.
 pub type Vectors<S> = [f32x16<S>; 3];
-
-#[inline(always)]
-pub fn splat<S: Simd>(simd: S, v: Vec3) -> Vectors<S> {
-    [
-        f32x16::splat(simd, v.x),
-        f32x16::splat(simd, v.y),
-        f32x16::splat(simd, v.z),
-    ]
-}
-
-#[inline(always)]
-pub fn load_vectors<S: Simd>(
-    simd: S,
-    x: &[f32; RAYS],
-    y: &[f32; RAYS],
-    z: &[f32; RAYS],
-) -> Vectors<S> {
-    [
-        f32x16::from_slice(simd, x),
-        f32x16::from_slice(simd, y),
-        f32x16::from_slice(simd, z),
-    ]
-}
 
 #[inline(always)]
 pub fn bits<S: Simd>(mask: mask32x16<S>) -> u32 {

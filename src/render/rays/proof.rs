@@ -4,8 +4,8 @@
 //! starts outside and ends outside must cross the surface. Margins are wider than the rounding; outside the range of sizes
 //! that they were derived for, the answer is "unknown".
 
-use super::packet::{PointRow, RAYS, Vectors, bits, dot, load_vectors, splat};
-use crate::geometry::{cross, sub};
+use super::packet::{PointRow, RAYS, Vectors, bits, dot};
+use crate::geometry::{cross, load, splat, sub};
 use crate::illumination::area_hull;
 use crate::scene::{AreaShape, Light};
 use fearless_simd::{f32x16, mask32x16, prelude::*};
@@ -74,7 +74,6 @@ pub struct Balls {
     pub inner: f32,
 }
 
-/// Sixteen points.
 pub struct Points<S: Simd> {
     /// The origins of their rays, relative to the middle of the balls.
     from: Vectors<S>,
@@ -117,18 +116,17 @@ impl<S: Simd> Points<S> {
             planes[6][lane] = ((heights[lane] + slopes[lane] * lift).max(least) - ground) as f32;
         }
         let [x, y, z, nx, ny, nz, above] = &planes;
-        let (from, above) = (load_vectors(simd, x, y, z), f32x16::from_slice(simd, above));
+        let (from, above) = (load(simd, &[x, y, z], 0), f32x16::from_slice(simd, above));
         let distance = dot(&from, &from).sqrt();
         Self {
             from,
-            normal: load_vectors(simd, nx, ny, nz),
+            normal: load(simd, &[nx, ny, nz], 0),
             distance,
             error: (distance + balls.outer) * ROUNDINGS,
             above,
         }
     }
 
-    /// Returns the vectors to a source.
     #[inline(always)]
     pub fn way_to(&self, simd: S, target: &Target) -> Vectors<S> {
         let place = target.place.as_vec3();
@@ -139,7 +137,6 @@ impl<S: Simd> Points<S> {
         }
     }
 
-    /// Returns the vectors to a point.
     #[inline(always)]
     fn way_from(&self, simd: S, to: Vec3) -> Vectors<S> {
         sub(splat(simd, to), self.from)

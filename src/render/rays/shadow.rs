@@ -17,7 +17,6 @@ use std::ops::Range;
 /// its ray then starts at the light.
 const FAR_POINT: f64 = 1e9;
 
-/// One light of the scene.
 struct Lamp {
     sources: Range<usize>,
     /// One flag for sources under the floor, and one for sources above it.
@@ -247,7 +246,6 @@ impl<'a> ShadowCaster<'a> {
         }
     }
 
-    /// Tests one light at sixteen points.
     #[inline(always)]
     fn mark_lamp<S: Simd>(
         &self,
@@ -337,7 +335,6 @@ impl<'a> ShadowCaster<'a> {
         }
     }
 
-    /// Follows the queued rays.
     #[inline(always)]
     fn follow<S: Simd>(&self, simd: S, visible: &mut VisibilityMask<'_>, queue: &mut Queue) {
         let count = std::mem::take(&mut queue.count);

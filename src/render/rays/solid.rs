@@ -23,7 +23,6 @@ pub struct Solid<'a> {
     pub level: Level,
     pub model: &'a Model,
     pub bvh: &'a Bvh,
-    /// The true surface, if that is drawn.
     pub surface: Option<&'a Surface>,
     /// True if the normal is interpolated over a polygon.
     pub smooth: bool,

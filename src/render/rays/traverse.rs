@@ -5,10 +5,10 @@
 //! precision, so that the answers depend neither on the SIMD level nor on the grouping of the rays.
 
 use super::bvh::{Bvh, Node, STACK};
-use super::packet::{self, Packet, RAYS, Vectors, bits, load_vectors};
-use crate::geometry::{cross, dot, sub};
+use super::packet::{self, Packet, RAYS, Vectors, bits};
+use crate::geometry::{cross, dot, load, splat, sub};
 use fearless_simd::{f32x16, f64x8, prelude::*};
-use glam::{DVec3, Vec3};
+use glam::Vec3;
 
 /// Half a packet, the lanes of double precision.
 const HALF: usize = RAYS / 2;
@@ -19,8 +19,6 @@ const SEAM: f64 = 1e-9;
 const WIDENING: f64 = 4.0 * f32::EPSILON as f64;
 /// A stand-in for a component of the direction that is 0.
 const LEVEL: f64 = 1e-30;
-
-type Exact<S> = [f64x8<S>; 3];
 
 impl Bvh {
     /// Finds the rays, among those whose bits are set in `requested`, on which anything lies for 0 < t < t_max.
@@ -92,7 +90,6 @@ impl Nearest {
         (self.met >> ray & 1 == 1).then(|| (self.t[ray], self.triangle[ray], weights))
     }
 
-    /// Stores the meetings of half a packet.
     #[inline(always)]
     fn take<S: Simd>(&mut self, met: &Met<S>, requested: u32, first: usize, triangle: u32) -> bool {
         let rays = met.rays & requested >> first;
@@ -265,11 +262,11 @@ impl<S: Simd> Rays<S> {
             errors[1][ray] = error as f32;
         }
         let mut rays = Self {
-            from_low: load_vectors(simd, &low[0], &low[1], &low[2]),
-            from_high: load_vectors(simd, &high[0], &high[1], &high[2]),
-            inverse: load_vectors(simd, &inverse[0], &inverse[1], &inverse[2]),
-            origin: load_vectors(simd, &near[0], &near[1], &near[2]),
-            direction: load_vectors(simd, &way[0], &way[1], &way[2]),
+            from_low: load(simd, &low, 0),
+            from_high: load(simd, &high, 0),
+            inverse: load(simd, &inverse, 0),
+            origin: load(simd, &near, 0),
+            direction: load(simd, &way, 0),
             limit: f32x16::splat(simd, 0.0),
             error: f32x16::from_slice(simd, &errors[0]),
             depth_error: f32x16::from_slice(simd, &errors[1]),
@@ -314,8 +311,8 @@ impl<S: Simd> Rays<S> {
     fn pass_near(&self, simd: S, &[a, b, c]: &[Vec3; 3]) -> u32 {
         let (e1, e2) = (b - a, c - a);
         let longest = e1.length().max(e2.length());
-        let from = sub(self.origin, packet::splat(simd, a));
-        let (e1, e2) = (packet::splat(simd, e1), packet::splat(simd, e2));
+        let from = sub(self.origin, splat(simd, a));
+        let [e1, e2]: [Vectors<S>; 2] = [splat(simd, e1), splat(simd, e2)];
         let (p, q) = (cross(self.direction, e2), cross(from, e1));
         let determinant = packet::dot(&e1, &p);
         let one = f32x16::splat(simd, 1.0).copysign(determinant);
@@ -335,7 +332,6 @@ impl<S: Simd> Rays<S> {
     }
 }
 
-/// The meetings of half a packet with a triangle.
 struct Met<S: Simd> {
     rays: u32,
     t: f64x8<S>,
@@ -368,9 +364,10 @@ fn meet_half<S: Simd>(
     first: usize,
 ) -> Met<S> {
     let [a, b, c] = corners.map(|corner| corner.as_dvec3());
-    let (e1, e2, corner) = (splat(simd, b - a), splat(simd, c - a), splat(simd, a));
-    let direction = half(simd, &packet.direction, first);
-    let origin = half(simd, &packet.origin, first);
+    let [e1, e2, corner]: [[f64x8<S>; 3]; 3] =
+        [splat(simd, b - a), splat(simd, c - a), splat(simd, a)];
+    let direction = load(simd, &packet.direction, first);
+    let origin = load(simd, &packet.origin, first);
     let from = sub(origin, corner);
     let p = cross(direction, e2);
     let determinant = dot(e1, p);
@@ -391,24 +388,6 @@ fn meet_half<S: Simd>(
     }
 }
 
-#[inline(always)]
-fn half<S: Simd>(simd: S, planes: &[[f64; RAYS]; 3], first: usize) -> Exact<S> {
-    [
-        f64x8::from_slice(simd, &planes[0][first..first + HALF]),
-        f64x8::from_slice(simd, &planes[1][first..first + HALF]),
-        f64x8::from_slice(simd, &planes[2][first..first + HALF]),
-    ]
-}
-
-#[inline(always)]
-fn splat<S: Simd>(simd: S, v: DVec3) -> Exact<S> {
-    [
-        f64x8::splat(simd, v.x),
-        f64x8::splat(simd, v.y),
-        f64x8::splat(simd, v.z),
-    ]
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -416,6 +395,7 @@ mod tests {
     use crate::render::model::Model;
     use crate::scene::{NormalSource, Object, ObjectKind, Weighting};
     use fearless_simd::{Level, dispatch};
+    use glam::DVec3;
 
     fn model(kind: ObjectKind) -> Model {
         let mesh = tessellate(&Object {

@@ -36,7 +36,6 @@ struct Wall {
 
 /// The first thing that a ray meets besides the object.
 pub enum Beyond {
-    /// A point of the floor, world.
     Floor(DVec3),
     /// The colour of the wall or the background.
     Elsewhere(Rgb),
@@ -406,7 +405,6 @@ impl World<'_> {
         true
     }
 
-    /// Computes I at the points found.
     #[inline(always)]
     fn light_found<S: Simd>(
         &self,

@@ -249,7 +249,6 @@ impl Account<'_> {
         ]
     }
 
-    /// Returns the terms of the equation, wherever it is evaluated.
     fn equation(&self) -> Vec<Term> {
         let (scene, kept) = (self.scene, !self.plan.leaves_out);
         let count = self.shading_points();
@@ -317,7 +316,6 @@ impl Account<'_> {
         terms
     }
 
-    /// Returns the terms of the equation for one light.
     fn light(
         &self,
         index: usize,
@@ -441,7 +439,6 @@ impl Account<'_> {
         ]
     }
 
-    /// Returns the stage that evaluates the equation.
     fn stage(&self) -> Stage {
         if self.plan.per == Per::Pixel {
             Stage::PixelShading

@@ -24,7 +24,6 @@ use std::ops::Range;
 pub struct Interpolated {
     /// The values that each vertex carries to the pixels: its normal, or its intensity in each part of the picture.
     carried: Vec<Vec<Fragment>>,
-    /// The values carried to each pixel.
     pub fragments: Vec<Block>,
 }
 
@@ -59,7 +58,6 @@ pub struct BandPainter<'a> {
     pub shades: bool,
 }
 
-/// One band's share of the buffers.
 struct BandTask<'a> {
     index: usize,
     band: &'a mut Band,
@@ -183,7 +181,6 @@ impl BandPainter<'_> {
         tally
     }
 
-    /// Carries the vertices' values to every pixel of a band.
     fn interpolate(&self, task: &mut BandTask<'_>, carried: &[Fragment]) {
         let BandTask {
             band, fragments, ..
@@ -335,7 +332,6 @@ impl BandPainter<'_> {
         }
     }
 
-    /// Shades pixels one by one in `f64`.
     fn shade_in_double(
         &self,
         band: &Band,
@@ -382,7 +378,6 @@ fn vectorised<S: Simd>(_: S, work: impl FnOnce()) {
     work();
 }
 
-/// Splits the buffers into bands.
 fn band_tasks<'a>(
     bands: &'a mut [Band],
     fragments: &'a mut [Block],

@@ -36,7 +36,6 @@ impl Inputs<'_> {
         scales
     }
 
-    /// Fades the intensities of points.
     pub fn fade_points(&self, origin: DVec3, position: &Planes, intensity: &mut Planes) {
         let (scales, color) = (
             self.scales(origin, position),
@@ -172,7 +171,6 @@ fn rows<'a>(
         .zip(fragments.chunks(Block::count(width)))
 }
 
-/// Returns s0 at a depth key.
 fn at_key(Inputs { lens, scene, .. }: &Inputs<'_>, key: f32) -> f32 {
     scene
         .depth_cueing

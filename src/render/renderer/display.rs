@@ -74,7 +74,6 @@ pub fn stored(v: f64, encoding: Encoding) -> u8 {
     (encoded * 255.0 + 0.5) as u8
 }
 
-/// Returns the stored pixel of a linear colour.
 pub(crate) fn stored_pixel(color: Rgb, encoding: Encoding) -> [u8; 4] {
     let [r, g, b] = color.to_array().map(|v| stored(v, encoding));
     [r, g, b, 255]
@@ -204,7 +203,6 @@ fn store_line<S: Simd>(
     }
 }
 
-/// Separates colours into one plane for each component.
 #[inline(always)]
 fn separate<S: Simd>(simd: S, colors: &[Linear], planes: &mut [[f32; LANES]; 4]) {
     let quads = colors.chunks_exact(4);

@@ -81,7 +81,6 @@ fn mesh_size(scene: &Scene, model: Option<&Mesh>) -> [u64; 2] {
     }
 }
 
-/// Returns the bytes for the mesh of a single scene.
 fn mesh_bytes(scene: &Scene, model: Option<&Mesh>) -> u64 {
     let [triangles, vertices] = mesh_size(scene, model);
     let rays = scene.shading.shadows
@@ -93,17 +92,11 @@ fn mesh_bytes(scene: &Scene, model: Option<&Mesh>) -> u64 {
 }
 
 /// Checks that the memory to draw a valid scene is available. Call it before drawing, since running out of memory ends the process.
-///
-/// # Errors
-/// The memory is not available.
 pub fn check_memory(scene: &Scene) -> Result<(), TooLarge> {
     check_memory_for(scene, None, 1)
 }
 
 /// Checks that the memory for the meshes of a valid scene is available, in whatever size it is drawn.
-///
-/// # Errors
-/// The memory is not available.
 pub fn check_mesh_memory(scene: &Scene, model: Option<&Mesh>) -> Result<(), TooLarge> {
     let mut small = scene.clone();
     small.image.size = [1, 1];
@@ -112,9 +105,6 @@ pub fn check_mesh_memory(scene: &Scene, model: Option<&Mesh>) -> Result<(), TooL
 
 /// Checks the memory as [`check_memory`] does, for an object that is a `model` from a file, or for several renderers that
 /// keep their meshes at the same time, as in most analyses. With a comparison, the largest of its panes counts.
-///
-/// # Errors
-/// The memory is not available.
 pub fn check_memory_for(
     scene: &Scene,
     model: Option<&Mesh>,

@@ -121,7 +121,6 @@ pub struct FrameReport {
 }
 
 impl FrameReport {
-    /// Starts the report of a frame: no stage has run.
     pub(super) fn begin(&mut self) {
         let run = |stage| StageRun {
             stage,

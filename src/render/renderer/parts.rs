@@ -2,7 +2,7 @@
 
 use super::plan::Inputs;
 use crate::illumination::Equation;
-use crate::scene::{AmbientSource, Ground, Scene};
+use crate::scene::{AmbientSource, Scene};
 use std::ops::Range;
 
 /// A range of a picture's columns, and the kind of ambient light there.
@@ -34,7 +34,6 @@ impl Part {
             .collect()
     }
 
-    /// Returns its equation in double precision.
     pub fn in_double(&self, inputs: &Inputs<'_>) -> Equation<f64> {
         let equation = inputs.equation();
         if self.bounces {
@@ -53,9 +52,4 @@ pub fn bouncing(scene: &Scene) -> Range<usize> {
         AmbientSource::Bounce => 0..width,
         AmbientSource::Split => width.div_ceil(2)..width,
     }
-}
-
-/// Returns the floor's coefficient of the constant ambient light, with or without a bounce.
-pub fn floor_ka(ground: &Ground, bounces: bool) -> f64 {
-    if bounces { 0.0 } else { ground.ka }
 }

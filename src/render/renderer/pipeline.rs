@@ -592,7 +592,6 @@ impl Renderer {
         self.level.unwrap_or_else(Level::new)
     }
 
-    /// Returns the inputs of a frame's steps.
     pub(super) fn inputs<'a>(
         &'a self,
         PlannedFrame {

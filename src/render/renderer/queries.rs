@@ -140,7 +140,6 @@ impl Renderer {
         self.rays.mixture_at(&last, self.coverage(scene), [x, y])
     }
 
-    /// Returns the number of polygons of the last picture's object.
     pub(crate) fn polygon_count(&self) -> usize {
         if self.drawn.is_some() {
             self.model.output.face_count()

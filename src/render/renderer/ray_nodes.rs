@@ -1,7 +1,7 @@
 //! The steps that follow rays, each run only when its inputs have changed: the hierarchy of boxes, the visibility of
 //! lights, the view past the object, and light from other surfaces.
 
-use super::parts::{Part, bouncing, floor_ka};
+use super::parts::{Part, bouncing};
 use super::plan::{Inputs, Per, Plan};
 use crate::render::lens::pixel_centre;
 use crate::render::node::{Memory, Node, capacity};
@@ -60,7 +60,6 @@ impl<'a> Inputs<'a> {
         }
     }
 
-    /// Returns the caster of shadows upon the object.
     fn caster<'b>(&self, bvh: &'b Bvh) -> ShadowCaster<'b>
     where
         'a: 'b,
@@ -239,7 +238,7 @@ impl RayNodes {
                 ),
                 |seen| {
                     for part in parts {
-                        let ka = floor_ka(ground, part.bounces);
+                        let ka = if part.bounces { 0.0 } else { ground.ka };
                         World::new(scene, inputs.hits(bvh), ka, shadows).see_background(
                             coverage,
                             &part.columns,
@@ -284,7 +283,6 @@ impl RayNodes {
         ran
     }
 
-    /// Returns the shadow bits, where there are shadows.
     pub fn visibility(&self, plan: &Plan) -> Option<&Visibility> {
         plan.shadows.then_some(&self.visibility.output)
     }
@@ -339,12 +337,8 @@ impl RayNodes {
         let mut transmission = None;
         if scene.transparency.kt > 0.0 {
             let ray = [(0, hit, lens.ray(place).1.normalize())];
-            let world = World::new(
-                scene,
-                hits,
-                floor_ka(&scene.ground, bounces),
-                inputs.shades_floor(),
-            );
+            let ka = if bounces { 0.0 } else { scene.ground.ka };
+            let world = World::new(scene, hits, ka, inputs.shades_floor());
             world.transmit(&ray, &mut LightScratch::default(), |_, told| {
                 transmission = Some(told);
             });

@@ -47,7 +47,6 @@ impl WeightedPoint<'_> {
 }
 
 impl Evaluation<'_> {
-    /// Returns I at the pixel, before the display.
     pub fn intensity(&self, equation: &Equation<f64>) -> Rgb {
         self.points
             .iter()
@@ -63,7 +62,6 @@ impl Evaluation<'_> {
             .sum()
     }
 
-    /// Returns s0 at the pixel.
     pub fn scale(&self) -> f64 {
         self.points.iter().map(|at| at.weight * at.scale).sum()
     }
@@ -145,7 +143,6 @@ impl<'a> Inputs<'a> {
         (self.plan.cued != Cued::Nowhere).then_some(self.scene.depth_cueing.color)
     }
 
-    /// Returns the corners of a face, each with the weight 1.
     pub fn corner_points(&self, face: u32) -> Vec<WeightedPoint<'a>> {
         self.model()
             .face(face)
@@ -187,7 +184,6 @@ impl<'a> Inputs<'a> {
         WeightedPoint { weight, ..point }
     }
 
-    /// Returns a point of weight 1.
     fn point(
         &self,
         point: DVec3,
@@ -203,7 +199,6 @@ impl<'a> Inputs<'a> {
         }
     }
 
-    /// Returns the sources that reach a pixel.
     fn visible_at_pixel(&self, place: DVec2) -> Option<Reached<'a>> {
         let visibility = self.visibility.filter(|_| self.plan.per == Per::Pixel)?;
         visibility.at(place.y as usize, place.x as usize)

@@ -13,7 +13,6 @@ use glam::DVec3;
 use rayon::prelude::*;
 use std::ops::Range;
 
-/// The square of [`SHORTEST_NORMAL`].
 const SHORTEST_SQUARED: f32 = (SHORTEST_NORMAL * SHORTEST_NORMAL) as f32;
 
 /// A source of pixels' colours from their fragments.

@@ -11,15 +11,6 @@ use std::mem::take;
 const LEAST_USE: f64 = 0.5;
 
 impl Renderer {
-    /// Discards every output, so that the next picture is drawn from nothing. Buffers are kept.
-    pub fn invalidate(&mut self) {
-        self.mesh.forget();
-        self.model.forget();
-        self.faces.forget();
-        self.surface.forget();
-        self.redraw();
-    }
-
     /// Discards every output but the geometry's: the next picture is transformed, covered and shaded anew.
     pub fn redraw(&mut self) {
         self.placed.forget();
