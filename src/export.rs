@@ -14,7 +14,8 @@ pub use glsl::glsl_330;
 pub use limit::Limit;
 
 use crate::geometry::{Mesh, VertexMesh};
-use crate::scene::{NormalSource, Scene, ShadingMode};
+use crate::render::Plan;
+use crate::scene::Scene;
 use crate::text::Message;
 use std::path::{Path, PathBuf};
 
@@ -63,9 +64,5 @@ pub enum ExportError {
 
 /// Returns the mesh with the vertex normals with which the scene's shading mode evaluates the equation.
 pub fn export_mesh(scene: &Scene, mesh: &Mesh) -> VertexMesh {
-    let source = match scene.shading.mode {
-        ShadingMode::Interpolated => NormalSource::Facet,
-        _ => scene.object.normal_source(),
-    };
-    mesh.with_vertex_normals(source, scene.object.weighting)
+    mesh.with_vertex_normals(Plan::normals(scene), scene.object.weighting)
 }

@@ -294,32 +294,3 @@ pub fn filled(key: &str, values: &[(&'static str, Value<'_>)]) -> String {
     let text = catalogue().fill(key, Some(&variables));
     text.unwrap_or_else(|| key.to_owned())
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_message_is_in_the_language_chosen() {
-        assert_eq!(text!("language-system"), "System");
-        in_language(Language::TraditionalChinese, || {
-            assert_eq!(text!("language-system"), "系統");
-        });
-        assert_eq!(language(), Language::English);
-        assert_eq!(text!("no-such-key"), "no-such-key");
-    }
-
-    #[test]
-    fn chinese_locales_are_chinese() {
-        for (locale, language) in [
-            ("zh_TW.UTF-8", Language::TraditionalChinese),
-            ("zh-Hant-HK", Language::TraditionalChinese),
-            ("zh", Language::TraditionalChinese),
-            ("en_GB", Language::English),
-            ("C", Language::English),
-            ("", Language::English),
-        ] {
-            assert_eq!(Language::from_locale(locale), language, "{locale}");
-        }
-    }
-}

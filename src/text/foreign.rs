@@ -54,38 +54,3 @@ fn written_out(text: &str, escape: impl Fn(char) -> String) -> String {
 pub fn turns(c: char) -> bool {
     matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn nothing_of_what_a_terminal_acts_on_is_left() {
-        let all: String = ('\0'..='\u{ffff}').collect();
-        let acts = |c: char| (c.is_control() && c != '\n' && c != '\t') || turns(c);
-        for text in [escaped(&all), escaped_json(&all)] {
-            assert!(!text.contains(acts));
-        }
-        assert!(escaped(&all).contains("\\u{9b}") && escaped(&all).contains("\\u{202e}"));
-        // Harmless characters are unchanged.
-        let plain = "θ = 30°, “中文” é 👩‍🔬\n\tn\\x";
-        assert_eq!(escaped(plain), plain);
-    }
-
-    #[test]
-    fn escaped_json_says_the_same() {
-        let value = serde_json::json!({ "a\u{9b}": "\u{7f}\u{1b}[31m\u{202e}\"\\" });
-        let json = escaped_json(&value.to_string());
-        assert!(!json.contains(['\u{9b}', '\u{7f}', '\u{202e}']));
-        assert_eq!(
-            serde_json::from_str::<serde_json::Value>(&json).ok(),
-            Some(value)
-        );
-    }
-
-    #[test]
-    fn a_long_text_is_cut() {
-        assert_eq!(excerpt("é".repeat(200).as_str()), "é".repeat(200));
-        assert_eq!(excerpt("é".repeat(201).as_str()), "é".repeat(200) + "…");
-    }
-}

@@ -18,22 +18,3 @@ pub fn fixed(value: f64, decimals: usize) -> String {
         &text
     })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::fixed;
-
-    #[test]
-    fn a_number_has_a_minus_sign_but_not_before_zero() {
-        for (value, text) in [
-            (-1.25, "−1.250"),
-            (-0.0, "0.000"),
-            (-0.0004, "0.000"),
-            (0.0006, "0.001"),
-            (f64::NEG_INFINITY, "−∞"),
-            (f64::NAN, "NaN"),
-        ] {
-            assert_eq!(fixed(value, 3), text);
-        }
-    }
-}

@@ -1,6 +1,6 @@
 //! Files written whole or not at all, and the path of a model in a scene file.
 
-use shading_lab::document::{SaveError, save_scene, write_whole};
+use shading_lab::document::{SaveError, ending, load_bytes, save_scene, write_whole};
 use shading_lab::scene::Scene;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -120,5 +120,67 @@ fn a_model_beside_the_scene_is_written_relative_and_another_absolute() {
             Scene::parse(&text, "").expect("sound").object.path,
             Some(expected)
         );
+    }
+}
+
+#[test]
+fn a_file_is_named_by_its_end() {
+    for (path, expected) in [
+        ("x.toml", Some("toml")),
+        ("/a.b/x.OBJ", Some("obj")),
+        ("x.toml/.", None),
+        ("x.toml/", None),
+        ("x.toml/./", None),
+        ("x.toml\\.", None),
+        ("x.toml.", Some("")),
+        ("x.toml ", Some("toml ")),
+        ("x.toml::$DATA", Some("toml::$data")),
+        (".toml", None),
+        ("toml", None),
+        ("", None),
+    ] {
+        assert_eq!(ending(Path::new(path)).as_deref(), expected, "{path}");
+    }
+}
+
+#[test]
+fn a_path_in_a_file_stays_on_this_machine() {
+    let refused = |path: &str| {
+        let scene = format!("[object]\nkind = \"obj\"\npath = '{path}'\n");
+        let error = load_bytes("scene.toml", scene.into(), &[] as &[&str], &mut |_, _| {});
+        let error = error.expect_err("no such file").to_string();
+        error.contains(english!("document-elsewhere"))
+    };
+    for path in [
+        "a.obj",
+        "../a/b.obj",
+        "/home/ada/a.obj",
+        "C:\\Users\\ada\\a.obj",
+        "console.obj",
+        "com/x.obj",
+        "compass.obj",
+        "com10.obj",
+    ] {
+        assert!(!refused(path), "{path}");
+    }
+    for path in [
+        "\\\\host\\share\\a.obj",
+        "//host/share/a.obj",
+        "\\/host/a.obj",
+        "/\\host\\a.obj",
+        "\\\\?\\C:\\a.obj",
+        "\\\\?\\UNC\\host\\share\\a.obj",
+        "\\\\.\\COM1",
+        "\\??\\C:\\a.obj",
+        "nul",
+        "NUL.obj",
+        "a\\con.obj",
+        "C:/x/aux .obj",
+        "CONIN$",
+        "Com1.obj",
+        "lpt9:",
+        "com².obj",
+    ] {
+        assert!(refused(path), "{path}");
     }
 }

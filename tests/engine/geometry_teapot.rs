@@ -117,6 +117,42 @@ fn neighbouring_patches_share_their_edges_and_only_the_six_openings_are_open() {
     }
 }
 
+/// Returns the points of the 32 patches, each with those of its faces in their order.
+fn patches(mesh: &Mesh) -> Vec<Vec<DVec3>> {
+    let per_patch = mesh.face_count() / 32;
+    let faces: Vec<usize> = (0..mesh.face_count()).collect();
+    let patch = |faces: &[usize]| faces.iter().flat_map(|f| points(mesh, *f)).collect();
+    faces.chunks(per_patch).map(patch).collect()
+}
+
+#[test]
+fn body_and_lid_have_fourfold_symmetry_and_handle_and_spout_are_mirrored() {
+    let patches = patches(&mesh(8, 8));
+    let axis = DVec3::X * (-0.217 / 3.35);
+    for (first, sense) in [
+        (0, 1.0),
+        (4, 1.0),
+        (8, 1.0),
+        (20, 1.0),
+        (24, 1.0),
+        (28, -1.0),
+    ] {
+        for patch in first..first + 3 {
+            for (p, next) in patches[patch].iter().zip(&patches[patch + 1]) {
+                let turned = DVec3::new(-sense * p.z, p.y, sense * (p.x - axis.x)) + axis;
+                assert!(turned.distance(*next) < 1e-6, "patch {patch}");
+            }
+        }
+    }
+    for first in [12, 14, 16, 18] {
+        for p in &patches[first] {
+            let mirrored = *p * DVec3::new(1.0, 1.0, -1.0);
+            let distances = patches[first + 1].iter().map(|q| q.distance(mirrored));
+            assert!(distances.fold(1.0, f64::min) < 1e-6, "patch {first}");
+        }
+    }
+}
+
 #[test]
 fn all_patches_face_outwards() {
     let (segments, rings) = (32, 32);

@@ -32,6 +32,10 @@ fn round_trip(scene: &Scene, origin: Option<&str>) -> String {
     };
     let Written { link, left_out } = write("https://example.org/lab/", scene, origin, &shown)
         .unwrap_or_else(|error| panic!("{error}\n{}", scene.to_toml()));
+    assert!(
+        link.is_ascii() && link.ends_with(|c: char| c.is_ascii_alphanumeric()),
+        "{link}"
+    );
     let back = read(&link).unwrap_or_else(|error| panic!("{error}\n{link}"));
     let mut sent = scene.clone();
     sent.object.path = None;
@@ -292,7 +296,7 @@ fn a_bad_link_is_refused_by_its_key_and_place() {
     let cut = packed("version = 1\n[material]\nn = 5\n");
     let many = format!("?{}", "set=material.n=5&".repeat(600));
     let said = |key: &str| english!("problem-value", found = "|", expected = english!(key));
-    let meant = |name: &str| english!("link-did-you-mean", name = name);
+    let meant = |name: &str| english!("document-did-you-mean", name = name);
     let negative = packed("version = 1\n[material]\nn = -5\n");
     let long = format!("?{}", "x".repeat(3 << 20));
     for (link, place, words) in [
@@ -323,6 +327,10 @@ fn a_bad_link_is_refused_by_its_key_and_place() {
             "6 set",
             english!("link-not-encoded"),
         ),
+        ("?set=%4", "6 set", english!("link-not-encoded")),
+        ("?set=ab%zz", "8 set", english!("link-not-encoded")),
+        ("?set=%+1", "6 set", english!("link-not-encoded")),
+        ("?set=%é", "6 set", english!("link-not-encoded")),
         ("?lights=1001", "2 lights", "0 to 1000"),
         ("?lights=-1", "2 lights", "\"-1\""),
         ("?pane=camera.fov_y=20", "2 compare.pane.0.set.0", "fov_y"),
@@ -344,6 +352,8 @@ fn a_bad_link_is_refused_by_its_key_and_place() {
             english!("link-beside-file"),
         ),
         ("#scene=ab+/", "2 #scene", english!("link-not-base64")),
+        ("#scene=Z", "2 #scene", english!("link-not-base64")),
+        ("#scene=Zm 9", "2 #scene", english!("link-not-base64")),
         (
             &cut[..cut.len() - 8],
             "2 #scene",
