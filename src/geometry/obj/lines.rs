@@ -1,7 +1,7 @@
 //! A model's file as lines, and its errors.
 
 use crate::text::text;
-use std::io::{self, BufRead};
+use std::io::{self, BufRead, Read};
 
 /// The reason why a model could not be read. The message says what is wrong and what was expected, [`ObjError::line`] where.
 #[derive(Debug, thiserror::Error)]
