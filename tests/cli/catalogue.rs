@@ -8,7 +8,7 @@ use shading_lab::analysis::study::Method;
 use shading_lab::lesson::LESSONS;
 use shading_lab::scene::Choice;
 use shading_lab::scene::parameter::Parameter;
-use shading_lab::scene::presets;
+use shading_lab::scene::{materials, presets};
 use shading_lab::text::{FILES, Language, chinese_font};
 use skrifa::{FontRef, MetadataProvider};
 use std::collections::{BTreeMap, BTreeSet};
@@ -170,11 +170,12 @@ fn every_message_that_is_used_is_there_with_the_variables_it_is_given() {
 }
 
 /// Families of messages whose keys are composed of names in the code.
-const DERIVED: [&str; 8] = [
+const DERIVED: [&str; 9] = [
     "parameter-",
     "choice-",
     "scene-",
     "topic-",
+    "material-",
     "engine-case-",
     COMMAND_LINE,
     // Commands check theirs where they are defined.
@@ -206,6 +207,8 @@ fn derived() -> BTreeSet<String> {
             format!("topic-{}", preset.topic),
         ]
     });
+    let materials = materials::NAMED.iter();
+    let materials = materials.map(|material| format!("material-{}", material.name));
     let cases = stability_cases().flat_map(|case| {
         let name = format!("engine-case-{}", case.name);
         ["", ".naive", ".engine"].map(|part| format!("{name}{part}"))
@@ -213,6 +216,7 @@ fn derived() -> BTreeSet<String> {
     parameters
         .chain(options)
         .chain(scenes)
+        .chain(materials)
         .chain(cases)
         .collect()
 }
