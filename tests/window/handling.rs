@@ -166,6 +166,25 @@ fn at_projector_size_the_object_stays_wholly_visible_beside_any_panel() {
 }
 
 #[test]
+fn the_welcome_makes_way_for_what_is_opened_at_every_size() {
+    for points in [
+        [1280.0, 800.0],
+        [1024.0, 768.0],
+        [550.0, 412.0],
+        [390.0, 844.0],
+    ] {
+        let stored = Appearance::default();
+        let mut harness = window_looking(built_in(DEFAULT), points, &stored, App::with_welcome);
+        harness.run_steps(3);
+        assert!(harness.state().state().window.welcome, "{points:?}");
+        press(&mut harness, "view-line");
+        let window = &harness.state().state().window;
+        assert!(window.shows(ViewName::Profile), "{points:?}");
+        assert!(!window.welcome && window.appearance.welcomed, "{points:?}");
+    }
+}
+
+#[test]
 fn a_right_click_offers_what_can_be_done_there() {
     let mut harness = window("sphere");
     let at = picture_place(&harness).center();

@@ -54,6 +54,11 @@ impl WindowState {
     pub fn show_view(&mut self, view: ViewName) {
         (self.appearance.views, self.appearance.view) = (true, view);
     }
+
+    /// Closes the welcome for good.
+    pub fn end_welcome(&mut self) {
+        (self.welcome, self.appearance.welcomed) = (false, true);
+    }
 }
 
 /// A window as a figure in another page.

@@ -18,8 +18,10 @@ use eframe::egui::{Align, Button, Key, Layout, Modifiers, RichText, ScrollArea, 
 
 /// The maximum number of entries on offer.
 const MOST: usize = 12;
-/// The price of a word that is only in an entry's help, in letters mistyped.
-const IN_HELP: usize = 8;
+/// The distance added where a word is only in an entry's help.
+const IN_HELP: usize = 1;
+/// The distance added for a word with a typing error: more than any other words come to.
+const MISTYPED: usize = 1000;
 
 /// The state of the search.
 #[derive(Default)]
@@ -43,9 +45,9 @@ struct Entry {
     name: String,
     /// What kind of thing it is, or the key that does it.
     kind: String,
-    /// Its names and its help in all languages, in lower case.
+    /// Its names in all languages, and the same with its help, in lower case.
     names: Vec<String>,
-    help: Vec<String>,
+    with_help: Vec<String>,
     action: Action,
 }
 
@@ -66,7 +68,7 @@ impl Entry {
         Self {
             kind: kind.to_owned(),
             names: in_all(&name),
-            help: in_all(&help),
+            with_help: in_all(&|| format!("{} {}", name(), help())),
             name: name(),
             action,
         }
@@ -74,25 +76,19 @@ impl Entry {
 
     /// Returns how far the entry is from what is `sought`, or `None` if it is something else. Each word has to be there.
     fn distance(&self, sought: &str) -> Option<usize> {
-        let in_one = |name: &String| -> Option<usize> {
+        let in_one = |text: &String| -> Option<usize> {
             let words = sought.split_whitespace();
-            words.map(|word| distance(word, name)).sum()
+            words.map(|word| distance(word, text)).sum()
         };
-        let in_names = self.names.iter().filter_map(in_one).min();
-        in_names.or_else(|| {
-            let mut helps = self.help.iter().zip(&self.names);
-            let has_all = |(help, name): (&String, &String)| {
-                let mut words = sought.split_whitespace();
-                words.all(|word| help.contains(word) || name.contains(word))
-            };
-            helps.any(has_all).then_some(IN_HELP)
-        })
+        let in_names = self.names.iter().filter_map(in_one);
+        let in_help = self.with_help.iter().filter_map(in_one);
+        in_names.chain(in_help.map(|far| far + IN_HELP)).min()
     }
 }
 
-/// Returns how far `word` is from a word of `name`: 0 for the same, 1 for the beginning, 2 for a part, more for each letter
-/// mistyped.
-fn distance(word: &str, name: &str) -> Option<usize> {
+/// Returns how far `word` is from a word of `text`: 0 for the same, 1 for the beginning, 2 for a part, [`MISTYPED`] and more
+/// for each letter mistyped.
+fn distance(word: &str, text: &str) -> Option<usize> {
     let length = word.chars().count();
     let separate = |c: char| !c.is_alphanumeric();
     let near = |known: &str| {
@@ -103,10 +99,10 @@ fn distance(word: &str, name: &str) -> Option<usize> {
             return Some(1);
         }
         let mistyped = strsim::osa_distance(word, known);
-        (length >= 3 && mistyped <= (length + 1) / 4).then_some(2 + mistyped)
+        (length >= 3 && mistyped <= (length + 1) / 4).then_some(MISTYPED + mistyped)
     };
-    let nearest = name.split(separate).filter_map(near).min();
-    nearest.or_else(|| name.contains(word).then_some(2))
+    let inside = text.contains(word).then_some(2);
+    text.split(separate).filter_map(near).chain(inside).min()
 }
 
 /// Returns everything that can be found: commands, views, settings, letters, scenes and lessons.
@@ -158,13 +154,19 @@ fn entries() -> Vec<Entry> {
     entries
 }
 
-/// Returns the entries that are sought, the nearest first.
+/// Returns the entries that are sought, the nearest first. Typing errors are forgiven where nothing is found without.
 fn ranked<'a>(entries: &'a [Entry], sought: &str) -> Vec<&'a Entry> {
     let distances = entries
         .iter()
         .filter_map(|entry| Some((entry.distance(sought)?, entry)));
     let mut found: Vec<_> = distances.collect();
     found.sort_by_key(|(distance, _)| *distance);
+    if found
+        .first()
+        .is_some_and(|(nearest, _)| *nearest < MISTYPED)
+    {
+        found.retain(|(distance, _)| *distance < MISTYPED);
+    }
     found.truncate(MOST);
     found.into_iter().map(|(_, entry)| entry).collect()
 }
@@ -249,6 +251,7 @@ mod tests {
             ("fog", "Seek(\"depth_cueing.by\")"),
             ("mist", "Seek(\"depth_cueing.by\")"),
             ("fgo", "Seek(\"depth_cueing.by\")"),
+            ("fogg", "Seek(\"depth_cueing.by\")"),
             ("exponent", "Seek(\"material.n\")"),
             ("normal", "SeekSymbol(Normal)"),
             ("法線", "SeekSymbol(Normal)"),
@@ -266,6 +269,17 @@ mod tests {
     fn what_is_nowhere_is_not_found() {
         for sought in ["xyzzy", "undo xyzzy", "qqqqqqqq"] {
             assert!(first(sought).is_empty(), "{sought}");
+        }
+    }
+
+    #[test]
+    fn nothing_that_resembles_stands_beside_what_was_meant() {
+        let entries = entries();
+        let found = ranked(&entries, "fog");
+        assert!(!found.is_empty());
+        for entry in found {
+            let texts = entry.with_help.concat();
+            assert!(texts.contains("fog"), "{:?}", entry.action);
         }
     }
 }

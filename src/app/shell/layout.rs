@@ -48,8 +48,8 @@ const LOWEST: f32 = 380.0;
 /// The layout's memory of the last frame.
 #[derive(Debug, Default)]
 pub struct Layout {
-    /// True if the controls, and if a view, were open in the last frame.
-    open: [bool; 2],
+    /// Whether the controls were open in the last frame, and which view; `None` before the first.
+    open: Option<(bool, Option<ViewName>)>,
     /// True if the window is higher than wide. Unchanged while text is edited, so that a field keeps its
     /// place when a phone's keyboard makes the window lower.
     tall: bool,
@@ -118,7 +118,7 @@ impl Layout {
             });
         }
         state.window.appearance.controls |= symbol::opens_controls(ui.ctx());
-        // A card over the picture leaves no space for a drawer.
+        // The welcome leaves no space for a drawer.
         if narrow && state.window.welcome {
             (
                 state.window.appearance.controls,
@@ -173,12 +173,22 @@ impl Layout {
     /// lesson or answers handed in. It opens again when there is space.
     fn make_room(&mut self, window: &mut WindowState, course: &Course, size: Vec2) {
         let open = [window.appearance.controls, window.appearance.views];
+        let view = |window: &WindowState| {
+            let appearance = &window.appearance;
+            appearance.views.then_some(appearance.view)
+        };
+        // The welcome makes way for what is opened.
+        let opened =
+            |(controls, last): (bool, _)| open[0] && !controls || open[1] && view(window) != last;
+        if self.open.is_some_and(opened) {
+            window.end_welcome();
+        }
         let beside = size.x < NARROW || !views::stands_below(window);
         if open == [true, true] && beside && panel_room(size) < CONTROLS + PANEL {
             let reads = window.shows(ViewName::Course) && course.heading().is_some();
             let controls_first = match self.open {
-                [true, false] => true,
-                [false, true] => false,
+                Some((true, None)) => true,
+                Some((false, Some(_))) => false,
                 _ => reads,
             };
             (window.appearance.controls, window.appearance.views) =
@@ -195,7 +205,7 @@ impl Layout {
                 _ => {}
             }
         }
-        self.open = [window.appearance.controls, window.appearance.views];
+        self.open = Some((window.appearance.controls, view(window)));
     }
 }
 

@@ -16,8 +16,7 @@ use std::sync::Arc;
 impl AppState {
     /// Opens a lesson at the step where it was left.
     pub fn open_lesson(&mut self, lesson: Arc<Lesson>, built_in: bool) {
-        self.window.welcome = false;
-        self.window.appearance.welcomed = true;
+        self.window.end_welcome();
         self.leave_view();
         let step = self.course.begin(lesson, built_in);
         // The step's own controls are beside its text.

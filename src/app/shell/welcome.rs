@@ -7,8 +7,8 @@ use crate::app::widgets::focus::heading;
 use crate::text::text;
 use eframe::egui::{Button, Panel, RichText, Ui};
 
-/// Shows a card below the picture, which is fitted into what is left, until one of its buttons is clicked. In a `low` window
-/// the buttons stand alone.
+/// Shows a card below the picture, which is fitted into what is left, until one of its buttons is clicked or a panel
+/// is opened. In a `low` window the buttons stand alone.
 pub fn welcome_ui(ui: &mut Ui, window: &mut WindowState, requests: &mut Requests, low: bool) {
     if !window.welcome {
         return;
@@ -36,8 +36,7 @@ fn card_ui(ui: &mut Ui, window: &mut WindowState, requests: &mut Requests, low: 
         ];
         for (button, action) in ways {
             if ui.add(button).clicked() {
-                window.welcome = false;
-                window.appearance.welcomed = true;
+                window.end_welcome();
                 requests.extend(action);
             }
         }
