@@ -14,7 +14,6 @@
 //! ```
 
 use crate::text::{excerpt, text};
-use std::cmp::Ordering;
 
 /// Maximum nesting depth of parentheses, signs, powers and calls.
 const DEPTH: usize = 64;
@@ -47,22 +46,13 @@ pub enum Part {
 
 /// Meaning of the names in an expression.
 pub trait Quantities {
-    /// Returns the value of a quantity, given its name and the path to a part of it.
-    ///
-    /// # Errors
-    /// The reason why there is none, in words.
+    /// Returns the value of a quantity, given its name and the path to a part of it, or the reason why there is none.
     fn quantity(&self, name: &str, parts: &[Part]) -> Result<Value, String>;
 
-    /// Calls `todo` with the quantities under other settings.
-    ///
-    /// # Errors
-    /// Invalid settings, or the error of `todo`.
+    /// Calls `todo` with the quantities under other settings; an error for invalid settings, or that of `todo`.
     fn with(&self, settings: &str, todo: Todo<'_>) -> Result<Value, String>;
 
-    /// Calls `todo` with the quantities at another place.
-    ///
-    /// # Errors
-    /// The error of `todo`.
+    /// Calls `todo` with the quantities at another place; an error is that of `todo`.
     fn at(&self, x: f64, y: f64, todo: Todo<'_>) -> Result<Value, String>;
 }
 
@@ -100,105 +90,112 @@ enum Node {
 }
 
 impl Node {
-    fn size(&self) -> usize {
-        let all = |parts: &[Self]| parts.iter().map(Self::size).sum();
-        1 + match self {
-            Self::Call(_, parts) => all(parts),
-            Self::With(_, inner) => inner.size(),
-            Self::At(parts) => all(&**parts),
-            _ => 0,
+    fn parts(&self) -> &[Self] {
+        match self {
+            Self::Call(_, parts) => parts,
+            Self::With(_, inner) => std::slice::from_ref(inner),
+            Self::At(parts) => &**parts,
+            Self::Number(_) | Self::Quantity(..) => &[],
         }
+    }
+
+    fn size(&self) -> usize {
+        1 + self.parts().iter().map(Self::size).sum::<usize>()
     }
 
     /// Returns the number of operations evaluated one inside the other.
     fn depth(&self) -> usize {
-        let deepest = |parts: &[Self]| parts.iter().map(Self::depth).max().unwrap_or(0);
-        1 + match self {
-            Self::Call(_, parts) => deepest(parts),
-            Self::With(_, inner) => inner.depth(),
-            Self::At(parts) => deepest(&**parts),
-            _ => 0,
-        }
+        1 + self.parts().iter().map(Self::depth).max().unwrap_or(0)
     }
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Function {
-    Add,
-    Subtract,
-    Multiply,
-    Divide,
-    Power,
-    Negate,
-    Less,
-    AtMost,
-    Greater,
-    AtLeast,
-    Equal,
-    Differs,
+/// A function or an operator with its name, which no other has.
+#[derive(Clone, Copy, Debug)]
+struct Function(&'static str, Operation);
+
+impl PartialEq for Function {
+    fn eq(&self, other: &Self) -> bool {
+        self.0 == other.0
+    }
+}
+
+#[derive(Clone, Copy, Debug)]
+enum Operation {
+    One(fn(f64) -> f64),
+    Two(fn(f64, f64) -> f64),
+    Compare(fn(f64, f64) -> bool),
     And,
     Or,
     Not,
-    Abs,
-    Sqrt,
-    Min,
-    Max,
-    Sum,
-    Mean,
-    Exp,
-    Log,
-    Round,
-    Sin,
-    Cos,
-    Tan,
-    Asin,
-    Acos,
-    Atan,
+    /// Of the numbers of a list, at least one.
+    List(fn(&[f64]) -> f64),
+    /// Of the numbers of any arguments, at least one.
+    All(fn(&[f64]) -> f64),
     Luminance,
     Dot,
-    Length,
 }
 
-use Function::*;
+use Operation::*;
+
+const ADD: Function = Function("+", Two(|a, b| a + b));
+const SUBTRACT: Function = Function("-", Two(|a, b| a - b));
+const MULTIPLY: Function = Function("*", Two(|a, b| a * b));
+const DIVIDE: Function = Function("/", Two(|a, b| a / b));
+const POWER: Function = Function("^", Two(f64::powf));
+const NEGATE: Function = Function("negate", One(|x| -x));
+const SQRT: Function = Function("sqrt", One(f64::sqrt));
+const AND: Function = Function("and", And);
+const OR: Function = Function("or", Or);
+const NOT: Function = Function("not", Not);
 
 /// Functions called by name.
-const NAMED: [(&str, Function); 18] = [
-    ("abs", Abs),
-    ("sqrt", Sqrt),
-    ("min", Min),
-    ("max", Max),
-    ("sum", Sum),
-    ("mean", Mean),
-    ("exp", Exp),
-    ("log", Log),
-    ("round", Round),
-    ("sin", Sin),
-    ("cos", Cos),
-    ("tan", Tan),
-    ("asin", Asin),
-    ("acos", Acos),
-    ("atan", Atan),
-    ("luminance", Luminance),
-    ("dot", Dot),
-    ("length", Length),
+const NAMED: [Function; 18] = [
+    SQRT,
+    Function("abs", One(f64::abs)),
+    Function(
+        "min",
+        All(|all| all.iter().copied().fold(f64::INFINITY, f64::min)),
+    ),
+    Function(
+        "max",
+        All(|all| all.iter().copied().fold(f64::NEG_INFINITY, f64::max)),
+    ),
+    Function("sum", All(|all| all.iter().sum())),
+    Function(
+        "mean",
+        All(|all| all.iter().sum::<f64>() / all.len() as f64),
+    ),
+    Function("exp", One(f64::exp)),
+    Function("log", One(f64::ln)),
+    Function("round", One(f64::round)),
+    Function("sin", One(|x| x.to_radians().sin())),
+    Function("cos", One(|x| x.to_radians().cos())),
+    Function("tan", One(|x| x.to_radians().tan())),
+    Function("asin", One(|x| x.asin().to_degrees())),
+    Function("acos", One(|x| x.acos().to_degrees())),
+    Function("atan", One(|x| x.atan().to_degrees())),
+    Function("luminance", Luminance),
+    Function("dot", Dot),
+    Function(
+        "length",
+        List(|all| all.iter().map(|x| x * x).sum::<f64>().sqrt()),
+    ),
 ];
 
+/// Comparisons by their signs; 0 and −0 are equal.
 const COMPARISONS: [(&str, Function); 8] = [
-    ("<=", AtMost),
-    ("≤", AtMost),
-    (">=", AtLeast),
-    ("≥", AtLeast),
-    ("==", Equal),
-    ("!=", Differs),
-    ("<", Less),
-    (">", Greater),
+    ("<=", Function("<=", Compare(|a, b| a <= b))),
+    ("≤", Function("<=", Compare(|a, b| a <= b))),
+    (">=", Function(">=", Compare(|a, b| a >= b))),
+    ("≥", Function(">=", Compare(|a, b| a >= b))),
+    ("==", Function("==", Compare(|a, b| a == b))),
+    ("!=", Function("!=", Compare(|a, b| a != b))),
+    ("<", Function("<", Compare(|a, b| a < b))),
+    (">", Function(">", Compare(|a, b| a > b))),
 ];
 
 impl Expression {
-    /// Parses an expression.
-    ///
-    /// # Errors
-    /// A description of the error, with its position in the text.
+    /// Parses an expression; the error says what is wrong and where.
     pub fn read(text: &str) -> Result<Self, String> {
         if text.len() > MOST {
             return Err(text!("expression-too-long", most = MOST));
@@ -220,18 +217,13 @@ impl Expression {
         self.0.size()
     }
 
-    /// Evaluates the expression with the meaning of its names.
-    ///
-    /// # Errors
-    /// Unknown quantities, and operations on values for which they are not defined.
+    /// Evaluates the expression with the meaning of its names; an error for unknown quantities, and for operations on
+    /// values for which they are not defined.
     pub fn value(&self, quantities: &dyn Quantities) -> Result<Value, String> {
         value(&self.0, quantities)
     }
 
-    /// Evaluates the expression to a number.
-    ///
-    /// # Errors
-    /// As [`Self::value`], or a value that is not a finite number.
+    /// Evaluates the expression as [`Self::value`], to a number; an error also for one that is not finite.
     pub fn number(&self, quantities: &dyn Quantities) -> Result<f64, String> {
         let number = self.value(quantities)?.number()?;
         if number.is_finite() {
@@ -241,15 +233,9 @@ impl Expression {
         }
     }
 
-    /// Returns whether the expression is true.
-    ///
-    /// # Errors
-    /// As [`Self::value`], or a value that is neither true nor false.
+    /// Returns whether the expression is true; an error also for a value that is neither true nor false.
     pub fn holds(&self, quantities: &dyn Quantities) -> Result<bool, String> {
-        match self.value(quantities)? {
-            Value::Truth(holds) => Ok(holds),
-            _ => Err(text!("expression-no-truth").to_owned()),
-        }
+        self.value(quantities)?.truth()
     }
 }
 
@@ -274,6 +260,12 @@ impl Value {
             Self::Number(number) => Ok(*number),
             Self::Truth(holds) => Ok(f64::from(u8::from(*holds))),
             Self::List(_) => Err(text!("expression-list").to_owned()),
+        }
+    }
+    fn truth(&self) -> Result<bool, String> {
+        match self {
+            Self::Truth(holds) => Ok(*holds),
+            _ => Err(text!("expression-no-truth").to_owned()),
         }
     }
 
@@ -311,65 +303,32 @@ impl Function {
     /// Applies the function to its arguments, whose number the parser has checked.
     fn apply(self, values: &[Value]) -> Result<Value, String> {
         let number = |index: usize| values[index].number();
-        let truth = |index: usize| match &values[index] {
-            Value::Truth(holds) => Ok(*holds),
-            _ => Err(text!("expression-no-truth").to_owned()),
-        };
-        let all = || -> Result<Vec<f64>, String> {
-            let lists: Result<Vec<_>, _> = values.iter().map(Value::numbers).collect();
-            let numbers = lists?.concat();
-            if numbers.is_empty() {
-                return Err(text!("expression-empty").to_owned());
-            }
-            Ok(numbers)
-        };
-        Ok(match self {
-            Less => Value::Truth(number(0)? < number(1)?),
-            AtMost => Value::Truth(number(0)? <= number(1)?),
-            Greater => Value::Truth(number(0)? > number(1)?),
-            AtLeast => Value::Truth(number(0)? >= number(1)?),
-            // 0 and −0 are equal.
-            Equal => Value::Truth(number(0)?.partial_cmp(&number(1)?) == Some(Ordering::Equal)),
-            Differs => Value::Truth(number(0)?.partial_cmp(&number(1)?) != Some(Ordering::Equal)),
-            And => Value::Truth(truth(0)? && truth(1)?),
-            Or => Value::Truth(truth(0)? || truth(1)?),
-            Not => Value::Truth(!truth(0)?),
-            _ => Value::Number(match self {
-                Add => number(0)? + number(1)?,
-                Subtract => number(0)? - number(1)?,
-                Multiply => number(0)? * number(1)?,
-                Divide => number(0)? / number(1)?,
-                Power => number(0)?.powf(number(1)?),
-                Negate => -number(0)?,
-                Abs => number(0)?.abs(),
-                Sqrt => number(0)?.sqrt(),
-                Exp => number(0)?.exp(),
-                Log => number(0)?.ln(),
-                Round => number(0)?.round(),
-                Sin => number(0)?.to_radians().sin(),
-                Cos => number(0)?.to_radians().cos(),
-                Tan => number(0)?.to_radians().tan(),
-                Asin => number(0)?.asin().to_degrees(),
-                Acos => number(0)?.acos().to_degrees(),
-                Atan => number(0)?.atan().to_degrees(),
-                Min => all()?.into_iter().fold(f64::INFINITY, f64::min),
-                Max => all()?.into_iter().fold(f64::NEG_INFINITY, f64::max),
-                Sum => all()?.into_iter().sum(),
-                Mean => {
-                    let numbers = all()?;
-                    numbers.iter().sum::<f64>() / numbers.len() as f64
+        let truth = |index: usize| values[index].truth();
+        let value = match self.1 {
+            Compare(holds) => return Ok(Value::Truth(holds(number(0)?, number(1)?))),
+            And => return Ok(Value::Truth(truth(0)? && truth(1)?)),
+            Or => return Ok(Value::Truth(truth(0)? || truth(1)?)),
+            Not => return Ok(Value::Truth(!truth(0)?)),
+            One(of) => of(number(0)?),
+            Two(of) => of(number(0)?, number(1)?),
+            List(of) | All(of) => {
+                let lists: Result<Vec<_>, _> = values.iter().map(Value::numbers).collect();
+                let numbers = lists?.concat();
+                if numbers.is_empty() {
+                    return Err(text!("expression-empty").to_owned());
                 }
-                Luminance => weighted(&values[0].numbers()?, &[0.2126, 0.7152, 0.0722])?,
-                Dot => weighted(&values[0].numbers()?, &values[1].numbers()?)?,
-                _ => all()?.iter().map(|x| x * x).sum::<f64>().sqrt(),
-            }),
-        })
+                of(&numbers)
+            }
+            Luminance => weighted(&values[0].numbers()?, &[0.2126, 0.7152, 0.0722])?,
+            Dot => weighted(&values[0].numbers()?, &values[1].numbers()?)?,
+        };
+        Ok(Value::Number(value))
     }
 
-    /// Returns the number of its arguments; none if any number is allowed.
+    /// Returns the number of its arguments where it is called by name; none if any number is allowed.
     fn arguments(self) -> Option<usize> {
-        match self {
-            Min | Max | Sum | Mean => None,
+        match self.1 {
+            All(_) => None,
             Dot => Some(2),
             _ => Some(1),
         }
@@ -383,7 +342,6 @@ fn weighted(a: &[f64], b: &[f64]) -> Result<f64, String> {
     Ok(a.iter().zip(b).map(|(a, b)| a * b).sum())
 }
 
-/// The rest of the text.
 struct Rest<'a> {
     text: &'a str,
     at: usize,
@@ -420,7 +378,6 @@ impl Rest<'_> {
         Some(place)
     }
 
-    /// Takes a word that stands alone.
     fn word(&mut self, word: &str) -> bool {
         self.space();
         let follows = |rest: &str| !rest.starts_with(|c: char| c.is_alphanumeric() || c == '_');
@@ -435,20 +392,28 @@ impl Rest<'_> {
             .ok_or_else(|| self.unexpected())
     }
 
-    fn either(&mut self, depth: usize) -> Result<Node, String> {
-        let mut node = self.both(depth)?;
-        while self.word("or") {
-            node = Node::Call(Or, vec![node, self.both(depth)?]);
+    /// Parses operands that operators of one rank join, from the left.
+    fn joined(
+        &mut self,
+        depth: usize,
+        operand: fn(&mut Self, usize) -> Result<Node, String>,
+        operator: impl Fn(&mut Self) -> Option<Function>,
+    ) -> Result<Node, String> {
+        let mut node = operand(self, depth)?;
+        while let Some(function) = operator(self) {
+            node = Node::Call(function, vec![node, operand(self, depth)?]);
         }
         Ok(node)
     }
 
+    fn either(&mut self, depth: usize) -> Result<Node, String> {
+        self.joined(depth, Self::both, |rest| rest.word("or").then_some(OR))
+    }
+
     fn both(&mut self, depth: usize) -> Result<Node, String> {
-        let mut node = self.compared(depth)?;
-        while self.word("and") {
-            node = Node::Call(And, vec![node, self.compared(depth)?]);
-        }
-        Ok(node)
+        self.joined(depth, Self::compared, |rest| {
+            rest.word("and").then_some(AND)
+        })
     }
 
     fn compared(&mut self, depth: usize) -> Result<Node, String> {
@@ -463,31 +428,30 @@ impl Rest<'_> {
     }
 
     fn sum(&mut self, depth: usize) -> Result<Node, String> {
-        let mut node = self.product(depth)?;
-        while let Some(sign) = self.sign(&["+", "-", "−"]) {
-            let function = if sign == 0 { Add } else { Subtract };
-            node = Node::Call(function, vec![node, self.product(depth)?]);
-        }
-        Ok(node)
+        let signs = [ADD, SUBTRACT, SUBTRACT];
+        self.joined(depth, Self::product, |rest| {
+            rest.sign(&["+", "-", "−"]).map(|sign| signs[sign])
+        })
     }
 
     fn product(&mut self, depth: usize) -> Result<Node, String> {
-        let mut node = self.signed(depth)?;
-        while let Some(sign) = self.sign(&["*", "×", "·", "/", "÷"]) {
-            let function = if sign < 3 { Multiply } else { Divide };
-            node = Node::Call(function, vec![node, self.signed(depth)?]);
-        }
-        Ok(node)
+        let signs = [MULTIPLY, MULTIPLY, MULTIPLY, DIVIDE, DIVIDE];
+        self.joined(depth, Self::signed, |rest| {
+            rest.sign(&["*", "×", "·", "/", "÷"])
+                .map(|sign| signs[sign])
+        })
     }
 
     fn signed(&mut self, depth: usize) -> Result<Node, String> {
-        let depth = deeper(depth)?;
+        let depth = depth
+            .checked_sub(1)
+            .ok_or_else(|| text!("expression-nested", most = DEPTH))?;
         if self.word("not") {
-            return Ok(Node::Call(Not, vec![self.signed(depth)?]));
+            return Ok(Node::Call(NOT, vec![self.signed(depth)?]));
         }
         match self.sign(&["+", "-", "−"]) {
             Some(0) => self.signed(depth),
-            Some(_) => Ok(Node::Call(Negate, vec![self.signed(depth)?])),
+            Some(_) => Ok(Node::Call(NEGATE, vec![self.signed(depth)?])),
             None => self.power(depth),
         }
     }
@@ -495,39 +459,34 @@ impl Rest<'_> {
     fn power(&mut self, depth: usize) -> Result<Node, String> {
         let base = self.operand(depth)?;
         match self.sign(&["^"]) {
-            Some(_) => Ok(Node::Call(Power, vec![base, self.signed(depth)?])),
+            Some(_) => Ok(Node::Call(POWER, vec![base, self.signed(depth)?])),
             None => Ok(base),
         }
     }
 
     fn operand(&mut self, depth: usize) -> Result<Node, String> {
-        self.space();
-        match self.left().chars().next() {
-            Some('(') => {
-                self.at += 1;
-                let inner = self.either(depth)?;
-                self.expect(")")?;
-                Ok(inner)
-            }
-            Some('√') => {
-                self.at += '√'.len_utf8();
+        match self.sign(&["(", "√", "∞", "π"]) {
+            Some(0) => return self.closed(depth),
+            Some(1) => {
                 self.expect("(")?;
-                let inner = self.either(depth)?;
-                self.expect(")")?;
-                Ok(Node::Call(Sqrt, vec![inner]))
+                return Ok(Node::Call(SQRT, vec![self.closed(depth)?]));
             }
-            Some('∞') => {
-                self.at += '∞'.len_utf8();
-                Ok(Node::Number(f64::INFINITY))
-            }
-            Some('π') => {
-                self.at += 'π'.len_utf8();
-                Ok(Node::Number(std::f64::consts::PI))
-            }
+            Some(2) => return Ok(Node::Number(f64::INFINITY)),
+            Some(_) => return Ok(Node::Number(std::f64::consts::PI)),
+            None => {}
+        }
+        match self.left().chars().next() {
             Some(c) if c.is_ascii_digit() || c == '.' => self.number(),
             Some(c) if c.is_ascii_alphabetic() => self.named(depth),
             _ => Err(self.unexpected()),
         }
+    }
+
+    /// Parses an expression and the parenthesis that closes it.
+    fn closed(&mut self, depth: usize) -> Result<Node, String> {
+        let inner = self.either(depth)?;
+        self.expect(")")?;
+        Ok(inner)
     }
 
     fn name(&mut self) -> String {
@@ -549,22 +508,17 @@ impl Rest<'_> {
                 self.expect("(")?;
                 let settings = self.quoted()?;
                 self.expect(",")?;
-                let inner = self.either(depth)?;
-                self.expect(")")?;
-                return Ok(Node::With(settings, inner.into()));
+                return Ok(Node::With(settings, self.closed(depth)?.into()));
             }
             _ => {}
         }
         if !self.left().starts_with('(') {
             return Ok(Node::Quantity(name, self.parts()?));
         }
-        let mut arguments = Vec::new();
         self.at += 1;
-        loop {
+        let mut arguments = vec![self.either(depth)?];
+        while self.sign(&[","]).is_some() {
             arguments.push(self.either(depth)?);
-            if self.sign(&[","]).is_none() {
-                break;
-            }
         }
         self.expect(")")?;
         let count = arguments.len();
@@ -582,7 +536,7 @@ impl Rest<'_> {
                 Err(_) => wrong(3),
             };
         }
-        let Some((_, function)) = NAMED.into_iter().find(|(known, _)| *known == name) else {
+        let Some(function) = NAMED.into_iter().find(|function| function.0 == name) else {
             self.at = begins;
             return Err(text!("expression-unknown", name = excerpt(&name)));
         };
@@ -646,15 +600,8 @@ impl Rest<'_> {
             let count = digits(&exponent[sign..]);
             length += if count > 0 { 1 + sign + count } else { 0 };
         }
-        let number = left[..length].parse();
-        let number = number.map_err(|_| self.unexpected())?;
+        let number = left[..length].parse().map_err(|_| self.unexpected())?;
         self.at += length;
         Ok(Node::Number(number))
     }
-}
-
-fn deeper(depth: usize) -> Result<usize, String> {
-    depth
-        .checked_sub(1)
-        .ok_or_else(|| text!("expression-nested", most = DEPTH))
 }
