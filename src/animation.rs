@@ -1,8 +1,5 @@
-//! Animations: a scene whose numbers change from one value to another, frame by frame, as an animated PNG or as a
-//! GIF.
-//!
-//! A [`Sweep`] defines the scene of each frame; the caller draws the frames for [`write_film`] one after the other,
-//! so that one frame at a time is in memory.
+//! Animations: a scene whose numbers change from one value to another, frame by frame, as an animated PNG or as a GIF.
+//! A [`Sweep`] defines the scene of each frame; the caller draws the frames for [`write_film`] one by one.
 
 mod palette;
 
@@ -69,6 +66,7 @@ struct Track {
 /// The reason why a sweep cannot be drawn.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
+#[expect(missing_docs, reason = "the variants tell what their fields are")]
 pub enum SweepError {
     /// An error in the settings of the beginning.
     #[error("{0}")]
@@ -97,31 +95,19 @@ pub enum SweepError {
     /// Fewer than two frames, or more than [`MOST_FRAMES`].
     #[error("{}", text!("animation-frames", most = MOST_FRAMES))]
     Frames,
-    /// A frame between the ends is not a valid scene.
+    /// A frame between the ends, by its index from 0, is not a valid scene.
     #[error("{}", text!("animation-frame", frame = .frame, error = .error.to_string()))]
-    Frame {
-        /// Index of the frame, from 0.
-        frame: u32,
-        /// The error in it.
-        error: SceneError,
-    },
-    /// The duration of a frame would be too short or too long.
+    Frame { frame: u32, error: SceneError },
+    /// The duration of a frame would be too short or too long: those of the whole film are from `least` to `most`
+    /// seconds.
     #[error("{}", text!("animation-seconds", least = format!("{least:.2}"), most = format!("{most:.0}")))]
-    Seconds {
-        /// Minimum duration of the film, seconds.
-        least: f64,
-        /// Maximum duration of the film, seconds.
-        most: f64,
-    },
+    Seconds { least: f64, most: f64 },
 }
 
 impl Sweep {
-    /// Creates a sweep from a scene with the settings of the beginning to the same scene with those of the end,
-    /// `KEY=VALUE` in the form of [`Scene::with_overrides`]. Every number that differs then changes from frame to
-    /// frame: coefficients, colours, points and directions in each of their numbers.
-    ///
-    /// # Errors
-    /// See [`SweepError`]; every frame is checked to be a valid scene.
+    /// Creates a sweep from a scene with the settings of the beginning to the same with those of the end, `KEY=VALUE`
+    /// as [`Scene::with_overrides`] has them. Every number that differs changes from frame to frame, also in colours
+    /// and points. An error, see [`SweepError`], also if any frame is not a valid scene.
     pub fn new(
         scene: &Scene,
         from: &[impl AsRef<str>],
@@ -132,12 +118,12 @@ impl Sweep {
             return Err(SweepError::Frames);
         }
         let (begins, ends) = (keys(from), keys(to));
-        let lonely = begins
-            .iter()
-            .find(|key| !ends.contains(key))
-            .or_else(|| ends.iter().find(|key| !begins.contains(key)));
-        if let Some(key) = lonely {
-            let key = (*key).to_owned();
+        let one_sided = |a: &[&str], b: &[&str]| {
+            a.iter()
+                .find(|key| !b.contains(key))
+                .map(|key| (*key).to_owned())
+        };
+        if let Some(key) = one_sided(&begins, &ends).or_else(|| one_sided(&ends, &begins)) {
             return Err(SweepError::OneEnd(key));
         }
         let first = scene.with_overrides(from).map_err(SweepError::Beginning)?;
@@ -155,8 +141,9 @@ impl Sweep {
             return Err(SweepError::Nothing);
         }
         for frame in 0..course.frames {
-            let sound = sweep.scene_at(frame);
-            sound.map_err(|error| SweepError::Frame { frame, error })?;
+            sweep
+                .scene_at(frame)
+                .map_err(|error| SweepError::Frame { frame, error })?;
         }
         Ok(sweep)
     }
@@ -187,11 +174,13 @@ impl Sweep {
             .filter_map(|frame| self.scene_at(frame).ok())
     }
 
-    /// Returns the scene of a frame between the ends.
     fn scene_at(&self, frame: u32) -> Result<Scene, SceneError> {
         let share = f64::from(frame) / f64::from(self.course.frames - 1);
-        let setting = |track: &Track| track.setting(share, self.course.logarithmic);
-        let settings: Vec<String> = self.tracks.iter().map(setting).collect();
+        let settings: Vec<String> = self
+            .tracks
+            .iter()
+            .map(|track| track.setting(share, self.course.logarithmic))
+            .collect();
         self.scene.with_overrides(&settings)
     }
 }
@@ -268,7 +257,6 @@ fn between([a, b]: [f64; 2], share: f64, logarithmic: bool) -> f64 {
     }
 }
 
-/// Returns the keys of settings.
 fn keys(settings: &[impl AsRef<str>]) -> Vec<&str> {
     let texts = settings.iter().map(AsRef::as_ref);
     let key = |text: &'_ str| text.find('=').unwrap_or(text.len());
@@ -290,7 +278,6 @@ pub fn is_number(parameter: &Parameter) -> bool {
     )
 }
 
-#[expect(clippy::cast_precision_loss, reason = "counts of a scene are small")]
 fn numbers(value: Option<Value>) -> Option<Vec<f64>> {
     match value? {
         Value::Float(number) => Some(vec![number]),
@@ -315,42 +302,36 @@ pub enum FilmFormat {
 impl FilmFormat {
     /// Returns the format of a name's ending.
     pub fn from_path(path: &Path) -> Option<Self> {
-        let ending = path.extension().map(OsStr::to_ascii_lowercase)?;
-        match ending.to_str()? {
+        match path.extension().map(OsStr::to_ascii_lowercase)?.to_str()? {
             "png" | "apng" => Some(Self::Apng),
             "gif" => Some(Self::Gif),
             _ => None,
         }
     }
 
-    /// Returns the number of time units per second.
-    fn units(self) -> f64 {
+    /// Returns the number of time units per second, and the shortest duration of a frame in seconds: browsers show
+    /// shorter ones of a GIF far longer.
+    fn timing(self) -> (f64, f64) {
         match self {
-            Self::Apng => 1000.0,
-            Self::Gif => 100.0,
+            Self::Apng => (1000.0, 0.001),
+            Self::Gif => (100.0, 0.02),
         }
     }
 
-    /// Returns the shortest duration of a frame, seconds: browsers show shorter ones of a GIF far longer.
-    fn shortest(self) -> f64 {
-        match self {
-            Self::Apng => 0.001,
-            Self::Gif => 0.02,
-        }
-    }
-
-    /// Checks the duration of a film of `count` frames.
-    ///
-    /// # Errors
-    /// [`SweepError::Seconds`] for frames whose duration would be too short or too long.
+    /// Checks the duration of a film of `count` frames; [`SweepError::Seconds`] where each would be too short or too
+    /// long.
     pub fn check_seconds(self, count: u32, seconds: f64) -> Result<(), SweepError> {
-        let count = f64::from(count);
-        let (least, most) = (count * self.shortest(), count * LONGEST);
+        let (least, most) = (
+            f64::from(count) * self.timing().1,
+            f64::from(count) * LONGEST,
+        );
         // A rounding error of the division is accepted.
-        if seconds >= least * (1.0 - 1e-9) && seconds <= most {
-            return Ok(());
+        let fits = seconds >= least * (1.0 - 1e-9) && seconds <= most;
+        if fits {
+            Ok(())
+        } else {
+            Err(SweepError::Seconds { least, most })
         }
-        Err(SweepError::Seconds { least, most })
     }
 }
 
@@ -369,12 +350,11 @@ pub fn write_film(
     let count = sweep.count();
     // Rounded as a whole, so that the film has its full duration.
     let moment = |frame: u32| {
-        (seconds * format.units() * f64::from(frame) / f64::from(count)).round() as u32
+        (seconds * format.timing().0 * f64::from(frame) / f64::from(count)).round() as u32
     };
     let mut drawn = sweep.scenes().zip(0..).map(|(scene, number)| {
         let stopped = || io::Error::from(io::ErrorKind::Interrupted);
-        let delay = moment(number + 1) - moment(number);
-        let delay = u16::try_from(delay).unwrap_or(u16::MAX);
+        let delay = u16::try_from(moment(number + 1) - moment(number)).unwrap_or(u16::MAX);
         Ok((draw(&scene).ok_or_else(stopped)?, delay))
     });
     match format {
@@ -391,19 +371,22 @@ fn write_apng(out: &mut dyn Write, sweep: &Sweep, frames: Frames<'_>) -> io::Res
         PictureError::Unwritten(png::EncodingError::IoError(error)) => error,
         error => io::Error::other(error),
     };
-    let mut out = Some(out);
-    let mut film: Option<Apng<'_>> = None;
+    let Some((first, delay)) = frames.next().transpose()? else {
+        return Ok(());
+    };
+    let mut film = Apng::new(
+        out,
+        [first.width, first.height],
+        sweep.count(),
+        sweep.scene(),
+    )
+    .map_err(refused)?;
+    film.add(&first, delay).map_err(refused)?;
     for frame in frames {
         let (frame, delay) = frame?;
-        if let Some(out) = out.take() {
-            let size = [frame.width, frame.height];
-            film = Some(Apng::new(out, size, sweep.count(), sweep.scene()).map_err(refused)?);
-        }
-        if let Some(film) = &mut film {
-            film.add(&frame, delay).map_err(refused)?;
-        }
+        film.add(&frame, delay).map_err(refused)?;
     }
-    film.map_or(Ok(()), |film| film.finish().map_err(refused))
+    film.finish().map_err(refused)
 }
 
 fn write_gif(out: &mut dyn Write, frames: Frames<'_>) -> io::Result<()> {
@@ -411,25 +394,21 @@ fn write_gif(out: &mut dyn Write, frames: Frames<'_>) -> io::Result<()> {
         gif::EncodingError::Io(error) => error,
         error => io::Error::other(error),
     };
-    let mut out = Some(out);
-    let mut film = None;
-    for frame in frames {
+    let Some(first) = frames.next().transpose()? else {
+        return Ok(());
+    };
+    let side = |pixels: u32| u16::try_from(pixels).map_err(io::Error::other);
+    let (width, height) = (side(first.0.width)?, side(first.0.height)?);
+    let mut film = gif::Encoder::new(out, width, height, &[]).map_err(refused)?;
+    film.set_repeat(Repeat::Infinite).map_err(refused)?;
+    for frame in std::iter::once(Ok(first)).chain(frames) {
         let (frame, delay) = frame?;
-        let side = |pixels: u32| u16::try_from(pixels).map_err(io::Error::other);
-        let (width, height) = (side(frame.width)?, side(frame.height)?);
-        if let Some(out) = out.take() {
-            let mut begun = gif::Encoder::new(out, width, height, &[]).map_err(refused)?;
-            begun.set_repeat(Repeat::Infinite).map_err(refused)?;
-            film = Some(begun);
-        }
-        if let Some(film) = &mut film {
-            let (palette, numbers) = palette::indexed(&frame.pixels);
-            let mut shown = gif::Frame::from_palette_pixels(width, height, numbers, palette, None);
-            shown.delay = delay;
-            film.write_frame(&shown).map_err(refused)?;
-        }
+        let (palette, numbers) = palette::indexed(&frame.pixels);
+        let shown = gif::Frame::from_palette_pixels(width, height, numbers, palette, None);
+        film.write_frame(&gif::Frame { delay, ..shown })
+            .map_err(refused)?;
     }
-    let trailer = film.map(gif::Encoder::into_inner).transpose();
-    trailer.map_err(|error| io::Error::other(error.to_string()))?;
+    film.into_inner()
+        .map_err(|error| io::Error::other(error.to_string()))?;
     Ok(())
 }

@@ -1,9 +1,6 @@
-//! Palettes for the frames of a GIF: at most 256 colours, different for each frame.
-//!
-//! The colours of a shaded picture lie on a few curves and surfaces in the cube of all colours. The box around them
-//! is halved, and the widest box is halved again and again, until there are as many boxes as a palette has colours; a
-//! pixel gets the mean of its box. So no pixel's error exceeds the widest remaining box, and a rare colour is not
-//! lost.
+//! Palettes for the frames of a GIF: at most 256 colours, different for each frame. The box around all colours is
+//! halved, and the widest box again and again; a pixel gets the mean of its box. So no pixel's error exceeds the widest
+//! remaining box, and a rare colour is not lost.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -14,8 +11,7 @@ const MOST: usize = 256;
 /// A colour with the number of its pixels.
 type Counted = ([u8; 3], u64);
 
-/// Returns a palette, red, green and blue of each colour, and each pixel's index in it. The palette of a picture with
-/// at most 256 colours has exactly those.
+/// Returns a palette, red, green and blue of each colour, and each pixel's index; up to 256 colours stay exact.
 pub fn indexed(pixels: &[[u8; 4]]) -> (Vec<u8>, Vec<u8>) {
     let mut counts = HashMap::new();
     for [r, g, b, _] in pixels {
@@ -30,17 +26,16 @@ pub fn indexed(pixels: &[[u8; 4]]) -> (Vec<u8>, Vec<u8>) {
         numbers.extend(colours[range].iter().map(|(colour, _)| (*colour, number)));
     }
     let number = |[r, g, b, _]: &[u8; 4]| numbers.get(&[*r, *g, *b]).copied().unwrap_or_default();
-    let numbers = pixels.iter().map(number).collect();
-    (palette, numbers)
+    (palette, pixels.iter().map(number).collect())
 }
 
 /// Sorts colours into boxes.
 fn boxes(colours: &mut [Counted]) -> Vec<Range<usize>> {
-    let whole = 0..colours.len();
-    let mut boxes = vec![(widest(colours), whole)];
+    let mut boxes = vec![(widest(colours), 0..colours.len())];
     while boxes.len() < MOST {
-        let place = (0..boxes.len()).max_by_key(|place| boxes[*place].0.width);
-        let place = place.unwrap_or_default();
+        let place = (0..boxes.len())
+            .max_by_key(|place| boxes[*place].0.width)
+            .unwrap_or_default();
         let (
             Side {
                 axis,
@@ -76,24 +71,23 @@ struct Side {
 /// Returns the longest side of the box about colours.
 fn widest(colours: &[Counted]) -> Side {
     let side = |axis: usize| {
-        let (low, high) = colours
-            .iter()
-            .fold((u8::MAX, 0), |(low, high), (colour, _)| {
-                (low.min(colour[axis]), high.max(colour[axis]))
-            });
+        let range = |(low, high): (u8, u8), (colour, _): &Counted| {
+            (low.min(colour[axis]), high.max(colour[axis]))
+        };
+        let (low, high) = colours.iter().fold((u8::MAX, 0), range);
         let width = high.saturating_sub(low);
-        let middle = low.saturating_add(width / 2);
         Side {
             axis,
             width,
-            middle,
+            middle: low.saturating_add(width / 2),
         }
     };
-    let sides = (0..3).map(side);
-    sides.max_by_key(|side| side.width).unwrap_or_default()
+    (0..3)
+        .map(side)
+        .max_by_key(|side| side.width)
+        .unwrap_or_default()
 }
 
-/// Returns the mean of the pixels' colours.
 fn mean(colours: &[Counted]) -> [u8; 3] {
     let count: u64 = colours.iter().map(|(_, count)| count).sum();
     std::array::from_fn(|channel| {
