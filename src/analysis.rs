@@ -11,6 +11,7 @@ pub mod curves;
 pub mod defects;
 pub mod lobe;
 pub mod normals;
+mod operators;
 pub mod overlay;
 pub mod perception;
 pub mod plan;

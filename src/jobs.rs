@@ -57,10 +57,7 @@ pub trait Work: Send + Sync + Sized + 'static {
     /// Encodings of the work and of its answer, for a worker of a web page. Work without them is done on the page.
     const CODECS: Option<(Codec<Self>, Codec<Self::Answer>)> = None;
 
-    /// Does the work.
-    ///
-    /// # Errors
-    /// The reason why there is no answer, in a sentence.
+    /// Does the work; an error is the reason why there is no answer, in a sentence.
     fn run(&self, watch: &dyn Watch<Self::Answer>) -> Result<Self::Answer, String>;
 }
 
@@ -234,7 +231,6 @@ impl<W: Work> Job<W> {
     }
 
     /// Returns the share of the work done, from 0 to 1.
-    #[expect(clippy::cast_precision_loss, reason = "a share for the eye")]
     pub fn share(&self) -> f32 {
         self.progress.share.load(Ordering::Relaxed) as f32 / 1000.0
     }
@@ -244,10 +240,6 @@ impl<W: Work> Job<W> {
         self.progress.cancel.store(true, Ordering::Relaxed);
         #[cfg(target_arch = "wasm32")]
         self.sent.into_iter().for_each(page::cancel);
-    }
-
-    fn is_cancelled(&self) -> bool {
-        self.progress.cancel.load(Ordering::Relaxed)
     }
 
     /// Returns the latest news since the last call.
@@ -319,8 +311,8 @@ impl<W: Work> Debug for Background<W> {
 }
 
 impl<W: Work> Background<W> {
-    /// Answers `work` in the background unless it is the `same` as that of the latest answer; current work is
-    /// finished first. Returns whether there is something new.
+    /// Answers `work`, after any current work, unless it is the `same` as the latest answer's; returns whether there is
+    /// news.
     pub fn ask(
         &mut self,
         wake: impl Fn(Duration) + Send + Sync + 'static,
@@ -341,11 +333,14 @@ impl<W: Work> Background<W> {
 
     /// Takes any news; returns whether there was any.
     pub fn take(&mut self) -> bool {
-        let Some((work, cancelled, news)) = self
-            .job
-            .as_ref()
-            .and_then(|job| Some((Arc::clone(&job.work), job.is_cancelled(), job.news()?)))
-        else {
+        let news = self.job.as_ref().and_then(|job| {
+            Some((
+                Arc::clone(&job.work),
+                job.progress.cancel.load(Ordering::Relaxed),
+                job.news()?,
+            ))
+        });
+        let Some((work, cancelled, news)) = news else {
             return false;
         };
         match news {

@@ -1,8 +1,6 @@
-//! The time of a frame.
-//!
-//! Every figure is the median over the requested frames, after frames that are not counted: of a frame drawn from
-//! scratch, with its stages, and of frames in which a single thing changed since the previous frame. Of a scene that
-//! compares panes all visible ones are drawn.
+//! The time of a frame: medians over the requested frames, after some that are not counted, of a frame drawn from
+//! scratch, with its stages, and of frames in which a single thing changed. Of a scene that compares panes all visible
+//! ones are drawn.
 
 mod growth;
 
@@ -18,10 +16,10 @@ use super::study::median_and_spread;
 use super::{Question, Subject, Watch};
 use crate::render::{FrameReport, Memory, Renderer, SimdLevel, Stage, coarseness, coarser_size};
 use crate::scene::{LightKind, Object, ObjectKind, Rgb, Scene};
-use crate::text::{interned, text};
+use crate::text::text;
 use fearless_simd::Level;
 use glam::DQuat;
-use serde::{Deserialize, Deserializer, Serialize};
+use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value, json};
 use std::cell::Cell;
 
@@ -44,9 +42,8 @@ pub struct BenchQuestion {
 pub struct Bench {
     full: f64,
     stages: Vec<(Stage, f64)>,
-    /// Times of the changes; none where the scene has nothing of the kind to change.
-    #[serde(deserialize_with = "changes")]
-    changes: Vec<(&'static str, Option<Changed>)>,
+    /// Times of the changes by name; none where the scene has nothing of the kind to change.
+    changes: Vec<(String, Option<Changed>)>,
     /// Figures of a frame drawn from scratch; of a scene that compares panes those of the first.
     drawn: FrameReport,
     memory: Memory,
@@ -56,15 +53,6 @@ pub struct Bench {
     simd: SimdLevel,
 }
 
-fn changes<'de, D: Deserializer<'de>>(
-    deserializer: D,
-) -> Result<Vec<(&'static str, Option<Changed>)>, D::Error> {
-    let changes: Vec<(String, Option<Changed>)> = Deserialize::deserialize(deserializer)?;
-    let named = |(name, changed): (String, _)| (interned(&name), changed);
-    Ok(changes.into_iter().map(named).collect())
-}
-
-/// Cost of a change.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 struct Changed {
     whole: f64,
@@ -86,17 +74,20 @@ impl Question for BenchQuestion {
         };
         let total = u64::from(self.frames) * (1 + CHANGES.len() as u64) + more;
         let done = Cell::new(0_u64);
-        #[expect(clippy::cast_precision_loss, reason = "a share for the eye")]
         let count = || {
             done.set(done.get() + 1);
             watch.progress(done.get() as f32 / total as f32);
         };
-        let growth = self
-            .growth
-            .then(|| growth::measure(subject, level, self.frames, &count));
+        let run = Run {
+            subject,
+            level,
+            frames: self.frames,
+            count: &count,
+        };
+        let growth = self.growth.then(|| growth::measure(run));
         Ok(Bench {
             growth,
-            ..measure(subject, (simd, level), self.frames, &count)
+            ..measure(run, simd)
         })
     }
 }
@@ -116,8 +107,7 @@ impl BenchQuestion {
     }
 }
 
-/// A change of a scene by a number from 1; consecutive numbers up to 8 give different scenes. It returns none where
-/// the scene has nothing of the kind to change.
+/// A change of a scene by a number, up to 8 of which give different scenes; none where it has nothing to change.
 pub type Change = fn(&mut Scene, f64) -> Option<()>;
 
 /// The small changes whose frames are timed.
@@ -174,7 +164,15 @@ pub(super) fn change_name(name: &str) -> &'static str {
     }
 }
 
-/// Returns the scene with a change of a number.
+/// A subject being measured: at a SIMD level, with a number of frames for each figure, counted one by one.
+#[derive(Clone, Copy)]
+struct Run<'a> {
+    subject: &'a Subject,
+    level: Level,
+    frames: u32,
+    count: &'a dyn Fn(),
+}
+
 pub(super) fn changed(scene: &Scene, change: Change, number: u32) -> Option<Scene> {
     let mut scene = scene.clone();
     change(&mut scene, number.into())?;
@@ -182,40 +180,39 @@ pub(super) fn changed(scene: &Scene, change: Change, number: u32) -> Option<Scen
 }
 
 /// The panes that a scene shows, with one renderer each.
-struct Panes {
+struct Panes<'a> {
     renderers: Vec<Renderer>,
-    clock: fn() -> u64,
+    run: Run<'a>,
 }
 
-impl Panes {
-    fn new(subject: &Subject, level: Level) -> Self {
-        let shown = panes_on_sheet(&subject.scene).len();
+impl<'a> Panes<'a> {
+    fn new(run: Run<'a>) -> Self {
+        let shown = panes_on_sheet(&run.subject.scene).len();
         let renderer = |_| {
-            let mut renderer = subject.renderer().with_level(level);
+            let mut renderer = run.subject.renderer().with_level(run.level);
             renderer.keep_linear(shown > 1);
             renderer
         };
         Self {
             renderers: (0..shown).map(renderer).collect(),
-            clock: subject.clock,
+            run,
         }
     }
 
     /// Draws all panes, their sides divided by `coarser`, and returns the time taken.
     fn draw(&mut self, scene: &Scene, coarser: u32) -> u64 {
-        let mut time = 0;
+        let (mut time, clock) = (0, self.run.subject.clock);
         for ((index, size), renderer) in panes_on_sheet(scene).into_iter().zip(&mut self.renderers)
         {
             let mut shown = scene.pane(index).unwrap_or_else(|_| scene.clone());
             shown.image.size = coarser_size(size, coarser);
-            let began = (self.clock)();
+            let began = clock();
             renderer.render(&shown);
-            time += (self.clock)() - began;
+            time += clock() - began;
         }
         time
     }
 
-    /// Returns the figures of the first pane.
     fn figures(&self) -> (FrameReport, Memory) {
         self.renderers
             .first()
@@ -224,63 +221,51 @@ impl Panes {
     }
 
     /// Measures the median time of a frame in which only `change` differs from the previous frame, milliseconds.
-    fn measure_change(
-        &mut self,
-        scene: &Scene,
-        change: Change,
-        coarser: u32,
-        frames: u32,
-        count: &dyn Fn(),
-    ) -> Option<f64> {
-        let mut times = Vec::new();
-        for frame in 0..WARM_UP + frames {
-            let time = self.draw(&changed(scene, change, 1 + frame % 8)?, coarser);
+    fn measure_change(&mut self, change: Change, coarser: u32) -> Option<f64> {
+        let (run, mut times) = (self.run, Vec::new());
+        for frame in 0..WARM_UP + run.frames {
+            let time = self.draw(
+                &changed(&run.subject.scene, change, 1 + frame % 8)?,
+                coarser,
+            );
             if frame >= WARM_UP {
                 times.push(time);
-                count();
+                (run.count)();
             }
         }
         Some(median_ms(&mut times))
     }
 }
 
-fn measure(
-    subject: &Subject,
-    (simd, level): (SimdLevel, Level),
-    frames: u32,
-    count: &dyn Fn(),
-) -> Bench {
-    let mut panes = Panes::new(subject, level);
-    let scene = &subject.scene;
+fn measure(run: Run<'_>, simd: SimdLevel) -> Bench {
+    let mut panes = Panes::new(run);
     let mut times = Vec::new();
     let mut stages = StageTimes::default();
-    for frame in 0..WARM_UP + frames {
+    for frame in 0..WARM_UP + run.frames {
         panes.renderers.iter_mut().for_each(Renderer::redraw);
-        let time = panes.draw(scene, 1);
+        let time = panes.draw(&run.subject.scene, 1);
         if frame >= WARM_UP {
             times.push(time);
             panes
                 .renderers
                 .iter()
                 .for_each(|renderer| stages.add(renderer.report()));
-            count();
+            (run.count)();
         }
     }
     let (drawn, mut memory) = panes.figures();
     let changes = CHANGES.map(|(name, change)| {
-        let whole = panes.measure_change(scene, change, 1, frames, count);
+        let whole = panes.measure_change(change, 1);
         let (changed, held) = panes.figures();
         // With another tessellation the bytes would be divided by this one's triangles.
         if changed.triangles == drawn.triangles && held.total() > memory.total() {
             memory = held;
         }
-        (
-            name,
-            whole.map(|whole| Changed {
-                whole,
-                dragged: dragged(subject, level, change, whole, frames),
-            }),
-        )
+        let changed = whole.map(|whole| Changed {
+            whole,
+            dragged: dragged(run, change, whole),
+        });
+        (name.to_owned(), changed)
     });
     Bench {
         full: median_ms(&mut times),
@@ -289,14 +274,18 @@ fn measure(
         drawn,
         memory,
         growth: None,
-        frames,
+        frames: run.frames,
         threads: rayon::current_num_threads(),
         simd,
     }
 }
 
 /// Measures the window's resolution and time while the user drags something that takes `whole` milliseconds.
-fn dragged(subject: &Subject, level: Level, change: Change, whole: f64, frames: u32) -> (u32, f64) {
+fn dragged(run: Run<'_>, change: Change, whole: f64) -> (u32, f64) {
+    let run = Run {
+        count: &|| (),
+        ..run
+    };
     let (mut coarser, mut ms) = (1, whole);
     // Not every stage scales with the picture: a frame that is still too slow is drawn coarser.
     loop {
@@ -305,14 +294,9 @@ fn dragged(subject: &Subject, level: Level, change: Change, whole: f64, frames: 
             return (coarser, ms);
         }
         coarser = next;
-        let measured = Panes::new(subject, level).measure_change(
-            &subject.scene,
-            change,
-            coarser,
-            frames,
-            &|| (),
-        );
-        ms = measured.unwrap_or(ms);
+        ms = Panes::new(run)
+            .measure_change(change, coarser)
+            .unwrap_or(ms);
     }
 }
 
@@ -346,7 +330,6 @@ pub(super) fn median_ms(times: &mut [u64]) -> f64 {
 
 impl Bench {
     /// Returns the bytes per vertex, per triangle and per pixel; none where there are none of these.
-    #[expect(clippy::cast_precision_loss, reason = "far fewer bytes than 2⁵³")]
     fn bytes_each(&self, [width, height]: [u32; 2]) -> [Option<f64>; 3] {
         let Self { memory, drawn, .. } = self;
         let each = |bytes: u64, count: u64| (count > 0).then(|| bytes as f64 / count as f64);
@@ -409,13 +392,12 @@ impl Answer for Bench {
             .rows
             .extend(self.changes.iter().map(|(name, changed)| {
                 let dragged = changed.map(|changed| changed.dragged);
-                let coarser = dragged.map(|(coarser, _)| coarser);
                 cells![
                     format!("{name} changed"),
                     text!("engine-changed", what = change_name(name)),
                     changed.map(|changed| changed.whole),
                     dragged.map(|(_, ms)| ms),
-                    coarser
+                    dragged.map(|(coarser, _)| coarser)
                 ]
             }));
         report.section("").push(Part::Table(times));
@@ -444,7 +426,7 @@ impl Answer for Bench {
 
     fn value(&self, about: &ReportContext<'_>) -> Value {
         let stage = |(stage, ms): &(Stage, f64)| (word(stage), json!({ "median_ms": ms }));
-        let change = |(name, changed): &(&str, Option<Changed>)| {
+        let change = |(name, changed): &(String, Option<Changed>)| {
             let mut figures = json!({ "median_ms": changed.map(|changed| changed.whole) });
             if let Some(Changed {
                 dragged: (coarser, ms),
@@ -453,7 +435,7 @@ impl Answer for Bench {
             {
                 figures["dragged"] = json!({ "median_ms": ms, "coarser": coarser });
             }
-            ((*name).to_owned(), figures)
+            (name.clone(), figures)
         };
         let [vertex, triangle, pixel] = self.bytes_each(about.scene.image.size);
         let mut object = json!({

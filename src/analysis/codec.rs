@@ -22,14 +22,6 @@ impl<T: Serialize + DeserializeOwned> Codec<T> {
     }
 }
 
-impl<T> Clone for Codec<T> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
-
-impl<T> Copy for Codec<T> {}
-
 /// Serializes a value; empty if that is impossible.
 pub(crate) fn to_bytes<T: Serialize>(value: &T) -> Vec<u8> {
     postcard::to_stdvec(value).unwrap_or_default()

@@ -8,9 +8,7 @@ pub use sheet::{
 };
 
 use super::perception::pixel_luminance;
-use super::report::{
-    Answer, Column, Part, Report, ReportContext, Table, as_it_is, cells, fixed, word,
-};
+use super::report::{Answer, Column, Part, Report, ReportContext, Table, as_it_is, fixed, word};
 use super::{Question, Subject, Watch};
 use crate::scene::Scene;
 use crate::text;
@@ -21,8 +19,7 @@ use serde_json::{Value, json};
 /// Number of pixels per task.
 const CHUNK: usize = 1 << 14;
 
-/// A picture before the display: linear red, green, blue and the share of each pixel that shows the object, row by
-/// row.
+/// A picture before the display: linear red, green, blue, and the share of each pixel that shows the object.
 #[derive(Clone, Copy, Debug)]
 pub struct LinearPicture<'a> {
     /// Width in pixels.
@@ -55,16 +52,11 @@ impl LinearPicture<'_> {
 
     fn position(&self, index: usize) -> [u32; 2] {
         let (index, width) = (index as u64, u64::from(self.width.max(1)));
-        #[expect(
-            clippy::cast_possible_truncation,
-            reason = "sides of pictures are 32 bits"
-        )]
         [(index % width) as u32, (index / width) as u32]
     }
 }
 
-/// Difference of one picture from another, in linear intensity (1 is white; 1/255 is a code value of the raw
-/// encoding), over the pixels that show the object in either.
+/// Difference of one picture from another over the pixels that show the object in either, in linear intensity.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct ErrorFigures {
     /// Number of pixels compared.
@@ -108,17 +100,13 @@ pub fn error_figures(picture: LinearPicture<'_>, reference: LinearPicture<'_>) -
     })
 }
 
-/// Computes the error over the pixels accepted by `counts`.
 fn error_figures_where(
     picture: LinearPicture<'_>,
     reference: LinearPicture<'_>,
     counts: impl Fn(usize) -> bool + Sync,
 ) -> ErrorFigures {
     let count = picture.pixels.len().min(reference.pixels.len());
-    let region = |index| match picture.shows(index) == reference.shows(index) {
-        true => ErrorRegion::Inside,
-        false => ErrorRegion::Outline,
-    };
+    let inside = |index| picture.shows(index) == reference.shows(index);
     // For a part, sums in place of the means.
     let part = |chunk: usize| {
         let mut part = ErrorFigures::default();
@@ -130,7 +118,12 @@ fn error_figures_where(
                 part.rms += difference * difference;
                 if difference > part.greatest {
                     (part.greatest, part.at) = (difference, Some(picture.position(index)));
-                    part.region = Some(region(index));
+                    let region = if inside(index) {
+                        ErrorRegion::Inside
+                    } else {
+                        ErrorRegion::Outline
+                    };
+                    part.region = Some(region);
                 }
             }
         }
@@ -150,10 +143,6 @@ fn error_figures_where(
             (total.greatest, total.at, total.region) = (part.greatest, part.at, part.region);
         }
     }
-    #[expect(
-        clippy::cast_precision_loss,
-        reason = "pictures have far fewer than 2⁵³ pixels"
-    )]
     let values = (3 * total.pixels).max(1) as f64;
     ErrorFigures {
         mean: total.mean / values,
@@ -162,8 +151,7 @@ fn error_figures_where(
     }
 }
 
-/// Difference of a picture from another, separately where both show the object and where only one does. Linear
-/// intensity.
+/// Difference of a picture from another, linear intensity, where both show the object and where only one does.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct RegionErrors {
     /// Error over the pixels inside.
@@ -176,8 +164,8 @@ pub struct RegionErrors {
     pub outline_rms: f64,
 }
 
-/// Computes the errors of `picture` against `reference` of the same size. A pixel is inside if `inside` says so and
-/// both show the object there.
+/// Computes the errors against a `reference` of the same size; inside is where `inside` says so and both show the
+/// object.
 pub fn region_errors(
     picture: LinearPicture<'_>,
     reference: LinearPicture<'_>,
@@ -204,7 +192,6 @@ pub fn region_errors(
         .filter(|index| interior(*index))
         .map(greatest)
         .collect();
-    #[expect(clippy::cast_precision_loss, reason = "far fewer pixels than 2⁵³")]
     let rank = (0.99 * greatest.len() as f64).ceil() as usize;
     let percentile_99 = match rank.checked_sub(1) {
         Some(index) => *greatest.select_nth_unstable_by(index, f64::total_cmp).1,
@@ -305,7 +292,6 @@ impl Question for ComparisonQuestion {
 }
 
 impl Comparison {
-    /// Returns the panes with their names in the current language.
     fn named(&self, scene: &Scene) -> Vec<PaneFigures> {
         let mut panes = self.0.clone();
         for pane in panes.iter_mut().filter(|one| one.pane < scene.pane_count()) {
@@ -316,47 +302,66 @@ impl Comparison {
 }
 
 fn table(panes: &[PaneFigures]) -> Table {
-    let mut table = Table::new([
-        Column::both("pane", text!("picture-column-pane"), as_it_is),
-        Column::both("brightest", text!("picture-column-brightest"), fixed::<4>).extra(),
-        Column::key("brightest_x"),
-        Column::key("brightest_y"),
-        Column::key("pixels"),
-        Column::both("mean", text!("picture-column-mean"), fixed::<4>),
-        Column::both("rms", "RMS", fixed::<4>),
-        Column::both("greatest", text!("picture-column-greatest"), fixed::<4>),
-        Column::shown(text!("picture-column-at"), as_it_is).extra(),
-        Column::key("x"),
-        Column::key("y"),
-        Column::shown(text!("picture-column-region"), as_it_is).extra(),
-        Column::key("region"),
-    ]);
-    for PaneFigures {
-        name,
-        brightest,
-        error,
-        ..
-    } in panes
-    {
-        let (peak, at) = (brightest.map(|b| b.at), error.and_then(|e| e.at));
-        let region = error.and_then(|e| e.region);
-        table.rows.push(cells![
-            name.as_str(),
-            brightest.map(|b| b.value),
-            peak.map(|at| at[0]),
-            peak.map(|at| at[1]),
-            error.map(|e| e.pixels),
-            error.map(|e| e.mean),
-            error.map(|e| e.rms),
-            error.map(|e| e.greatest),
-            at.map(|[x, y]| format!("{x},{y}")),
-            at.map(|at| at[0]),
-            at.map(|at| at[1]),
-            region.map(ErrorRegion::name),
-            region.as_ref().map(word),
-        ]);
-    }
-    table
+    Table::from_rows(
+        panes,
+        [
+            (
+                Column::both("pane", text!("picture-column-pane"), as_it_is),
+                |pane| pane.name.as_str().into(),
+            ),
+            (
+                Column::both("brightest", text!("picture-column-brightest"), fixed::<4>).extra(),
+                |pane| pane.brightest.map(|b| b.value).into(),
+            ),
+            (Column::key("brightest_x"), |pane| {
+                pane.brightest.map(|b| b.at[0]).into()
+            }),
+            (Column::key("brightest_y"), |pane| {
+                pane.brightest.map(|b| b.at[1]).into()
+            }),
+            (Column::key("pixels"), |pane| {
+                pane.error.map(|e| e.pixels).into()
+            }),
+            (
+                Column::both("mean", text!("picture-column-mean"), fixed::<4>),
+                |pane| pane.error.map(|e| e.mean).into(),
+            ),
+            (Column::both("rms", "RMS", fixed::<4>), |pane| {
+                pane.error.map(|e| e.rms).into()
+            }),
+            (
+                Column::both("greatest", text!("picture-column-greatest"), fixed::<4>),
+                |pane| pane.error.map(|e| e.greatest).into(),
+            ),
+            (
+                Column::shown(text!("picture-column-at"), as_it_is).extra(),
+                |pane| {
+                    pane.error
+                        .and_then(|e| e.at)
+                        .map(|[x, y]| format!("{x},{y}"))
+                        .into()
+                },
+            ),
+            (Column::key("x"), |pane| {
+                pane.error.and_then(|e| e.at).map(|at| at[0]).into()
+            }),
+            (Column::key("y"), |pane| {
+                pane.error.and_then(|e| e.at).map(|at| at[1]).into()
+            }),
+            (
+                Column::shown(text!("picture-column-region"), as_it_is).extra(),
+                |pane| {
+                    pane.error
+                        .and_then(|e| e.region)
+                        .map(ErrorRegion::name)
+                        .into()
+                },
+            ),
+            (Column::key("region"), |pane| {
+                pane.error.and_then(|e| e.region).as_ref().map(word).into()
+            }),
+        ],
+    )
 }
 
 impl Answer for Comparison {

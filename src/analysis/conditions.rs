@@ -66,15 +66,14 @@ pub struct Conditions {
     pub light: Variation,
     /// Variation of V.
     pub viewer: Variation,
-    /// Maximum angle between a polygon's normal and the normals at its corners, degrees: those of the surface, or the
-    /// vertex normals if there is no surface beyond the polygons.
+    /// Maximum angle between a polygon's normal and those at its corners, of the surface or else of the vertices;
+    /// degrees.
     pub surface: f64,
     /// True if the object has a surface beyond its polygons.
     pub has_surface: bool,
     /// Assumptions of the three conditions that the scene violates.
     pub further: Vec<Assumption>,
-    /// Difference of flat and exact shading, where both show the object; of an object whose polygons are its surface,
-    /// where both show the same polygon.
+    /// Difference of flat and exact shading where both show the object, or the same polygon if that is the surface.
     pub error: ErrorFigures,
     /// Difference of flat and exact shading where either shows the object, as a comparison of both pictures has it.
     pub everywhere: ErrorFigures,
@@ -126,11 +125,15 @@ pub fn conditions(renderer: &mut Renderer, scene: &Scene) -> Conditions {
     let mesh = &*Arc::clone(renderer.mesh_shown());
     let has_surface = scene.object.kind.has_surface();
     // If there is no surface beyond the polygons, the vertex normals represent it.
-    let surface = if has_surface {
-        leaning(mesh, scene, NormalSource::Exact)
-    } else {
-        leaning(mesh, scene, scene.object.normal_source())
-    };
+    let surface = leaning(
+        mesh,
+        scene,
+        if has_surface {
+            NormalSource::Exact
+        } else {
+            scene.object.normal_source()
+        },
+    );
     let inside = if has_surface && surface < ROUNDING {
         same_polygon(renderer, scene)
     } else {
@@ -154,7 +157,6 @@ pub fn conditions(renderer: &mut Renderer, scene: &Scene) -> Conditions {
     }
 }
 
-/// Returns the scene without panes, in a shading mode.
 fn alone(scene: &Scene, mode: ShadingMode) -> Scene {
     let mut alone = Scene {
         compare: Compare::default(),
@@ -164,17 +166,19 @@ fn alone(scene: &Scene, mode: ShadingMode) -> Scene {
     alone
 }
 
-/// Returns for each pixel whether the exact and the flat picture show the same polygon of an object whose polygons
-/// are its surface, judging by the normals. Beside an edge, the grid of the picture can put a pixel's centre on
-/// either side. The flat picture is drawn last.
+/// Returns for each pixel whether both pictures show the same polygon, judging by the normals: beside an edge, the grid
+/// of the picture can put a pixel's centre on either side. The flat picture is drawn last.
 fn same_polygon(renderer: &mut Renderer, scene: &Scene) -> Vec<bool> {
     let width = scene.image.size[0] as usize;
     let [exact, flat] = [ShadingMode::Exact, ShadingMode::Flat].map(|mode| {
         let count = renderer.render(&alone(scene, mode)).pixels.len();
         let renderer = &*renderer;
         let normal = |index: usize| {
-            let seen = renderer.evaluation((index % width) as u32, (index / width) as u32)?;
-            Some(seen.normal)
+            Some(
+                renderer
+                    .evaluation((index % width) as u32, (index / width) as u32)?
+                    .normal,
+            )
         };
         let normals: Vec<Option<DVec3>> = (0..count).into_par_iter().map(normal).collect();
         normals
@@ -225,11 +229,13 @@ fn assumptions(mesh: &Mesh, scene: &Scene, plan: &Plan) -> Vec<Assumption> {
             scene.object.kind.has_surface() && !own_normals(),
         ),
     ];
-    let broken = broken.into_iter().filter(|(_, broken)| *broken);
-    broken.map(|(assumption, _)| assumption).collect()
+    broken
+        .into_iter()
+        .filter(|(_, broken)| *broken)
+        .map(|(assumption, _)| assumption)
+        .collect()
 }
 
-/// Returns whether f of a light falls with the distance to it.
 fn falls_with_distance(light: &Light) -> bool {
     let falls = match light.attenuation {
         Attenuation::None | Attenuation::Viewer => false,
@@ -248,8 +254,7 @@ impl Variation {
     }
 }
 
-/// Measures the variation of the direction to a place across the polygons of a mesh, between their corners and their
-/// centres.
+/// Measures the variation of the direction to a place across polygons, between their corners and centres.
 fn variation(mesh: &Mesh, place: DVec3) -> Variation {
     let of_face = |f: usize| {
         let normal = mesh.face_normal(f);
@@ -300,8 +305,7 @@ fn leaning(mesh: &Mesh, scene: &Scene, normals: NormalSource) -> f64 {
 }
 
 impl Conditions {
-    /// Returns the sentence of a condition. If there is no surface beyond the polygons, the third refers to their
-    /// normals.
+    /// Returns the sentence of a condition; without a surface beyond the polygons the third is about their normals.
     pub fn title(&self, index: usize) -> &'static str {
         match CONDITIONS[index].0 {
             "picture-condition-surface" if !self.has_surface => text!("picture-condition-polygons"),
@@ -320,29 +324,31 @@ impl Conditions {
 
     /// Describes the measurements of a condition.
     pub fn figures(&self, index: usize) -> String {
-        let varies = |key, found: &Variation| {
-            text!(
-                key,
-                degrees = format!("{:.2}", found.degrees),
-                change = format!("{:.4}", found.cosine)
-            )
-        };
-        match index {
-            0 => varies("picture-condition-light.figures", &self.light),
-            1 => varies("picture-condition-viewer.figures", &self.viewer),
+        let (key, Variation { degrees, cosine }) = match index {
+            0 => ("picture-condition-light.figures", self.light),
+            1 => ("picture-condition-viewer.figures", self.viewer),
             _ => {
-                let degrees = format!("{:.2}", self.surface);
-                if self.has_surface {
-                    text!("picture-condition-surface.figures", degrees = degrees)
-                } else {
-                    text!("picture-condition-polygons.figures", degrees = degrees)
-                }
+                let own = [
+                    "picture-condition-polygons.figures",
+                    "picture-condition-surface.figures",
+                ];
+                (
+                    own[usize::from(self.has_surface)],
+                    Variation {
+                        degrees: self.surface,
+                        cosine: 0.0,
+                    },
+                )
             }
-        }
+        };
+        text!(
+            key,
+            degrees = format!("{degrees:.2}"),
+            change = format!("{cosine:.4}")
+        )
     }
 
-    /// Returns the number of pixels at outlines and edges: those that show the object in one of the pictures only, or
-    /// another polygon.
+    /// Returns the number of pixels that show the object in one of the pictures only, or another polygon.
     pub fn outline_pixels(&self) -> u64 {
         self.everywhere.pixels - self.error.pixels
     }
@@ -362,7 +368,6 @@ impl Assumption {
     }
 }
 
-/// Returns "Holds:" or "Fails:".
 fn verdict(holds: bool) -> &'static str {
     if holds {
         text!("picture-holds")
@@ -372,20 +377,21 @@ fn verdict(holds: bool) -> &'static str {
 }
 
 impl Answer for Conditions {
-    /// Returns a section for each condition, one for their assumptions, and one for the pictures.
     fn report(&self, about: &ReportContext<'_>) -> Report {
         let mut report = Report::new(text!(
             "picture-conditions-of",
             scene = about.heading().as_str()
         ));
         for (index, (_, holds)) in CONDITIONS.iter().enumerate() {
-            let section = report.section(self.title(index));
-            section.line(format!("{} {}", verdict(holds(self)), self.figures(index)));
+            let words = format!("{} {}", verdict(holds(self)), self.figures(index));
+            report.section(self.title(index)).line(words);
         }
-        let (holds, words) = (verdict(self.further.is_empty()), self.further_words());
-        report
-            .section(text!("picture-further"))
-            .line(format!("{holds} {words}"));
+        let words = format!(
+            "{} {}",
+            verdict(self.further.is_empty()),
+            self.further_words()
+        );
+        report.section(text!("picture-further")).line(words);
         let section = report.section(text!("picture-flat-and-exact"));
         section.quantity(
             format!("{:.4}", self.error.greatest),
@@ -404,22 +410,24 @@ impl Answer for Conditions {
     fn table(&self) -> Option<Table> {
         let mut table = Table::new(["condition", "holds", "degrees", "cosine"].map(Column::key));
         let rows = [
-            ("light", self.light.degrees, Some(self.light.cosine)),
-            ("viewer", self.viewer.degrees, Some(self.viewer.cosine)),
-            ("surface", self.surface, None),
+            ("light", Some(self.light.degrees), Some(self.light.cosine)),
+            (
+                "viewer",
+                Some(self.viewer.degrees),
+                Some(self.viewer.cosine),
+            ),
+            ("surface", Some(self.surface), None),
+            ("further", None, None),
         ];
-        for ((name, degrees, cosine), (_, holds)) in rows.into_iter().zip(CONDITIONS) {
-            let holds = if holds(self) { "true" } else { "false" };
-            table.rows.push(cells![name, holds, degrees, cosine]);
+        let holds = CONDITIONS
+            .map(|(_, holds)| holds(self))
+            .into_iter()
+            .chain([self.further.is_empty()]);
+        for ((name, degrees, cosine), holds) in rows.into_iter().zip(holds) {
+            table
+                .rows
+                .push(cells![name, holds.to_string(), degrees, cosine]);
         }
-        let holds = if self.further.is_empty() {
-            "true"
-        } else {
-            "false"
-        };
-        table
-            .rows
-            .push(cells!["further", holds, None::<f64>, None::<f64>]);
         Some(table)
     }
 

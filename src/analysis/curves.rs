@@ -1,7 +1,5 @@
-//! The curves of local illumination, sampled in double precision: the family cosⁿ φ, the attenuation f(d), the reflectance
-//! W(θ) and the polar lobe.
-//!
-//! Input is a scene and its probe, output are [`Plot`]s: plain data with the scene's own values marked.
+//! The curves of local illumination, sampled in double precision: the family cosⁿ φ, the attenuation f(d), the
+//! reflectance W(θ) and the polar lobe, as [`Plot`]s with the scene's own values marked.
 
 mod attenuation;
 mod highlight;
@@ -12,8 +10,7 @@ pub use highlight::{COURSE, exponent_plot, highlight_half_width, lobe_plot};
 pub use reflectance::{READ_AT, reflectance_plot};
 
 use super::lobe::ReflectionLobe;
-use super::probe::{Probe, ProbeHit};
-use super::probe::{clearest_pixel, probe};
+use super::probe::{Probe, ProbeHit, clearest_pixel, probe};
 use super::report::{Answer, Part, Report, ReportContext};
 use super::{Question, Subject, Watch};
 use crate::figure::{Plot, PlotKind};
@@ -90,21 +87,23 @@ impl Curves {
         plots.collect()
     }
 
-    fn plot(&self, kind: PlotKind, scene: &Scene) -> Option<Plot> {
+    /// Returns the plot of a kind; none if there is nothing to plot: no such light, or for the lobe a light that does
+    /// not reach the point.
+    pub fn plot(&self, kind: PlotKind, scene: &Scene) -> Option<Plot> {
         let hit = self.hit.as_ref();
         let terms = hit.and_then(|hit| hit.lights.get(self.light));
         match kind {
-            PlotKind::Exponent => {
-                let angle = terms.map(|terms| terms.lobe_angle(scene.reflection.model).1);
-                Some(exponent_plot(scene, angle))
-            }
+            PlotKind::Exponent => Some(exponent_plot(
+                scene,
+                terms.map(|terms| terms.lobe_angle(scene.reflection.model).1),
+            )),
             PlotKind::Reflectance => {
                 Some(reflectance_plot(scene, terms.map(|terms| terms.incidence)))
             }
-            PlotKind::Attenuation => {
-                let light = scene.lights.get(self.light)?;
-                Some(attenuation_plot(light, &self.distances))
-            }
+            PlotKind::Attenuation => Some(attenuation_plot(
+                scene.lights.get(self.light)?,
+                &self.distances,
+            )),
             PlotKind::Lobe => lobe_plot(scene, hit?, self.light),
             _ => None,
         }
@@ -120,14 +119,17 @@ impl Question for CurvesQuestion {
             Some([x, y]) => probe(&mut renderer, scene, x, y),
             None => clearest_pixel(&mut renderer, scene),
         };
-        let (pixel, count) = (probed.pixel, scene.lights.len());
+        let count = scene.lights.len();
         let light = match self.light {
+            Some(light) if count == 0 => {
+                return Err(text!("point-error-no-lights", light = light + 1));
+            }
             Some(light) if light >= count => {
-                return Err(if count == 0 {
-                    text!("point-error-no-lights", light = light + 1)
-                } else {
-                    text!("point-error-no-such-light", light = light + 1, last = count)
-                });
+                return Err(text!(
+                    "point-error-no-such-light",
+                    light = light + 1,
+                    last = count
+                ));
             }
             Some(light) => light,
             None => {
@@ -136,15 +138,15 @@ impl Question for CurvesQuestion {
                     .unwrap_or(0)
             }
         };
-        let Some(kind) = self.kind else {
-            return Ok(Curves::new(&renderer, scene, &probed, light));
-        };
         let mut curves = Curves::new(&renderer, scene, &probed, light);
+        let Some(kind) = self.kind else {
+            return Ok(curves);
+        };
         curves.kinds = vec![kind];
         if curves.plot(kind, scene).is_some() {
             return Ok(curves);
         }
-        let [x, y] = pixel;
+        let [x, y] = probed.pixel;
         Err(match (kind, &probed.hit) {
             (PlotKind::Lobe, None) => text!("point-error-background", x = x, y = y),
             (PlotKind::Lobe, Some(_)) if light < count => {
@@ -171,22 +173,8 @@ impl Answer for Curves {
     }
 
     fn value(&self, about: &ReportContext<'_>) -> Value {
-        let plots = self.plots(about.scene);
-        json!({ "pixel": self.pixel, "light": self.light, "plots": plots })
+        json!({ "pixel": self.pixel, "light": self.light, "plots": self.plots(about.scene) })
     }
-}
-
-/// Returns the plot of that kind for `probe`, of a picture of `scene` that `renderer` has drawn, and the light of
-/// index `light`. Returns none if there is nothing to plot: no such light, or for the lobe a light that does not
-/// reach the point.
-pub fn plot(
-    kind: PlotKind,
-    renderer: &Renderer,
-    scene: &Scene,
-    probe: &Probe,
-    light: usize,
-) -> Option<Plot> {
-    Curves::new(renderer, scene, probe, light).plot(kind, scene)
 }
 
 /// Returns the kinds of plot that apply: f only where it has a distance to depend on.

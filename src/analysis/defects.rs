@@ -14,14 +14,13 @@ pub use inside::{Orientation, PerspectiveDistortion, VertexNormals};
 
 use super::codec::Codec;
 use super::probe::clearest_pixel;
-use super::question::{Watch, unwatched};
+use super::question::Watch;
 use super::report::{Answer, Column, Part, Report, ReportContext, Table, cells};
 use super::{Question, Subject};
 use crate::figure::PlotKind;
 use crate::render::Renderer;
 use crate::scene::{Compare, Interpolation, Scene, ShadingMode};
-use crate::text;
-use crate::text::Language;
+use crate::text::{Language, text};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Value, json};
 
@@ -90,15 +89,9 @@ fn interpolates(scene: &Scene) -> Measurement<()> {
     }
 }
 
-/// Measures all five defects in the picture of `scene` with its size `scene.image.size`; the dependence on
-/// orientation at the point visible in `pixel`. `renderer` holds the model, if there is one, and draws other pictures
-/// in between.
-pub fn defects(renderer: &mut Renderer, scene: &Scene, pixel: [u32; 2]) -> Defects {
-    defects_with_progress(renderer, scene, pixel, &unwatched)
-}
-
-/// Measures with progress and cancellation; on cancellation, what is not yet measured is missing.
-pub fn defects_with_progress(
+/// Measures all five defects in the picture of `scene` with its own size; the dependence on orientation at the point
+/// visible in `pixel`. `renderer` holds any model. What is not yet measured when `watch` stops the work is missing.
+pub fn defects(
     renderer: &mut Renderer,
     scene: &Scene,
     pixel: [u32; 2],
@@ -151,8 +144,7 @@ impl Question for DefectsQuestion {
         let pixel = self
             .pixel
             .unwrap_or_else(|| clearest_pixel(&mut renderer, scene).pixel);
-        let defects =
-            defects_with_progress(&mut renderer, scene, pixel, &|share| watch.progress(share));
+        let defects = defects(&mut renderer, scene, pixel, &|share| watch.progress(share));
         Ok(MeasuredDefects { pixel, defects })
     }
 }
@@ -178,10 +170,6 @@ impl Defect {
         text!(self.keys[0])
     }
 
-    fn says(&self) -> &'static str {
-        text!(self.keys[1])
-    }
-
     /// Returns the suggested experiment for its scene.
     pub fn try_this(&self) -> &'static str {
         text!(self.keys[2])
@@ -201,8 +189,10 @@ pub const DEFECTS: [Defect; 5] = [
         figures: |defects| {
             let found = defects.silhouette.as_ref().map_err(|why| *why)?;
             let at = place(found.polygon.to_array());
-            let words = text!("picture-silhouette-distance", at = at);
-            Ok(vec![(format!("{:.2}", found.greatest), words)])
+            Ok(vec![(
+                format!("{:.2}", found.greatest),
+                text!("picture-silhouette-distance", at = at),
+            )])
         },
     },
     Defect {
@@ -274,8 +264,10 @@ pub const DEFECTS: [Defect; 5] = [
                 text!("picture-shared-edges", edges = *edges)
             };
             let at = place(at.to_array());
-            let words = text!("picture-shared-jump", at = at, edges = edges);
-            Ok(vec![code(*greatest, words)])
+            Ok(vec![code(
+                *greatest,
+                text!("picture-shared-jump", at = at, edges = edges),
+            )])
         },
     },
     Defect {
@@ -303,7 +295,6 @@ pub const DEFECTS: [Defect; 5] = [
     },
 ];
 
-/// Formats a place in the picture, in whole pixels.
 fn place([x, y]: [f64; 2]) -> String {
     format!("{x:.0},{y:.0}")
 }
@@ -321,7 +312,7 @@ impl Answer for MeasuredDefects {
         let plots = defect_plots(&self.defects);
         for defect in DEFECTS {
             let section = report.section(defect.title());
-            section.note(defect.says());
+            section.note(text!(defect.keys[1]));
             match (defect.figures)(&self.defects) {
                 Ok(figures) => figures
                     .into_iter()
@@ -336,7 +327,6 @@ impl Answer for MeasuredDefects {
         report
     }
 
-    /// Returns the table of the samples of the two curves, one below the other.
     fn table(&self) -> Option<Table> {
         let mut table = Table::new(["curve", "x", "first", "second"].map(Column::key));
         if let Ok(orientation) = &self.defects.orientation {

@@ -26,11 +26,8 @@ impl Response {
 }
 
 /// The reflection of one light at one point as a function of the viewer's direction:
-/// `I(V) = f·Ip·(kd·Od·(N·L) + ks·W·S(V))`, luminance by Rec. 709.
-///
-/// The light's own switches are ignored, and so are shadows: the lobe shows how the surface would reflect. An area
-/// light is treated as a point in its middle, and where f depends on the distance to the viewer, that of the picture
-/// is kept.
+/// `I(V) = f·Ip·(kd·Od·(N·L) + ks·W·S(V))`, luminance by Rec. 709. The light's own switches and shadows are ignored, an
+/// area light is a point in its middle, and where f depends on the distance to the viewer, that of the picture is kept.
 #[derive(Clone, Debug)]
 pub struct ReflectionLobe {
     equation: Equation<f64>,
@@ -49,23 +46,17 @@ pub struct ReflectionLobe {
 }
 
 impl ReflectionLobe {
-    /// Returns the lobe of the light of index `light` at `hit`; none where there is no such light or no normal, or
-    /// where the light is behind the surface.
+    /// Returns the lobe of light `light` at `hit`; none without such a light or a normal, or for a light behind the
+    /// surface.
     pub fn at(scene: &Scene, hit: &ProbeHit, light: usize) -> Option<Self> {
-        let kind = |kind| {
-            if kind == LightKind::Area {
-                LightKind::Point
-            } else {
-                kind
-            }
-        };
-        let light = scene.lights.get(light)?;
-        let alone = Light {
-            kind: kind(light.kind),
+        let mut alone = Light {
             mute: false,
             solo: false,
-            ..light.clone()
+            ..scene.lights.get(light)?.clone()
         };
+        if alone.kind == LightKind::Area {
+            alone.kind = LightKind::Point;
+        }
         let equation = Equation::<f64>::new(&Scene {
             lights: vec![alone],
             ..scene.clone()
@@ -92,7 +83,6 @@ impl ReflectionLobe {
         if scene.reflection.backfacing == Backfacing::Flip && lobe.n.dot(lobe.l) < 0.0 {
             lobe.n = -lobe.n;
         }
-        let cosine = lobe.n.dot(lobe.l);
         lobe.r = mirrored(hit.normal, lobe.l)?;
         // A light directly above has every plane for its plane of incidence; the viewer's is as good as any.
         let aside = |vector: DVec3| {
@@ -101,7 +91,7 @@ impl ReflectionLobe {
         };
         let away = aside(-lobe.l).or_else(|| aside(lobe.v));
         lobe.across = away.unwrap_or_else(|| lobe.n.any_orthonormal_vector());
-        (cosine > 0.0 && lobe.l.is_finite()).then_some(lobe)
+        (lobe.n.dot(lobe.l) > 0.0 && lobe.l.is_finite()).then_some(lobe)
     }
 
     /// Returns the direction in the plane of incidence `angle` radians from N, positive on the side of R.
@@ -140,8 +130,7 @@ impl ReflectionLobe {
     }
 }
 
-/// Computes R by the equation's own operations, so that the direction of a mirror, which reflects nowhere else,
-/// matches to the last digit.
+/// Computes R by the equation's own operations: a mirror reflects in that one direction, to the last digit.
 fn mirrored(n: DVec3, l: DVec3) -> Option<DVec3> {
     let (n, l) = (V3::from(n), V3::from(l));
     let r = DVec3::from(reflect(n, l, n.dot(l)));

@@ -1,8 +1,6 @@
-//! The normals of a scene's polygons and vertices: those that a picture shows, and the faces that a vertex normal
-//! comes from.
-//!
-//! A polygon is seen from its front where N·(eye − centre) > 0. A vertex is visible if one of its polygons is,
-//! whichever way its own normal leans: at an outline that may be away from the eye.
+//! The normals of a scene's polygons and vertices, and the faces that a vertex normal comes from. A polygon is seen
+//! from its front where N·(eye − centre) > 0; a vertex is visible if one of its polygons is, whichever way its normal
+//! leans.
 
 mod fine;
 mod needles;
@@ -133,8 +131,7 @@ impl NormalField {
             && same_weights
     }
 
-    /// Returns whether points and faces have the same numbers as in the mesh that `renderer` last drew, with any
-    /// normals.
+    /// Returns whether points and faces have the same numbers as in the mesh last drawn, with any normals.
     pub fn of_equal_mesh(&self, renderer: &Renderer) -> bool {
         let (own, other) = (&self.mesh, renderer.mesh_shown());
         Arc::ptr_eq(own, other) || (own.starts == other.starts && own.corners == other.corners)
@@ -157,8 +154,11 @@ impl NormalField {
 
     /// Returns the corners of a face, world.
     pub fn outline(&self, face: u32) -> Vec<DVec3> {
-        let corners = self.vertices.face(face as usize);
-        corners.iter().map(|&v| self.position(v)).collect()
+        self.vertices
+            .face(face as usize)
+            .iter()
+            .map(|&v| self.position(v))
+            .collect()
     }
 
     /// Projects the outlines of the faces whose front faces the eye, in pixels; those that reach behind the eye are
@@ -189,8 +189,7 @@ impl NormalField {
         Some(self.vertices.corners[corner])
     }
 
-    /// Returns a vertex with its normal and faces; none where there is no such vertex. Takes time in proportion to
-    /// the mesh's corners.
+    /// Returns a vertex with its normal and faces, if there is such a vertex; time in proportion to the mesh's corners.
     pub fn vertex(&self, vertex: u32) -> Option<VertexNormal> {
         let normal = self.vertices.normals.get(vertex as usize)?.as_dvec3();
         let shares = self
@@ -251,14 +250,17 @@ impl NormalField {
                     .for_each(|&v| on_front[v as usize] = true);
             }
         }
-        let front = (0u32..).zip(&on_front).filter(|(_, front)| **front);
-        let vertices = front.filter_map(|(v, _)| {
+        let vertex = |v: u32| {
             seen(
                 v,
                 self.position(v),
                 self.vertices.normals[v as usize].as_dvec3(),
             )
-        });
+        };
+        let vertices = (0u32..)
+            .zip(&on_front)
+            .filter(|(_, front)| **front)
+            .filter_map(|(v, _)| vertex(v));
         SeenNormals {
             vertices: vertices.collect(),
             faces,
@@ -273,8 +275,8 @@ impl NormalField {
         before.is_some_and(|depth| depth + BEHIND * self.median_edge < seen.depth)
     }
 
-    /// Returns the visible vertex nearest to `pixel` in the picture, within `reach` pixels. Where several share a
-    /// point it is that of the face under the pixel.
+    /// Returns the visible vertex nearest to `pixel`, within `reach` pixels; of several at a point that of the face
+    /// seen there.
     pub fn vertex_near(
         &self,
         renderer: &Renderer,

@@ -6,8 +6,7 @@ use crate::scene::{Projection, View};
 use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};
 
-/// Minimum depth of an arrow's end in depths of its tail; nearer to the eye, perspective would enlarge it without
-/// bound.
+/// Minimum depth of an arrow's end in depths of its tail: perspective would enlarge nearer ends without bound.
 const NEAREST: f64 = 0.05;
 /// Distance along the line of sight, in pixels, below which the direction of an end is due to rounding alone.
 const ROUNDING: f64 = 1e-3;
@@ -16,8 +15,7 @@ const FARTHEST: f64 = 1e6;
 /// Minimum text size, in pixels an em, before [`OverlayOptions::scale`].
 const LEAST_TEXT: f64 = 13.0;
 
-/// Returns the size of letters over a pane whose shorter side is `side` pixels, in pixels an em, before
-/// [`OverlayOptions::scale`].
+/// Returns the size of letters over a pane with a shorter `side`, pixels, before [`OverlayOptions::scale`].
 pub fn overlay_letters(side: f64) -> f64 {
     LEAST_TEXT.max(side / 28.0)
 }
@@ -37,16 +35,15 @@ pub enum OverlayLayer {
     Lights,
     /// Light that the point reflects in every direction, as a surface about it.
     Lobe,
-    /// The vectors once more in a corner, seen from the side: V points at the eye, so that in the picture itself it
-    /// is a point.
+    /// The vectors once more in a corner, from the side: V points at the eye and is but a point in the picture itself.
     SideView,
-    /// The intensity along a line. It belongs to no point; [`draw_profile`](crate::analysis::profile::draw_profile) draws it.
+    /// The intensity along a line. It belongs to no point; [`draw_profile`](crate::analysis::profile::draw_profile)
+    /// draws it.
     Profile,
-    /// Positions of the defects of interpolated shading. They belong to no point;
-    /// [`draw_defects`](crate::analysis::defects::draw_defects) draws them.
+    /// Positions of the defects of interpolated shading; [`draw_defects`](crate::analysis::defects::draw_defects) draws
+    /// them.
     Defects,
-    /// A needle at the centre of each visible polygon. Like the vertex normals it belongs to no point and is drawn by
-    /// [`Needles`](crate::analysis::normals::Needles).
+    /// A needle at the centre of each visible polygon, drawn by [`Needles`](crate::analysis::normals::Needles).
     FaceNormals,
     /// A needle at each visible vertex.
     VertexNormals,
@@ -101,11 +98,10 @@ pub enum Halo {
 pub struct OverlayOptions {
     /// Layers to draw, the later over the earlier.
     pub layers: Vec<OverlayLayer>,
-    /// Index in the scene of the light whose L is emphasised and whose R, H, θ, φ and construction are shown. Without
-    /// one, it is the first light that the point faces, or else the first.
+    /// Index of the light that is emphasised and shown in full; without one, the first that the point faces, or the
+    /// first.
     pub light: Option<usize>,
-    /// Length of a unit vector in world units; without one, about a fifth of the picture's shorter side at the
-    /// point's depth.
+    /// Length of a unit vector in world units; without one, about a fifth of the picture's shorter side.
     pub length: Option<f64>,
     /// True to show H for every model, false for Blinn's alone.
     pub half_vector: bool,
@@ -189,7 +185,6 @@ impl Style {
         }
     }
 
-    /// Returns a drawing over a picture with this style's halos.
     pub fn drawing(&self, shapes: Vec<Shape>) -> Drawing {
         Drawing {
             shapes,
@@ -197,7 +192,6 @@ impl Style {
         }
     }
 
-    /// Returns a drawing of labels with this style's halos.
     pub fn lettered<'a>(&self, labels: impl IntoIterator<Item = &'a Label>) -> Drawing {
         let texts = labels
             .into_iter()
@@ -227,18 +221,9 @@ pub(in crate::analysis) struct Sketch {
 }
 
 impl Sketch {
-    /// Creates a sketch; none where `position` does not appear. Without a `length`, unit vectors measure `pixels`.
-    pub fn new(
-        view: View,
-        style: Style,
-        pane: Area,
-        position: DVec3,
-        length: Option<f64>,
-        pixels: f64,
-    ) -> Option<Self> {
-        let (origin, depth) = view.project(position)?;
-        let length = length.filter(|length| *length > 0.0 && length.is_finite());
-        let length = length.unwrap_or(pixels * view.world_per_pixel(depth));
+    /// Creates a sketch with unit vectors of `length` world units; none where `position` does not appear.
+    pub fn new(view: View, style: Style, pane: Area, position: DVec3, length: f64) -> Option<Self> {
+        let (origin, _) = view.project(position)?;
         Some(Self {
             view,
             style,
@@ -274,6 +259,10 @@ impl Sketch {
             end
         })
     }
+    /// Returns the positions of the ends of several vectors, if all are in the picture.
+    pub fn ends(&self, vectors: impl IntoIterator<Item = DVec3>) -> Option<Vec<DVec2>> {
+        vectors.into_iter().map(|vector| self.end(vector)).collect()
+    }
 
     /// Returns the sine of the angle between `vector` and the line of sight, signed: positive towards the eye.
     pub fn slant(&self, vector: DVec3) -> f64 {
@@ -304,8 +293,7 @@ impl Sketch {
         from + way * share
     }
 
-    /// Draws the end of an arrow seen along its shaft: a dot in a circle where it points at the eye, a cross where it
-    /// points away.
+    /// Draws the end of an arrow seen along its shaft: in a circle a dot towards the eye, a cross away from it.
     pub fn draw_end_on(&mut self, at: DVec2, radius: f64, towards_eye: bool, colour: Rgb8) {
         let line = self.style.line;
         self.shapes

@@ -33,10 +33,9 @@ impl Viewing {
 
     /// Returns the conditions with values that are out of bounds or not numbers reset to their defaults.
     pub fn sound(self) -> Self {
-        let usual = Self::default();
         Self {
-            distance: bounded(self.distance, Self::DISTANCE, usual.distance),
-            density: bounded(self.density, Self::DENSITY, usual.density),
+            distance: bounded(self.distance, Self::DISTANCE, Self::default().distance),
+            density: bounded(self.density, Self::DENSITY, Self::default().density),
         }
     }
 
@@ -72,18 +71,19 @@ pub enum ResponseModel {
     ///
     /// `R = I + w·(G(σc)∗I − G(σs)∗I)`.
     ///
-    /// A corner where the slope changes by Δs departs from its intensity by `w·Δs·(σc − σs)/√(2π)`: a bright line where the
-    /// slope falls, a dark one where it rises. It also predicts bands at a plain step, where hardly anybody sees any.
+    /// A corner where the slope changes by Δs departs from its intensity by `w·Δs·(σc − σs)/√(2π)`: a bright line where
+    /// the slope falls, a dark one where it rises. It also predicts bands at a plain step, where hardly anybody sees
+    /// any.
     #[default]
     LateralInhibition,
-    /// Response normalisation, after Kingdom (2014): channels an octave apart, the gain of each lowered where it responds
-    /// strongly nearby, so that their responses become more equal.
+    /// Response normalisation, after Kingdom (2014): channels an octave apart, the gain of each lowered where it
+    /// responds strongly nearby, so that their responses become more equal.
     ///
     /// `R = I + w·Σ ρ·Eₖ/(ρ + √(G(2σₖ)∗Eₖ²))` with `Eₖ = G(σₖ)∗I − G(2σₖ)∗I` and `σₖ = 2ᵏ·σc`, up to the first k whose
     /// `2σₖ·√2 ≥ σs`.
     ///
-    /// A simple form of that idea, not the published model with its fitted constants. Weak responses are those of lateral
-    /// inhibition; a step saturates its channels and gains less than a corner.
+    /// A simple form of that idea, not the published model with its fitted constants. Weak responses are those of
+    /// lateral inhibition; a step saturates its channels and gains less than a corner.
     ResponseNormalisation,
 }
 
@@ -92,8 +92,7 @@ impl ResponseModel {
     pub const ALL: [Self; 2] = [Self::LateralInhibition, Self::ResponseNormalisation];
 }
 
-/// A model with its parameters. They differ between observers and with the position in the visual field; the defaults
-/// have the magnitude found for the fovea's surround and are meant to be changed.
+/// A model with its parameters, which differ between observers; the defaults have the magnitude found for the fovea.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Perception {
@@ -133,11 +132,11 @@ impl Perception {
     pub fn sound(self) -> Self {
         let usual = Self::default();
         Self {
-            model: self.model,
             centre: bounded(self.centre, Self::WIDTH, usual.centre),
             surround: bounded(self.surround, Self::WIDTH, usual.surround),
             weight: bounded(self.weight, Self::WEIGHT, usual.weight),
             saturation: bounded(self.saturation, Self::SATURATION, usual.saturation),
+            ..self
         }
     }
 
@@ -146,8 +145,8 @@ impl Perception {
         [self.centre * per_degree, self.surround * per_degree]
     }
 
-    /// Computes the response to `intensity`. `blur(values, σ)` returns a Gaussian's mean of `values`; it takes σ in
-    /// units of which a degree has `per_degree`.
+    /// Computes the response to `intensity`; `blur(values, σ)` is a Gaussian's mean, a degree being `per_degree` of σ's
+    /// units.
     pub fn respond(
         &self,
         intensity: &[f64],
@@ -157,8 +156,9 @@ impl Perception {
         let [centre, surround] = self.widths(per_degree);
         match self.model {
             ResponseModel::LateralInhibition => {
-                let (near, wide) = (blur(intensity, centre), blur(intensity, surround));
-                let means = near.iter().zip(&wide);
+                let means = blur(intensity, centre)
+                    .into_iter()
+                    .zip(blur(intensity, surround));
                 intensity
                     .iter()
                     .zip(means)
@@ -203,11 +203,9 @@ impl Perception {
     }
 }
 
-/// Returns the weights of the samples 0, 1, 2 … places away for a Gaussian of width `sigma` samples; those of the
-/// other side are equal. There are at most `longest` weights; the last receives the weight of all that is cut off.
-///
-/// The samples are joined by straight lines, and the Gaussian's mean of those is exact: a sample's weight is that of
-/// a tent about it, the second difference of ψ(x) = x·Φ(x/σ) + σ·φ(x/σ), the Gaussian's second integral.
+/// Returns the weights of the samples 0, 1, 2 … places away for a Gaussian of width `sigma` samples, at most `longest`;
+/// the last receives the weight of all that is cut off. The samples are joined by straight lines, whose mean is exact:
+/// a weight is that of a tent, the second difference of ψ(x) = x·Φ(x/σ) + σ·φ(x/σ), the Gaussian's second integral.
 fn gaussian(sigma: f64, longest: usize) -> Vec<f64> {
     let length = ((REACH * sigma).ceil() as usize)
         .saturating_add(2)
@@ -216,7 +214,6 @@ fn gaussian(sigma: f64, longest: usize) -> Vec<f64> {
         return vec![1.0];
     }
     let psi = |i: i64| {
-        #[expect(clippy::cast_precision_loss, reason = "far fewer samples than 2⁵³")]
         let u = i as f64 / sigma;
         let density = (-0.5 * u * u).exp() / (2.0 * PI).sqrt();
         // Without the linear part, whose second difference is zero, so that no digits cancel.
@@ -249,8 +246,7 @@ fn mean(weights: &[f64], values: &[f64], at: usize) -> f64 {
         })
 }
 
-/// Computes the Gaussian's mean of width `sigma` samples about each of equally spaced samples, joined by straight
-/// lines.
+/// Computes the Gaussian's mean of width `sigma` samples about each of equally spaced samples.
 pub fn blur_line(values: &[f64], sigma: f64) -> Vec<f64> {
     let weights = gaussian(sigma, values.len() + 1);
     (0..values.len())
@@ -259,8 +255,7 @@ pub fn blur_line(values: &[f64], sigma: f64) -> Vec<f64> {
         .collect()
 }
 
-/// Computes the Gaussian's mean of width `sigma` pixels about each pixel of a picture with rows of `width`: along
-/// rows, then along columns.
+/// Computes the Gaussian's mean of width `sigma` pixels about each pixel of a picture with rows of `width`.
 pub fn blur_picture(values: &[f64], width: usize, sigma: f64) -> Vec<f64> {
     if width == 0 || values.is_empty() {
         return Vec::new();

@@ -72,20 +72,20 @@ impl Question for PlanQuestion {
         let count =
             |renderer: &Renderer| renderer.terms().iter().map(|term| term.evaluations).sum();
         let [planned, all] = &mut renderers;
+        let evaluations = [count(planned), count(all)];
         let (terms, runs) = (planned.terms(), planned.report().stages.clone());
+        let changes = CHANGES.map(|(name, change)| {
+            (
+                name,
+                run_again(planned, |step| changed(scene, change, step)),
+            )
+        });
         let measured = Some(Saved {
             frames,
             stages: stages.medians(),
-            evaluations: [count(planned), count(all)],
+            evaluations,
             times: times.map(|mut times| median_ms(&mut times)),
-            changes: CHANGES
-                .map(|(name, change)| {
-                    (
-                        name,
-                        run_again(planned, |step| changed(scene, change, step)),
-                    )
-                })
-                .to_vec(),
+            changes: changes.to_vec(),
         });
         Ok(FramePlan {
             terms,
@@ -95,7 +95,6 @@ impl Question for PlanQuestion {
     }
 }
 
-/// Returns the stages that run when a scene with one change follows another.
 fn run_again(renderer: &mut Renderer, change: impl Fn(u32) -> Option<Scene>) -> Option<Vec<Stage>> {
     renderer.render(&change(1)?);
     renderer.render(&change(2)?);
@@ -111,7 +110,6 @@ fn run_again(renderer: &mut Renderer, change: impl Fn(u32) -> Option<Scene>) -> 
 }
 
 impl Saved {
-    /// Returns a stage's time, and its share of the total.
     fn time(&self, stage: Stage) -> Option<(f64, f64)> {
         let whole: f64 = self.stages.iter().map(|(_, ms)| ms).sum();
         let (_, ms) = self.stages.iter().find(|(known, _)| *known == stage)?;
@@ -119,7 +117,6 @@ impl Saved {
     }
 
     /// Returns the ratios of the work without the plan to that with it: evaluations, and time.
-    #[expect(clippy::cast_precision_loss, reason = "far fewer than 2⁵³")]
     fn ratios(&self) -> [f64; 2] {
         let ratio = |[planned, all]: [f64; 2]| if planned > 0.0 { all / planned } else { 1.0 };
         [
@@ -140,8 +137,11 @@ impl FramePlan {
                 None => name.to_owned(),
             },
             (None, Some(run)) if run.ran => {
-                let ms = format!("{:.2}", run.nanoseconds as f64 / 1e6);
-                text!("engine-ran", stage = name, ms = ms)
+                text!(
+                    "engine-ran",
+                    stage = name,
+                    ms = format!("{:.2}", run.nanoseconds as f64 / 1e6)
+                )
             }
             (None, Some(_)) => text!("engine-kept", stage = name),
             (None, None) => text!("engine-not-needed", stage = name),
@@ -153,13 +153,11 @@ impl Answer for FramePlan {
     fn report(&self, about: &ReportContext<'_>) -> Report {
         let total: u64 = self.terms.iter().map(|term| term.evaluations).sum();
         let mut report = Report::new(match &self.measured {
-            Some(Saved { frames, .. }) => {
-                text!(
-                    "engine-plan-measured",
-                    about = about.heading(),
-                    frames = *frames
-                )
-            }
+            Some(Saved { frames, .. }) => text!(
+                "engine-plan-measured",
+                about = about.heading(),
+                frames = *frames
+            ),
             None => text!("engine-plan-total", count = total, number = grouped(total)),
         });
         for terms in self.terms.chunk_by(|a, b| a.stage == b.stage) {
@@ -174,15 +172,19 @@ impl Answer for FramePlan {
             if !table.rows.is_empty() {
                 section.push(Part::Table(table));
             }
-            for term in done() {
-                if let Some(note) = term.note {
-                    let name = term.name.to_string();
-                    section.note(text!("engine-note", name = name, note = note.text()));
-                }
+            for (term, note) in done().filter_map(|term| Some((term, term.note?))) {
+                section.note(text!(
+                    "engine-note",
+                    name = term.name.to_string(),
+                    note = note.text()
+                ));
             }
             for (names, reason) in by_reason(terms) {
-                let names = names.join(", ");
-                section.note(text!("engine-left-out", names = names, reason = reason));
+                section.note(text!(
+                    "engine-left-out",
+                    names = names.join(", "),
+                    reason = reason
+                ));
             }
         }
         let Some(saved) = &self.measured else {
@@ -215,11 +217,17 @@ impl Answer for FramePlan {
             .rows
             .extend(saved.changes.iter().map(|(name, stages)| {
                 let names = |stages: &Vec<Stage>| {
-                    let names = stages.iter().map(|stage| stage_words(*stage).0);
-                    names.collect::<Vec<_>>().join(", ")
+                    stages
+                        .iter()
+                        .map(|stage| stage_words(*stage).0)
+                        .collect::<Vec<_>>()
                 };
-                let names = stages.as_ref().map_or_else(|| "–".to_owned(), names);
-                cells![change_name(name), names]
+                cells![
+                    change_name(name),
+                    stages
+                        .as_ref()
+                        .map_or_else(|| "–".to_owned(), |stages| names(stages).join(", "))
+                ]
             }));
         report
             .section(text!("engine-runs-again"))
@@ -227,29 +235,22 @@ impl Answer for FramePlan {
         report
     }
 
-    /// Returns the table of terms, one per row.
     fn table(&self) -> Option<Table> {
-        let mut table =
-            Table::new(["stage", "name", "per", "evaluations", "omitted", "note"].map(Column::key));
-        table.rows.extend(self.terms.iter().map(|term| {
-            let Term {
-                stage,
-                name,
-                per,
-                evaluations,
-                omitted,
-                note,
-            } = term;
-            cells![
-                word(stage),
-                name.to_string(),
-                word(per),
-                *evaluations,
-                omitted.map(Message::text),
-                note.map(Message::text)
-            ]
-        }));
-        Some(table)
+        Some(Table::from_rows(
+            &self.terms,
+            [
+                (Column::key("stage"), |term| word(&term.stage).into()),
+                (Column::key("name"), |term| term.name.to_string().into()),
+                (Column::key("per"), |term| word(&term.per).into()),
+                (Column::key("evaluations"), |term| term.evaluations.into()),
+                (Column::key("omitted"), |term| {
+                    term.omitted.map(Message::text).into()
+                }),
+                (Column::key("note"), |term| {
+                    term.note.map(Message::text).into()
+                }),
+            ],
+        ))
     }
 
     fn value(&self, about: &ReportContext<'_>) -> Value {
@@ -286,8 +287,7 @@ impl Answer for FramePlan {
     }
 }
 
-/// Returns the omissions, grouping the terms that have one reason. Of several parts of one light only the first names
-/// it.
+/// Groups the omissions by reason; of several parts of one light only the first names it.
 fn by_reason(terms: &[Term]) -> Vec<(Vec<String>, &'static str)> {
     let mut groups: Vec<(Vec<String>, Option<usize>, Message)> = Vec::new();
     for (term, reason) in terms.iter().filter_map(|term| Some((term, term.omitted?))) {

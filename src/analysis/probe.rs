@@ -52,8 +52,8 @@ pub struct Probe {
 pub struct ProbeHit {
     /// The visible point, world.
     pub position: DVec3,
-    /// N at that point according to the shading mode: the face's own, or interpolated, or the true surface's. Unit
-    /// length unless the mode leaves it otherwise.
+    /// N there according to the shading mode: the face's, interpolated, or the surface's; of unit length unless the
+    /// mode leaves it.
     pub normal: DVec3,
     /// V, unit vector, world.
     pub view: DVec3,
@@ -92,8 +92,7 @@ pub struct ProbeHit {
 /// Depth cueing at a pixel: the intensity is `kept + veil`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CueTerms {
-    /// s0 at the pixel's own depth, or interpolated from the vertices; where intensities fade at vertices, the mean
-    /// of theirs.
+    /// s0 at the pixel's own depth, or interpolated from the vertices, or the mean of theirs where they fade.
     pub scale: f64,
     /// `s0·I`; where intensities fade at vertices, the mean of such products.
     pub kept: Rgb,
@@ -130,13 +129,12 @@ pub struct LightTerms {
     /// W(θ) per channel; 1 where it is constant.
     #[serde(rename = "w")]
     pub reflectance: Rgb,
-    /// The angle of incidence that W depends on, radians: between L and N, or between L and H for the models that mirror
-    /// at H.
+    /// The angle of incidence that W depends on, radians: from L to N, or to H for the models that mirror at H.
     #[serde(serialize_with = "in_degrees")]
     pub incidence: f64,
-    /// The share of the light that is not in shadow: of an area light's samples, and of the places of evaluation.
-    /// Where no ray is followed, no occluder is known: with shadows switched off, where the surface is turned away
-    /// from the light, and where the light adds nothing to the whole picture.
+    /// The share of the light that is not in shadow, of an area light's samples and of the places of evaluation; 1
+    /// where no ray is followed: without shadows, on surfaces turned away, and for lights that add nothing to the whole
+    /// picture.
     pub reached: f64,
     /// `f·Ip·kd·color·(N·L)` as it enters the sum.
     pub diffuse: Rgb,
@@ -149,8 +147,7 @@ pub struct LightTerms {
 }
 
 impl LightTerms {
-    /// Returns the angle whose cosine a reflection model raises or distributes, with its letter: φ, or α for the
-    /// models that measure N and H.
+    /// Returns the angle whose cosine a model raises or distributes, with its letter: φ, or α between N and H.
     pub fn lobe_angle(&self, model: ReflectionModel) -> (&'static str, f64) {
         match model {
             ReflectionModel::Phong => ("φ", self.phi),
@@ -196,10 +193,6 @@ impl LightTerms {
     }
 }
 
-#[expect(
-    clippy::trivially_copy_pass_by_ref,
-    reason = "serde passes fields by reference"
-)]
 fn in_degrees<S: Serializer>(radians: &f64, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.serialize_f64(radians.to_degrees())
 }
@@ -227,8 +220,7 @@ fn in_degrees<S: Serializer>(radians: &f64, serializer: S) -> Result<S::Ok, S::E
 /// assert!(probe(&mut renderer, &scene, 0, 0).hit.is_none(), "the background");
 /// ```
 pub fn probe(renderer: &mut Renderer, scene: &Scene, x: u32, y: u32) -> Probe {
-    let frame = renderer.render(scene);
-    let stored = frame.pixel(x, y);
+    let stored = renderer.render(scene).pixel(x, y);
     let hit = stored
         .zip(renderer.evaluation(x, y))
         .map(|(stored, evaluation)| {
@@ -301,7 +293,6 @@ pub fn probe(renderer: &mut Renderer, scene: &Scene, x: u32, y: u32) -> Probe {
     }
 }
 
-/// Computes one light's terms; the second equation has only the sources with which the picture is shaded.
 fn light_terms(
     scene: &Scene,
     [equation, shining]: [&Equation<f64>; 2],
@@ -358,15 +349,11 @@ fn angle(a: DVec3, b: DVec3) -> f64 {
     2.0 * (a - b).length().atan2((a + b).length())
 }
 
-/// Finds the clearest pixel to explain, the one nearest to the picture's middle among those of a coarse grid: one
-/// whose vectors are well apart; or else a lit one; or else one of the object.
+/// Finds the clearest pixel of a coarse grid, the nearest to the picture's middle: with vectors well apart, or lit, or
+/// any.
 pub fn clearest_pixel(renderer: &mut Renderer, scene: &Scene) -> Probe {
-    let [width, height] = scene.image.size;
-    let middle = [width / 2, height / 2];
-    let middles = |side: u32| (0..SEARCH_GRID).map(move |i| (2 * i + 1) * side / (2 * SEARCH_GRID));
-    let mut grid: Vec<[u32; 2]> = middles(height)
-        .flat_map(|y| middles(width).map(move |x| [x, y]))
-        .collect();
+    let middle = scene.image.size.map(|side| side / 2);
+    let mut grid: Vec<[u32; 2]> = middles(scene, SEARCH_GRID).collect();
     grid.dedup();
     let distance = |[x, y]: &[u32; 2]| {
         let (dx, dy) = (
@@ -397,15 +384,18 @@ pub fn clearest_pixel(renderer: &mut Renderer, scene: &Scene) -> Probe {
     best.1
 }
 
-/// Finds a pixel on the flank of the brightest highlight, where R, V and φ are meaningful: the one of a grid whose
-/// specular light is nearest to half of the maximum; the brightest by diffuse light where there is no highlight, and
-/// none without an object.
-pub fn pixel_beside_highlight(renderer: &mut Renderer, scene: &Scene) -> Option<[u32; 2]> {
-    const GRID: u32 = 24;
+/// Returns the middles of the cells of a grid of `count` columns and rows over the picture, row by row.
+fn middles(scene: &Scene, count: u32) -> impl Iterator<Item = [u32; 2]> {
     let [width, height] = scene.image.size;
-    let middles = |side: u32| (0..GRID).map(move |i| (2 * i + 1) * side / (2 * GRID));
+    let middles = move |side: u32| (0..count).map(move |i| (2 * i + 1) * side / (2 * count));
+    middles(height).flat_map(move |y| middles(width).map(move |x| [x, y]))
+}
+
+/// Finds a pixel on the flank of the brightest highlight, where R, V and φ are meaningful: of a grid the one with about
+/// half of the maximum; without a highlight the brightest by diffuse light, and none without an object.
+pub fn pixel_beside_highlight(renderer: &mut Renderer, scene: &Scene) -> Option<[u32; 2]> {
     let mut found = Vec::new();
-    for [x, y] in middles(height).flat_map(|y| middles(width).map(move |x| [x, y])) {
+    for [x, y] in middles(scene, 24) {
         if let Some(hit) = probe(renderer, scene, x, y).hit {
             let sum = |part: fn(&LightTerms) -> Rgb| -> f64 {
                 hit.lights
@@ -435,8 +425,10 @@ pub fn pixel_beside_highlight(renderer: &mut Renderer, scene: &Scene) -> Option<
             clear + diffuse
         }
     };
-    let best = found.iter().max_by(|a, b| worth(a).total_cmp(&worth(b)));
-    best.map(|(pixel, ..)| *pixel)
+    found
+        .iter()
+        .max_by(|a, b| worth(a).total_cmp(&worth(b)))
+        .map(|(pixel, ..)| *pixel)
 }
 
 /// Explanatory value of a drawing at a pixel.

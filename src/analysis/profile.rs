@@ -1,7 +1,7 @@
 //! The intensity along a line through the picture for each shading mode, with its slope and its perceived brightness.
 //!
-//! Gouraud shading makes the intensity continuous but leaves corners in it, where its slope jumps: Mach bands appear there.
-//! Phong shading weakens them but does not remove them.
+//! Gouraud shading makes the intensity continuous but leaves corners in it, where its slope jumps: Mach bands appear
+//! there. Phong shading weakens them but does not remove them.
 //!
 //! Intensities are linear and before the display: neither clamped nor rounded, as Rec. 709 luminance. The equation is
 //! evaluated at the places of the line themselves, in double precision, where the shading mode evaluates it; only the
@@ -67,10 +67,7 @@ impl ProfileQuestion {
         }
     }
 
-    /// Checks whether such a profile exists in a picture of `size`.
-    ///
-    /// # Errors
-    /// The reason why there is none.
+    /// Checks whether such a profile exists in a picture of `size`; the error says why there is none.
     pub fn check(&self, size: [u32; 2]) -> Result<(), ProfileError> {
         self.line(size).map(|_| ())
     }
@@ -95,7 +92,7 @@ impl ProfileQuestion {
 #[non_exhaustive]
 pub enum ProfileError {
     /// An end lies outside the picture.
-    #[error("{}", outside(*.size))]
+    #[error("{}", text!("line-error-outside", width = .size[0], height = .size[1]))]
     Outside {
         /// Width and height of the picture.
         size: [u32; 2],
@@ -106,10 +103,6 @@ pub enum ProfileError {
     /// No mode is requested.
     #[error("{}", text!("line-error-no-mode"))]
     NoMode,
-}
-
-fn outside([width, height]: [u32; 2]) -> String {
-    text!("line-error-outside", width = width, height = height)
 }
 
 /// The profile along a line.
@@ -134,8 +127,7 @@ pub struct Trace {
     pub mode: ShadingMode,
     /// Luminance, linear and before the display.
     pub intensity: Vec<f64>,
-    /// Slope per pixel along the line. It is taken within the polygon that the sample sees and never across its
-    /// border, so that a corner stays a jump of the slope.
+    /// Slope per pixel along the line, within the polygon that the sample sees, so that a corner stays a jump.
     pub slope: Vec<f64>,
     /// Perceived brightness, by the question's model.
     pub perceived: Vec<f64>,
@@ -152,8 +144,7 @@ pub struct Border {
     pub y: f64,
     /// Parameter along the line, 0 at its start and 1 at its end.
     pub t: f64,
-    /// The faces before and after the border; none is the background. The same face twice is the diagonal along which
-    /// a polygon was cut.
+    /// The faces before and after the border; none is the background; the same twice is a diagonal of a cut polygon.
     pub faces: [Option<u32>; 2],
 }
 
@@ -266,7 +257,6 @@ impl Question for ProfileQuestion {
 }
 
 impl TakenProfile {
-    /// Returns the table of samples, one per row.
     fn samples(&self) -> Table {
         let Profile {
             samples, traces, ..

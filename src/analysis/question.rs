@@ -34,14 +34,10 @@ pub trait Question:
     /// The type of the answer.
     type Answer: Answer + Clone + 'static;
 
-    /// Encoding of the answer for its way back from a worker of a web page; without one, the page computes the answer
-    /// itself.
+    /// Encoding of the answer for its way back from a worker; without one, a web page computes the answer itself.
     const CODEC: Option<Codec<Self::Answer>> = None;
 
-    /// Computes the answer.
-    ///
-    /// # Errors
-    /// The reason why there is none, in a sentence that says what was expected.
+    /// Computes the answer, or the reason why there is none, in a sentence that says what was expected.
     fn answer(
         &self,
         subject: &Subject,
@@ -76,8 +72,8 @@ impl Subject {
     }
 }
 
-/// The caller waiting for an answer. Implemented by closures that take the share of the work done, from 0 to 1, and
-/// return whether to continue.
+/// The caller waiting for an answer; also a closure that takes the share of the work done and returns whether to
+/// continue.
 pub trait Watch<A>: Sync {
     /// Takes the share of the work done; returns whether to continue.
     fn progress(&self, share: f32) -> bool;

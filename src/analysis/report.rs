@@ -60,19 +60,23 @@ pub trait Answer: Debug + Send + Sync {
         size: Option<[u32; 2]>,
         paper: Paper,
     ) -> Option<Figure> {
-        let report = self.report(about);
-        let plots: Vec<Plot> = report.plots().cloned().collect();
+        let plots: Vec<Plot> = self.report(about).plots().cloned().collect();
         let size = size.unwrap_or_else(|| self.figure_size(plots.len()));
         let extent = DVec2::from_array(size.map(f64::from));
-        let titles: Vec<&str> = plots.iter().map(|plot| plot.title.as_str()).collect();
+        let title = plots
+            .iter()
+            .map(|plot| plot.title.as_str())
+            .collect::<Vec<_>>()
+            .join("; ");
         let drawing = || lay_out_sheet(&plots, extent, &PlotStyle::of(size, plots.len(), paper));
         (!plots.is_empty()).then(|| Figure::Drawing {
             drawing: drawing(),
-            title: titles.join("; "),
+            title,
         })
     }
 
-    /// Returns the rows as CSV: the answer's own table, or that of the report which has keys, or the samples of all curves.
+    /// Returns the rows as CSV: the answer's own table, or that of the report which has keys, or the samples of all
+    /// curves.
     fn csv(&self, about: &ReportContext<'_>) -> String {
         in_language(Language::English, || {
             self.table()
@@ -105,19 +109,13 @@ pub trait Answer: Debug + Send + Sync {
 /// A figure to write to a file.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
+#[expect(missing_docs, reason = "the variants tell what their fields are")]
 pub enum Figure {
-    /// Lines and texts.
-    Drawing {
-        /// The shapes and texts.
-        drawing: Drawing,
-        /// Title in file formats that have a place for it.
-        title: String,
-    },
+    /// Lines and texts, with a title for file formats that have a place for it.
+    Drawing { drawing: Drawing, title: String },
     /// A picture, with the scene that it shows if it is one.
     Picture {
-        /// The pixels.
         frame: Frame,
-        /// The scene that they show, if it is one.
         scene: Option<Box<Scene>>,
     },
 }
@@ -145,18 +143,14 @@ pub struct Section {
 /// A piece of a report.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
+#[expect(missing_docs, reason = "the variants tell what their fields are")]
 pub enum Part {
     /// One or more sentences.
     Text(String),
     /// An explanation or a remark.
     Note(String),
-    /// A number with its unit, and its name.
-    Quantity {
-        /// The number with its unit, as text.
-        value: String,
-        /// Name of the quantity.
-        name: String,
-    },
+    /// A number with its unit, as text, and its name.
+    Quantity { value: String, name: String },
     /// A table with headed columns.
     Table(Table),
     /// Curves.
@@ -174,12 +168,10 @@ impl Report {
 
     /// Begins a section.
     pub fn section(&mut self, title: impl Into<String>) -> &mut Section {
-        self.sections.push(Section {
+        self.sections.push_mut(Section {
             title: title.into(),
             parts: Vec::new(),
-        });
-        let last = self.sections.len() - 1;
-        &mut self.sections[last]
+        })
     }
 
     fn parts(&self) -> impl Iterator<Item = &Part> {
@@ -197,7 +189,6 @@ impl Report {
         })
     }
 
-    /// Returns the table that has keys, or the samples of all curves.
     fn rows(&self) -> Table {
         let mut tables = self.parts().filter_map(|part| {
             if let Part::Table(table) = part {
@@ -272,7 +263,6 @@ impl Section {
     }
 }
 
-/// Describes a plot in words and numbers.
 fn plot_text(plot: &Plot) -> String {
     let mut text = format!("{}\n  {}\n", plot.title, plot.note);
     if !plot.legend.is_empty() {
@@ -298,7 +288,6 @@ fn plot_text(plot: &Plot) -> String {
     text
 }
 
-/// Returns a table with a row for each sample of each curve.
 fn samples<'a>(plots: impl Iterator<Item = &'a Plot>) -> Table {
     let mut table = Table::new(["plot", "curve", "x", "y"].map(Column::key));
     for plot in plots {
@@ -383,14 +372,12 @@ pub fn fixed<const DECIMALS: usize>(value: f64) -> String {
 /// Formats a number with digits in groups of three.
 pub fn grouped(value: u64) -> String {
     let digits = value.to_string();
-    let mut text = String::new();
-    for (index, digit) in digits.chars().enumerate() {
-        if index > 0 && (digits.len() - index).is_multiple_of(3) {
-            text.push('\u{2009}');
-        }
-        text.push(digit);
-    }
-    text
+    let groups = digits
+        .as_bytes()
+        .rchunks(3)
+        .rev()
+        .map(String::from_utf8_lossy);
+    groups.collect::<Vec<_>>().join("\u{2009}")
 }
 
 impl Column {
@@ -467,8 +454,8 @@ impl Table {
         }
     }
 
-    /// Returns the headings for people and the rows below them, and for each column whether it holds numbers. Of the
-    /// optional columns, `left_out` are omitted, from the right.
+    /// Returns the headings for people, the rows, and which columns are numbers, without the last `left_out` optional
+    /// ones.
     pub fn for_people(&self, left_out: usize) -> (Vec<&str>, Vec<Vec<String>>, Vec<bool>) {
         let mut extras = self.columns.iter().filter(|column| column.extra).count();
         let mut kept = |column: &Column| {
@@ -476,10 +463,8 @@ impl Table {
             extras -= usize::from(column.extra);
             !column.extra || place > left_out
         };
-        let shown: Vec<(usize, &Column)> = self
-            .columns
-            .iter()
-            .enumerate()
+        let all = self.columns.iter().enumerate();
+        let shown: Vec<_> = all
             .filter(|(_, column)| kept(column) && column.head.is_some())
             .collect();
         let heads = shown
@@ -599,38 +584,5 @@ into_cell! {
 impl<T: Into<Self>> From<Option<T>> for Cell {
     fn from(value: Option<T>) -> Self {
         value.map_or(Self::Empty, Into::into)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn digits_are_grouped_from_the_right() {
-        assert_eq!(
-            (grouped(0), grouped(999)),
-            ("0".to_owned(), "999".to_owned())
-        );
-        assert_eq!(grouped(1_234_567), "1\u{2009}234\u{2009}567");
-    }
-
-    #[test]
-    fn columns_are_even_in_chinese_and_the_extra_ones_go_first() {
-        let column = |head: &'static str| Column::shown(head, as_it_is);
-        let mut table = Table::new([
-            column("名稱"),
-            column("RMS").extra(),
-            column("最大").extra(),
-        ]);
-        table.rows.push(cells!["精確", 1.0, 2.0]);
-        table.rows.push(cells!["Phong", 10.0, 20.0]);
-        assert_eq!(
-            table.text(),
-            "  名稱   RMS  最大\n  精確     1     2\n  Phong   10    20\n"
-        );
-        let heads = |left_out| table.for_people(left_out).0;
-        assert_eq!(heads(1), ["名稱", "RMS"]);
-        assert_eq!(heads(2), ["名稱"]);
     }
 }

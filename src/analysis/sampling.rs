@@ -11,8 +11,7 @@ pub const REFERENCE_SAMPLES: u32 = 4096;
 /// Longer side of the picture over which the difference is measured, pixels.
 const SIDE: u32 = 64;
 
-/// Difference between the light of N points and that of [`REFERENCE_SAMPLES`], in linear intensity: 1 is the
-/// display's white.
+/// Difference between the light of N points and that of [`REFERENCE_SAMPLES`], in linear intensity.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SamplingError {
     /// Root mean square over the channels of the pixels that show the object.
@@ -23,11 +22,9 @@ pub struct SamplingError {
 
 /// Measures the error of the area light of index `light` by a picture of 64 pixels on the longer side. `renderer`
 /// must hold the scene's model and is left with that picture. Returns none where there is no such light, it is not an
-/// area light, it does not shine, or the object is not visible.
+/// area light, it does not shine, or the object is not visible. Shadows are ignored.
 ///
-/// The equation is evaluated where the shading mode evaluates it, in double precision; of all lights only this one
-/// differs, so that only its terms are evaluated. Shadows are ignored: every point of the light reaches every point
-/// of the object.
+/// The equation is evaluated where the shading mode evaluates it, in double precision, for this light alone.
 pub fn sampling_error(
     renderer: &mut Renderer,
     scene: &Scene,

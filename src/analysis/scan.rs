@@ -34,8 +34,7 @@ use serde::Serialize;
 use std::ops::RangeInclusive;
 use thiserror::Error;
 
-/// Returns the face of `scene` that pixel (`x`, `y`) sees, drawing the scene first if it is not the picture last
-/// drawn.
+/// Returns the face of `scene` that pixel (`x`, `y`) sees, drawing the scene first if need be.
 pub fn face_at(renderer: &mut Renderer, scene: &Scene, x: u32, y: u32) -> Option<u32> {
     renderer.render(scene);
     renderer.polygon_at(x, y)
@@ -183,33 +182,21 @@ pub struct ScanPixel {
 /// One step of the conversion, by indices into lines, their spans, and the pixels of these.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(tag = "does", rename_all = "kebab-case")]
+#[expect(
+    missing_docs,
+    reason = "indices into the scan's lines, a line's spans and a span's pixels"
+)]
 pub enum ScanStep {
     /// A new scan line, its active edges sorted.
-    Line {
-        /// Index into the scan's lines.
-        line: usize,
-    },
+    Line { line: usize },
     /// P is found.
-    P {
-        /// Index into the scan's lines.
-        line: usize,
-        /// Index into the line's spans.
-        span: usize,
-    },
+    P { line: usize, span: usize },
     /// Q is found.
-    Q {
-        /// Index into the scan's lines.
-        line: usize,
-        /// Index into the line's spans.
-        span: usize,
-    },
+    Q { line: usize, span: usize },
     /// A pixel is shaded.
     Pixel {
-        /// Index into the scan's lines.
         line: usize,
-        /// Index into the line's spans.
         span: usize,
-        /// Index into the span's pixels.
         pixel: usize,
     },
 }
@@ -257,50 +244,26 @@ pub struct ScanPoint<'a> {
 /// The reason why a polygon cannot be scanned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[non_exhaustive]
+#[expect(
+    missing_docs,
+    reason = "the fields are the requested face and rows, and the number of faces"
+)]
 pub enum ScanError {
     /// The mesh has no such face.
-    #[error("{}", no_face(*.face, *.count))]
-    NoFace {
-        /// The requested face.
-        face: u32,
-        /// The number of faces.
-        count: usize,
-    },
+    #[error("{}", text!("line-scan-error-no-face", face = .face, last = .count.saturating_sub(1)))]
+    NoFace { face: u32, count: usize },
     /// The object has no polygons.
     #[error("{}", text!("line-scan-error-empty"))]
     Empty,
     /// The number of rows is not one of [`Scan::ROWS`].
-    #[error("{}", wrong_rows(*.rows))]
-    Rows {
-        /// The requested rows.
-        rows: u32,
-    },
+    #[error("{}", text!("line-scan-error-rows", rows = .rows, low = *Scan::ROWS.start(), high = *Scan::ROWS.end()))]
+    Rows { rows: u32 },
     /// A corner lies behind the eye.
-    #[error("{}", of_face("line-scan-error-behind", *.face))]
-    BehindTheEye {
-        /// The requested face.
-        face: u32,
-    },
+    #[error("{}", text!("line-scan-error-behind", face = .face))]
+    BehindTheEye { face: u32 },
     /// The polygon is seen edge-on, or covers no pixel's centre.
-    #[error("{}", of_face("line-scan-error-edge-on", *.face))]
-    EdgeOn {
-        /// The requested face.
-        face: u32,
-    },
-}
-
-fn no_face(face: u32, count: usize) -> String {
-    let last = count.saturating_sub(1);
-    text!("line-scan-error-no-face", face = face, last = last)
-}
-
-fn wrong_rows(rows: u32) -> String {
-    let (low, high) = (*Scan::ROWS.start(), *Scan::ROWS.end());
-    text!("line-scan-error-rows", rows = rows, low = low, high = high)
-}
-
-fn of_face(key: &str, face: u32) -> String {
-    text!(key, face = face)
+    #[error("{}", text!("line-scan-error-edge-on", face = .face))]
+    EdgeOn { face: u32 },
 }
 
 impl Scan {
@@ -324,17 +287,13 @@ impl Scan {
 
     /// Returns the step of that size before `from`; the first one before all of these.
     pub fn back(&self, from: usize, level: ScanLevel) -> usize {
-        let before = &self.steps[..from.min(self.last())];
-        before
+        self.steps[..from.min(self.last())]
             .iter()
             .rposition(|step| step.level() >= level)
             .unwrap_or(0)
     }
 
-    /// Returns the state at step `step`, or at the last one.
-    ///
-    /// # Panics
-    /// If there are no steps, which [`scan`] never returns.
+    /// Returns the state at step `step`, or at the last one; [`scan`] never returns none at all.
     pub fn at(&self, step: usize) -> ScanPoint<'_> {
         let step = self.steps[step.min(self.last())];
         let (line, span, q, pixel) = match step {
@@ -378,8 +337,7 @@ impl Scan {
 
     /// Returns the step that begins line `y` of the grid, and the one that ends it.
     pub fn steps_of_line(&self, y: u32) -> Option<[usize; 2]> {
-        let within = |step: &usize| self.at(*step).line.y == y;
-        let mut steps = (0..self.steps.len()).filter(within);
+        let mut steps = (0..self.steps.len()).filter(|step| self.at(*step).line.y == y);
         let first = steps.next()?;
         Some([first, steps.next_back().unwrap_or(first)])
     }
@@ -395,7 +353,6 @@ impl Scan {
         steps.min_by(|a, b| far(a).total_cmp(&far(b))).unwrap_or(0)
     }
 
-    /// Returns the place of a step in the grid.
     fn place_of(&self, step: usize) -> DVec2 {
         let point = self.at(step);
         let crossing = point.q.or(point.p).map_or(0.0, |crossing| crossing.x);

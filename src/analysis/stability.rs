@@ -4,21 +4,19 @@
 //! outline. NaN counts as an error of the whole range.
 
 mod cases;
-mod codec;
 mod naive;
 mod precise;
 mod reference;
 mod report;
 
-pub use report::{Catalogue, StabilityQuestion, stability_sheet};
+pub use report::{Catalogue, StabilityQuestion};
 
 use crate::figure::magnitude;
 use crate::render::{Frame, Renderer};
 use crate::scene::{Scene, choices};
 use crate::text::{Message, text};
 use reference::Truth;
-use serde::ser::SerializeStruct;
-use serde::{Serialize, Serializer};
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 use std::fmt;
 
 /// Tolerance for the engine, code values: rounding to a stored pixel takes as much anyway.
@@ -144,16 +142,19 @@ impl Case {
     }
 }
 
+/// Serializes a case by its name.
 impl Serialize for Case {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut case = serializer.serialize_struct("Case", 6)?;
-        case.serialize_field("name", self.name)?;
-        case.serialize_field("title", self.title())?;
-        case.serialize_field("topic", &self.topic)?;
-        case.serialize_field("wrong", self.naive())?;
-        case.serialize_field("robust", self.engine())?;
-        case.serialize_field("condition", &self.condition)?;
-        case.end()
+        serializer.serialize_str(self.name)
+    }
+}
+
+impl<'de> Deserialize<'de> for &'static Case {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let name = String::deserialize(deserializer)?;
+        stability_cases()
+            .find(|case| case.name == name)
+            .ok_or_else(|| de::Error::custom(name))
     }
 }
 
@@ -166,10 +167,9 @@ struct Pictures {
 }
 
 /// The result of a case.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct CaseResult {
     /// The case.
-    #[serde(flatten)]
     pub case: &'static Case,
     /// Maximum error of the naive renderer, code values, 0 to 255.
     pub naive_error: f64,
@@ -186,10 +186,8 @@ pub struct CaseResult {
     /// Number of pixels of the engine that are infinite or NaN: zero.
     pub robust_not_finite: u64,
     /// Stored pictures: the naive renderer's with non-finite pixels in magenta, the engine's, the reference's.
-    #[serde(skip)]
     pub pictures: [Frame; 3],
     /// The case as a scene, if it is one.
-    #[serde(skip)]
     pub scene: Option<Scene>,
 }
 
@@ -269,7 +267,6 @@ pub fn stability(renderer: &mut Renderer, case: &'static Case) -> CaseResult {
     result
 }
 
-/// Returns the engine's picture before the display.
 fn engine_picture(renderer: &mut Renderer, scene: &Scene) -> Vec<[f64; 3]> {
     renderer.keep_linear(true);
     renderer.render(scene);
@@ -295,7 +292,6 @@ fn greatest(truth: [f64; 3], value: [f64; 3]) -> f64 {
     truth.into_iter().zip(value).map(of).fold(0.0, f64::max)
 }
 
-/// Returns the code value of an intensity before rounding.
 fn clamped(intensity: f64) -> f64 {
     if intensity.is_nan() {
         f64::NAN
@@ -322,11 +318,6 @@ fn frame(pixels: &[[f64; 3]], code: fn(f64) -> f64) -> Frame {
         if !pixel.iter().all(|v| v.is_finite()) {
             return MARK;
         }
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "rounded to 0..=255"
-        )]
         let [r, g, b] = pixel.map(|v| code(v).round().clamp(0.0, 255.0) as u8);
         [r, g, b, 255]
     };

@@ -50,15 +50,13 @@ impl Method {
         matches!(self, Self::PhongScalar | Self::Taylor | Self::Angular)
     }
 
-    /// Returns the cost of a pixel inside a span, under one white light at infinity and a viewer there: additions,
-    /// multiplications, divisions and roots, and powers (which the papers look up in a table) of the method's code
-    /// here, without coverage and depth.
+    /// Returns the cost of a pixel inside a span without coverage and depth, under one white light and a viewer at
+    /// infinity: additions, multiplications, divisions and roots, and powers, which the papers look up in a table.
     ///
     /// Phong's normal takes 3 additions to interpolate, and 6 multiplications, 2 additions, a root and a division to
-    /// normalise; N·L and N·V 3 multiplications and 2 additions each; R·V = 2(N·L)(N·V) − L·V 2 and 1; the sum with
-    /// kd and ks 2 and 2. Taylor's two cosines take 2 additions each by forward differences, kd and ks being part of
-    /// them and of the table; their sum is the fifth. The normal of angular interpolation takes 3 multiplications and
-    /// 3 additions and has unit length by construction.
+    /// normalise; N·L and N·V 3 multiplications and 2 additions each; R·V = 2(N·L)(N·V) − L·V 2 and 1; the sum with kd
+    /// and ks 2 and 2. Taylor's two cosines take 2 additions each by forward differences, their sum the fifth. The
+    /// normal of angular interpolation takes 3 multiplications and 3 additions and has unit length by construction.
     pub fn pixel_cost(self) -> [u32; 4] {
         match self {
             Self::Flat | Self::FlatVertexMean => [0, 0, 0, 0],
@@ -94,8 +92,7 @@ impl Method {
 pub struct StudyQuestion {
     /// The methods.
     pub methods: Vec<Method>,
-    /// Polygons round the axis; those along it scale with them as in the scene. Of a shape without such a number only
-    /// its own polygons are measured.
+    /// Polygons round the axis, those along it in proportion; a shape without such a number keeps its own.
     pub segments: Vec<u32>,
     /// Interpolations, where they make a difference.
     pub interpolations: Vec<Interpolation>,
@@ -118,8 +115,7 @@ impl Default for StudyQuestion {
 }
 
 impl StudyQuestion {
-    /// Returns whether two scenes differ only in parameters that a study sets itself, so that the results of one hold
-    /// for the other.
+    /// Returns whether two scenes differ only in what a study sets itself, so that they have the same results.
     pub fn same(&self, a: &Scene, b: &Scene) -> bool {
         let plain = |scene: &Scene| {
             let mut plain = scene.clone();
@@ -190,7 +186,6 @@ impl Setting {
     }
 }
 
-/// Returns the title of a method with its interpolation.
 fn title(method: Method, interpolation: Option<Interpolation>) -> String {
     let method = method.label();
     match interpolation {
@@ -224,8 +219,7 @@ pub struct StudyRow {
     pub error_max: f64,
     /// 99th percentile of the error inside, likewise.
     pub error_p99: f64,
-    /// Root mean square error inside of the values as shown: where the display clamps, values above 1 count as 1, as
-    /// in the figures of a comparison.
+    /// Root mean square error inside of the values as shown, clamped where the display clamps, as in a comparison.
     pub error_rms_shown: f64,
     /// Maximum error inside of the values as shown.
     pub error_max_shown: f64,
@@ -241,8 +235,7 @@ pub struct StudyRow {
     pub spread_ms: f64,
     /// Number of frames timed.
     pub samples: u32,
-    /// Number of evaluations of the equation in a frame, which does not depend on the machine; of Taylor's method the
-    /// triangles expanded.
+    /// Number of evaluations of the equation in a frame; of Taylor's method the triangles expanded.
     pub evaluations: u64,
     /// True if no other setting that the engine draws is both faster and nearer to the exact picture.
     pub pareto: bool,
@@ -259,8 +252,7 @@ pub struct Series {
     pub interpolation: Option<Interpolation>,
     /// The specular exponent.
     pub n: f64,
-    /// Order p of the maximum error, which is proportional to hᵖ with the spacing h; none for fewer than three
-    /// tessellations.
+    /// Order p of the maximum error, proportional to hᵖ with the spacing h; none for fewer than three tessellations.
     pub order: Option<Fit>,
     /// Order of the root mean square error, likewise.
     pub order_rms: Option<Fit>,
@@ -282,7 +274,6 @@ pub struct Study {
 }
 
 impl Study {
-    /// Recomputes the orders and the Pareto front.
     fn conclude(&mut self) {
         // Times of engine and scalar code are not comparable: the scalar ones count only where there are no others.
         let engine = self.rows.iter().any(|row| !row.scalar);

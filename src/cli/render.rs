@@ -13,6 +13,7 @@ use shading_lab::analysis::normals::{NormalField, draw_normals};
 use shading_lab::analysis::overlay::{OverlayLayer, OverlayOptions};
 use shading_lab::analysis::probe::{clearest_pixel, draw_overlay, probe};
 use shading_lab::analysis::profile::{ProfileQuestion, draw_profile, profile};
+use shading_lab::analysis::unwatched;
 use shading_lab::document::{check_target, save_picture};
 use shading_lab::render::{Frame, Renderer, check_memory_for};
 use shading_lab::scene::{Choice, CompareView, Scene};
@@ -187,7 +188,7 @@ impl Render {
         if layers.contains(&OverlayLayer::Defects) {
             draw_defects(
                 &mut pixmap,
-                &defects(renderer, scene, probed.pixel),
+                &defects(renderer, scene, probed.pixel, &unwatched),
                 &options,
             );
         }

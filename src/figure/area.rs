@@ -62,16 +62,12 @@ impl Area {
             .map_or(0.0, |(from, to)| from.distance(to))
     }
 
-    /// Returns the part of the segment from `a` to `b` within (Liang and Barsky 1984).
-    fn segment(&self, a: DVec2, b: DVec2) -> Option<(DVec2, DVec2)> {
+    /// Returns the part of the segment from `near` to `far` within (Liang and Barsky 1984).
+    fn segment(&self, near: DVec2, far: DVec2) -> Option<(DVec2, DVec2)> {
         // From the nearer end, so that a far one out of all proportion costs no digits of the visible part.
-        if a.length_squared() > b.length_squared() {
-            return self.segment_from(b, a).map(|(to, from)| (from, to));
+        if near.length_squared() > far.length_squared() {
+            return self.segment(far, near).map(|(to, from)| (from, to));
         }
-        self.segment_from(a, b)
-    }
-
-    fn segment_from(&self, near: DVec2, far: DVec2) -> Option<(DVec2, DVec2)> {
         let along = far - near;
         let (mut enter, mut leave) = (0.0f64, 1.0f64);
         for axis in 0..2 {
@@ -104,8 +100,7 @@ pub struct Run {
     pub start: f64,
 }
 
-/// Clips the line through `points` to `area`; returns its parts inside. Segments with an end that is not finite are
-/// omitted.
+/// Clips the line through `points` to `area`; returns its parts inside, without segments that are not finite.
 pub fn clipped(points: impl IntoIterator<Item = DVec2>, area: &Area) -> Vec<Run> {
     let mut runs: Vec<Run> = Vec::new();
     let mut last: Option<DVec2> = None;
@@ -132,8 +127,7 @@ pub fn clipped(points: impl IntoIterator<Item = DVec2>, area: &Area) -> Vec<Run>
     runs
 }
 
-/// Returns whether a filled shape is to be drawn: it overlaps `area` and is not enormous beside it, as perspective
-/// can make one.
+/// Returns whether a filled shape is drawn: it overlaps `area` and is not enormous, as perspective can make one.
 pub fn can_be_filled(points: &[DVec2], area: &Area) -> bool {
     let bounds = points.iter().copied().map(|point| (point, point));
     let Some((min, max)) = bounds.reduce(|(a, b), (c, d)| (a.min(c), b.max(d))) else {

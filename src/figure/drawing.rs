@@ -7,8 +7,7 @@ use glam::DVec2;
 use std::borrow::Cow;
 use std::sync::LazyLock;
 
-/// Number of corners of the polygon drawn as a circle: at the largest radius in use it is off by less than a tenth of
-/// a pixel.
+/// Corners of the polygon drawn as a circle: off by less than a tenth of a pixel at the largest radius.
 const CIRCLE_CORNERS: u32 = 96;
 
 /// A line or an area.
@@ -285,8 +284,8 @@ impl Drawing {
         }
     }
 
-    /// Returns the shapes in the order in which they are painted: all halos come first, so that lines that meet join
-    /// instead of cutting one another.
+    /// Returns the shapes as they are painted: all halos first, so that lines that meet join and do not cut one
+    /// another.
     pub fn painted(&self) -> impl Iterator<Item = Cow<'_, Shape>> {
         let haloed = self
             .shapes
@@ -309,8 +308,8 @@ impl Drawing {
         halos.chain(self.shapes.iter().map(Cow::Borrowed))
     }
 
-    /// Draws a curve over the first plot, as far as it lies within its axes; a value that is not finite interrupts it. A single
-    /// point is a dot.
+    /// Draws a curve over the first plot within its axes; a single point is a dot, and what is not finite interrupts
+    /// it.
     pub fn draw_curve(
         &mut self,
         points: impl IntoIterator<Item = [f64; 2]>,
@@ -367,8 +366,7 @@ impl Drawing {
         Some([x0 + share.x * (x1 - x0), y1 - share.y * (y1 - y0)])
     }
 
-    /// Returns the position of a value of the first plot, and the line that marks its x there: from the axis to the
-    /// opposite side.
+    /// Returns the position of a value of the first plot, and the line across the plot that marks its x.
     pub fn place(&self, value: [f64; 2]) -> Option<(DVec2, [DVec2; 2])> {
         let scale = self.scales.first()?;
         let line = match scale {

@@ -9,20 +9,7 @@ use std::sync::LazyLock;
 /// A display colour: red, green, blue, as stored in a picture.
 pub type Rgb8 = [u8; 3];
 
-/// The normal: blue.
-pub const N: Rgb8 = [0x00, 0x72, 0xB2];
-/// The direction to a light: orange.
-pub const L: Rgb8 = [0xE6, 0x9F, 0x00];
-/// L mirrored at N: vermilion.
-pub const R: Rgb8 = [0xD5, 0x5E, 0x00];
-/// The direction to the viewer: bluish green.
-pub const V: Rgb8 = [0x00, 0x9E, 0x73];
-/// Half-way between L and V: reddish purple.
-pub const H: Rgb8 = [0xCC, 0x79, 0xA7];
-/// The transmitted direction: sky blue.
-pub const T: Rgb8 = [0x56, 0xB4, 0xE9];
-/// The colours of flat, interpolated, Gouraud, Phong and exact shading, in plots and over pictures, from the same
-/// palette.
+/// The colours of flat, interpolated, Gouraud, Phong and exact shading, from the same palette.
 const SHADING: [Rgb8; 5] = [
     [0xD5, 0x5E, 0x00],
     [0xCC, 0x79, 0xA7],
@@ -46,28 +33,32 @@ pub const FACE_DASHES: [f32; 2] = [3.0, 1.5];
 /// The vectors of the illumination equation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Vector {
-    /// The surface's normal.
+    /// The surface's normal: blue.
     N,
-    /// The direction to the light.
+    /// The direction to the light: orange.
     L,
-    /// L mirrored at N.
+    /// L mirrored at N: vermilion.
     R,
-    /// The direction to the viewer.
+    /// The direction to the viewer: bluish green.
     V,
-    /// The direction half-way between L and V.
+    /// The direction half-way between L and V: reddish purple.
     H,
-    /// The transmitted direction.
+    /// The transmitted direction: sky blue.
     T,
 }
 
 /// The letter, the colour and the dashes of each vector, in the order of [`Vector::ALL`].
 const VECTORS: [(&str, Rgb8, &[f32]); 6] = [
-    ("N", N, &[]),
-    ("L", L, &[4.5, 1.5]),
-    ("R", R, &[4.5, 1.25, 1.25, 1.25]),
-    ("V", V, &[1.25, 1.25]),
-    ("H", H, &[2.5, 1.5]),
-    ("T", T, &[4.5, 1.25, 1.25, 1.25, 1.25, 1.25]),
+    ("N", [0x00, 0x72, 0xB2], &[]),
+    ("L", [0xE6, 0x9F, 0x00], &[4.5, 1.5]),
+    ("R", [0xD5, 0x5E, 0x00], &[4.5, 1.25, 1.25, 1.25]),
+    ("V", [0x00, 0x9E, 0x73], &[1.25, 1.25]),
+    ("H", [0xCC, 0x79, 0xA7], &[2.5, 1.5]),
+    (
+        "T",
+        [0x56, 0xB4, 0xE9],
+        &[4.5, 1.25, 1.25, 1.25, 1.25, 1.25],
+    ),
 ];
 
 impl Vector {
@@ -84,15 +75,13 @@ impl Vector {
         VECTORS[self as usize].1
     }
 
-    /// Returns the lengths of alternating dashes and gaps, in stroke widths, for a stroke with flat ends; empty is a
-    /// solid line.
+    /// Returns the lengths of dashes and gaps, in stroke widths, for a stroke with flat ends; empty is solid.
     pub const fn dashes(self) -> &'static [f32] {
         VECTORS[self as usize].2
     }
 }
 
-/// Returns `colour`, moved towards black or white only as far as needed to reach the contrast `ratio` with
-/// `background`.
+/// Returns `colour`, moved towards black or white as far as needed for the contrast `ratio` with `background`.
 pub fn readable(colour: Rgb8, background: Rgb8, ratio: f64) -> Rgb8 {
     const STEPS: u32 = 20;
     // The grey at equal contrast from black and white.

@@ -33,12 +33,10 @@ impl Drawing {
         if let Some([r, g, b]) = self.ground {
             pixmap.fill(Color::from_rgba8(r, g, b, 255));
         }
-        for shape in self.painted() {
-            draw_shape(pixmap, &shape);
-        }
-        for text in &self.texts {
-            draw_text(pixmap, text, self.halo);
-        }
+        self.painted().for_each(|shape| draw_shape(pixmap, &shape));
+        self.texts
+            .iter()
+            .for_each(|text| draw_text(pixmap, text, self.halo));
     }
 
     /// Draws over a finished picture.

@@ -1,7 +1,5 @@
-//! Plots, laid out once as plain geometry and drawn by tiny-skia, as SVG text, or by the window.
-//!
-//! Input is a [`Plot`] and its size, output a [`Drawing`]: lines, areas and lines of text with their positions. No
-//! curve is distinguished by colour alone: each has its own dashes, and the legend names it.
+//! Plots, laid out once as plain geometry and drawn by tiny-skia, as SVG text, or by the window. No curve is
+//! distinguished by colour alone: each has its own dashes, and the legend names it.
 
 mod axes;
 mod canvas;

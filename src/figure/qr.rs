@@ -10,7 +10,6 @@ use glam::DVec2;
 pub struct QrCode {
     /// Number of modules on a side, without the quiet zone.
     side: usize,
-    /// Dark modules, row by row.
     dark: Vec<bool>,
 }
 
@@ -21,14 +20,15 @@ impl QrCode {
     const BLACK: Rgb8 = [0; 3];
     const WHITE: Rgb8 = [255; 3];
 
-    /// Creates the smallest code of a text, with as much error correction as fits its size; none for more than 2953
-    /// bytes.
+    /// Creates the smallest code of a text, with the best error correction of that size; none for more than 2953 bytes.
     pub fn new(text: &str) -> Option<Self> {
         let code = |level| QRBuilder::new(text).ecl(level).build().ok();
         let smallest = code(ECL::L)?;
         let better = [ECL::H, ECL::Q, ECL::M].into_iter().filter_map(code);
-        let best = better.into_iter().find(|code| code.size == smallest.size);
-        let code = best.unwrap_or(smallest);
+        let code = better
+            .into_iter()
+            .find(|code| code.size == smallest.size)
+            .unwrap_or(smallest);
         let modules = code.data.iter().take(code.size * code.size);
         Some(Self {
             side: code.size,

@@ -9,8 +9,7 @@ use std::fmt::Write;
 const FONTS: &str = "Ubuntu, 'Helvetica Neue', Helvetica, Arial, 'Noto Sans', sans-serif";
 
 impl Drawing {
-    /// Returns the text of an SVG file, one pixel per unit. `title` describes the picture for people who cannot see
-    /// it.
+    /// Returns the text of an SVG file, one pixel per unit; `title` is for people who cannot see it.
     pub fn to_svg(&self, title: &str) -> String {
         let (width, height) = (self.size.x, self.size.y);
         let mut svg = format!(
@@ -26,9 +25,8 @@ impl Drawing {
             );
         }
         svg.push_str("<g stroke-linejoin=\"round\" stroke=\"none\">\n");
-        for shape in self.painted() {
-            write_shape(&mut svg, &shape);
-        }
+        self.painted()
+            .for_each(|shape| write_shape(&mut svg, &shape));
         let _ = writeln!(svg, "</g>\n<g font-family=\"{FONTS}\" stroke=\"none\">");
         for text in &self.texts {
             if text.halo > 0.0 {
@@ -81,8 +79,7 @@ fn write_shape(svg: &mut String, shape: &Shape) {
     );
 }
 
-/// Writes a line of text, or its halo in a colour: a text of its own below it, since not every program paints the
-/// stroke of a text before its fill.
+/// Writes a text, or its halo as a text of its own below it: not every program paints strokes before fills.
 fn write_text(svg: &mut String, text: &Text, halo: Option<Rgb8>) {
     let anchor = if text.align > 0.75 {
         " text-anchor=\"end\""

@@ -29,8 +29,7 @@ pub(crate) struct Lettering {
 }
 
 impl Lettering {
-    /// Lays out `text` at `size` pixels an em. Small digits are set according to [`Set`]; a character in none of the
-    /// fonts leaves a gap.
+    /// Lays out `text` at `size` pixels an em, small digits by [`Set`]; a character in none of the fonts leaves a gap.
     pub fn new(text: &str, size: f64) -> Self {
         let mut pen = Pen {
             builder: PathBuilder::new(),
@@ -118,8 +117,7 @@ pub(crate) fn width_of(text: &str, size: f64) -> f64 {
     text.chars().map(advance).sum::<f32>().into()
 }
 
-/// The setting of a character: a small one below or above the line is the ordinary one scaled and shifted, since
-/// fonts may lack it.
+/// The setting of a character: a small one is the ordinary one scaled and shifted, since fonts may lack it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Set {
     /// The ordinary character.
@@ -203,8 +201,7 @@ impl OutlinePen for Pen {
     }
 }
 
-/// Returns the fonts in the order in which they are searched for a character; a web page may not have the last of
-/// them yet.
+/// Returns the fonts in the order of search; a web page may not have the last of them yet.
 fn fonts() -> &'static [FontRef<'static>] {
     static READ: [OnceLock<Vec<FontRef<'static>>>; 2] = [const { OnceLock::new() }; 2];
     READ[usize::from(!chinese_font().is_empty())].get_or_init(|| {

@@ -29,14 +29,12 @@ pub enum WorkerMessage<'a> {
 
 type Hear = Box<dyn FnMut(WorkerMessage<'_>)>;
 
-/// Work to be sent to a worker.
 struct Order {
     number: u64,
     message: JsValue,
     hear: Hear,
 }
 
-/// A worker with its work.
 struct Busy {
     worker: Worker,
     number: u64,
@@ -132,7 +130,6 @@ fn begin() {
     }
 }
 
-/// Creates a worker, with the program.
 fn worker() -> Result<Worker, JsValue> {
     let options = WorkerOptions::new();
     options.set_type(WorkerType::Module);

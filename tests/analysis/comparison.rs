@@ -7,6 +7,7 @@ use shading_lab::analysis::comparison::{
 };
 use shading_lab::analysis::perception::luminance;
 use shading_lab::analysis::probe::probe;
+use shading_lab::analysis::unwatched;
 use shading_lab::figure::palette;
 use shading_lab::render::{Frame, Renderer};
 use shading_lab::scene::{
@@ -265,7 +266,7 @@ fn panes_of_one_mode_are_called_by_what_tells_them_apart() {
 fn what_is_drawn_over_panes_does_not_change_their_figures() {
     let scene = scene(CompareView::Panes);
     let over = |frame: &mut Frame, renderer: &mut Renderer, scene: &Scene| {
-        shading_lab::analysis::defects::defects(renderer, scene, [3, 3]);
+        shading_lab::analysis::defects::defects(renderer, scene, [3, 3], &unwatched);
         frame.pixels.fill([0, 0, 0, 255]);
         Ok::<(), Infallible>(())
     };
@@ -355,11 +356,11 @@ fn each_kind_shows_what_it_says() {
     );
     assert_eq!(
         shown(a, [0.0, 0.0, 0.0, 1.0], DifferenceKind::Signed, 64.0),
-        palette::L
+        palette::Vector::L.colour()
     );
     assert_eq!(
         shown([0.0, 0.0, 0.0, 1.0], a, DifferenceKind::Signed, 64.0),
-        palette::N
+        palette::Vector::N.colour()
     );
     assert_eq!(
         shown(a, b, DifferenceKind::FalseColor, 64.0),

@@ -4,7 +4,7 @@ mod drawn;
 
 use glam::DVec3;
 use shading_lab::analysis::curves::{
-    COURSE, Distances, attenuation_plot, exponent_plot, lobe_plot, plot, reflectance_plot,
+    COURSE, Curves, Distances, attenuation_plot, exponent_plot, lobe_plot, reflectance_plot,
     shown_kinds,
 };
 use shading_lab::analysis::lobe::ReflectionLobe;
@@ -137,7 +137,8 @@ fn the_highlights_angle_has_the_letter_of_its_model() {
         } else {
             terms.alpha
         };
-        let plot = plot(PlotKind::Exponent, &renderer, &scene, &probe, 0).expect("a plot");
+        let curves = Curves::new(&renderer, &scene, &probe, 0);
+        let plot = curves.plot(PlotKind::Exponent, &scene).expect("a plot");
         let mark = plot
             .marks
             .iter()
@@ -167,7 +168,8 @@ fn the_probe_is_marked_with_its_own_values() {
     let (renderer, probe) = probed(&scene);
     let terms = &probe.hit.as_ref().expect("the plane").lights[0];
     let mark = |kind| {
-        let plot = plot(kind, &renderer, &scene, &probe, 0).expect("a plot");
+        let curves = Curves::new(&renderer, &scene, &probe, 0);
+        let plot = curves.plot(kind, &scene).expect("a plot");
         plot.marks
             .into_iter()
             .find(|mark| mark.probe)
@@ -391,8 +393,8 @@ fn towards_the_eye_the_lobe_is_what_the_probe_says() {
     }
 }
 
-/// Returns the light that the surface of `scene` reflects specularly from parallel light from `l` towards `v`, without the
-/// cosine, which Cook and Torrance's and Phong's models have in different places.
+/// Returns the light that the surface of `scene` reflects specularly from parallel light from `l` towards `v`, without
+/// the cosine, which Cook and Torrance's and Phong's models have in different places.
 fn specular(scene: &Scene, l: DVec3, v: DVec3) -> f64 {
     let light = Light {
         kind: LightKind::Directional,
@@ -521,7 +523,8 @@ fn every_law_of_attenuation_and_every_substance_stands_beside_the_present_one() 
     let scene = preset("attenuation");
     let (renderer, probe) = probed(&scene);
     let light = &scene.lights[0];
-    let plot_of = |kind| plot(kind, &renderer, &scene, &probe, 0).expect("a plot");
+    let curves = Curves::new(&renderer, &scene, &probe, 0);
+    let plot_of = |kind| curves.plot(kind, &scene).expect("a plot");
     let laws = plot_of(PlotKind::Attenuation);
     assert_eq!(laws.curves.len(), 4);
     let emphasised: Vec<_> = laws.curves.iter().map(|curve| curve.emphasised).collect();

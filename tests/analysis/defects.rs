@@ -1,7 +1,8 @@
 //! The five defects of interpolated shading: the figures against geometry.
 
 use glam::DVec3;
-use shading_lab::analysis::defects::{Defects, defect_plots, defects, defects_with_progress};
+use shading_lab::analysis::defects::{Defects, defect_plots, defects};
+use shading_lab::analysis::unwatched;
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
     Camera, Interpolation, NormalSource, Object, ObjectKind, Projection, Scene, Shading,
@@ -12,7 +13,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 fn measured(scene: &Scene) -> Defects {
     let pixel = scene.image.size.map(|side| side / 2);
-    defects(&mut Renderer::default(), scene, pixel)
+    defects(&mut Renderer::default(), scene, pixel, &unwatched)
 }
 
 fn preset(name: &str, size: [u32; 2]) -> Scene {
@@ -110,7 +111,7 @@ fn measuring_tells_how_far_it_is_and_can_be_stopped() {
         told.lock().expect("a list").push(share);
         true
     };
-    let watched = defects_with_progress(&mut Renderer::default(), &scene, [50, 50], &note);
+    let watched = defects(&mut Renderer::default(), &scene, [50, 50], &note);
     let told = told.into_inner().expect("a list");
     assert_eq!(watched, measured(&scene));
     assert!(
@@ -118,7 +119,7 @@ fn measuring_tells_how_far_it_is_and_can_be_stopped() {
         "{told:?}"
     );
     let after_first = |share: f32| share < 0.3;
-    let stopped = defects_with_progress(&mut Renderer::default(), &scene, [50, 50], &after_first);
+    let stopped = defects(&mut Renderer::default(), &scene, [50, 50], &after_first);
     assert_eq!(stopped.silhouette, watched.silhouette);
     assert_eq!(
         stopped.vertex_normals.map(|_| ()),
@@ -165,7 +166,7 @@ fn many_unshared_vertices_are_measured_in_bounded_time() {
         steps.fetch_add(1, Ordering::Relaxed);
         true
     };
-    let found = defects_with_progress(&mut Renderer::default(), &scene, [40, 32], &count_steps);
+    let found = defects(&mut Renderer::default(), &scene, [40, 32], &count_steps);
     let steps = steps.into_inner();
     let shared = found.shared_vertices.expect("edges with unshared vertices");
     assert!(
@@ -241,7 +242,7 @@ fn perspective_distortion_vanishes_with_the_polygons_size_and_in_a_parallel_proj
 fn a_turned_square_comes_back_at_right_angles_and_barycentric_weights_do_not_care() {
     let mut scene = preset("orientation", [256, 256]);
     scene.camera.roll = 0.0;
-    let orientation = defects(&mut Renderer::default(), &scene, [150, 110])
+    let orientation = defects(&mut Renderer::default(), &scene, [150, 110], &unwatched)
         .orientation
         .expect("a square");
     let at = |angle: f64| {
@@ -275,7 +276,8 @@ fn the_jump_at_an_unshared_vertex_is_that_of_the_two_interpolations() {
         "{}",
         shared.vertex
     );
-    // Without the vertex the edge is linear between its ends; with it the edge peaks there, so the jump is largest at the vertex.
+    // Without the vertex the edge is linear between its ends; with it the edge peaks there, so the jump is largest at
+    // the vertex.
     let at = |s: f64| {
         shared
             .samples

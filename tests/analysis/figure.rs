@@ -362,11 +362,11 @@ fn every_vector_is_seen_in_its_colour() {
         &OverlayOptions::default(),
     );
     for colour in [
-        palette::N,
-        palette::L,
-        palette::R,
-        palette::V,
-        palette::H,
+        palette::Vector::N.colour(),
+        palette::Vector::L.colour(),
+        palette::Vector::R.colour(),
+        palette::Vector::V.colour(),
+        palette::Vector::H.colour(),
         [255; 3],
         [24; 3],
     ] {

@@ -5,16 +5,19 @@
 #[macro_use]
 mod common;
 
+mod axes;
 mod claims;
 mod comparison;
 mod conditions;
 mod curves;
 mod defects;
 mod figure;
+mod formula;
 mod golden_figures;
 mod jobs;
 mod normals;
 mod profile;
+mod report;
 mod sampling;
 mod scan_conversion;
 mod stability;

@@ -8,7 +8,7 @@ use shading_lab::analysis::study::{
     Method, Setting, Study, StudyQuestion, fit_line, median_and_spread, order_of, pareto_front,
     student, study, study_plot,
 };
-use shading_lab::analysis::{Watch, unwatched};
+use shading_lab::analysis::{Subject, Watch, unwatched};
 use shading_lab::scene::{
     Choice, Interpolation, Light, LightKind, Overflow, Projection, Rgb, Scene, presets,
 };
@@ -48,13 +48,8 @@ fn request(methods: &[Method], segments: &[u32], repeats: u32) -> StudyQuestion 
 }
 
 fn measured(scene: &Scene, methods: &[Method], segments: &[u32]) -> Study {
-    study(
-        scene,
-        None,
-        &request(methods, segments, 1),
-        || 0,
-        &unwatched,
-    )
+    let subject = Subject::new(scene.clone());
+    study(&subject, &request(methods, segments, 1), &unwatched)
 }
 
 /// Returns the order of convergence of the maximum error.
@@ -125,8 +120,8 @@ fn errors_are_told_before_the_display_and_as_shown() {
     );
 }
 
-/// Checks the orders at the terminator, where max(N·L, 0) has a corner. A polygon that lies across it interpolates over the
-/// corner: off by its slope times the spacing. Phong's normals are interpolated before the clamp.
+/// Checks the orders at the terminator, where max(N·L, 0) has a corner. A polygon that lies across it interpolates over
+/// the corner: off by its slope times the spacing. Phong's normals are interpolated before the clamp.
 #[test]
 fn at_the_terminator_gouraud_falls_to_first_order_and_phong_does_not() {
     let scene = matt_sphere(DVec3::new(-1.0, -0.3, -0.5), Projection::Orthographic);
@@ -207,7 +202,7 @@ fn settings_are_timed_in_turn() {
     scene.image.size = [32, 32];
     let request = request(&[Method::Flat, Method::Taylor], &[8, 16], 3);
     let seen = Seen::default();
-    let found = study(&scene, None, &request, || 0, &seen);
+    let found = study(&Subject::new(scene.clone()), &request, &seen);
     let seen = seen.0.into_inner().expect("a list");
     assert!(found.complete && seen.len() == 12);
     assert_eq!(
@@ -227,7 +222,11 @@ fn a_study_that_is_cancelled_keeps_what_it_has() {
     scene.image.size = [32, 32];
     let frames = AtomicUsize::new(0);
     let three = |_: f32| frames.fetch_add(1, Ordering::Relaxed) < 2;
-    let found = study(&scene, None, &StudyQuestion::default(), || 0, &three);
+    let found = study(
+        &Subject::new(scene.clone()),
+        &StudyQuestion::default(),
+        &three,
+    );
     assert_eq!((found.rows.len(), found.complete), (3, false));
     assert_eq!(found.series.len(), 1);
 }
@@ -489,8 +488,8 @@ fn what_the_scalar_text_cannot_draw_is_said() {
     }
 }
 
-/// Checks the table of a report: in files, numbers have all digits and fields are quoted only if they must be; for people,
-/// columns have one width.
+/// Checks the table of a report: in files, numbers have all digits and fields are quoted only if they must be; for
+/// people, columns have one width.
 #[test]
 fn a_table_is_written_for_files_and_for_people() {
     let columns = [
@@ -584,7 +583,7 @@ fn what_makes_no_difference_is_measured_once() {
         repeats: 1,
         ..StudyQuestion::default()
     };
-    let found = study(&scene, None, &request, || 0, &unwatched);
+    let found = study(&Subject::new(scene.clone()), &request, &unwatched);
     let count = |method| {
         found
             .rows
@@ -606,7 +605,7 @@ fn what_makes_no_difference_is_measured_once() {
     let [coarse, fine] = [0, 1].map(|row: usize| found.rows[row].setting);
     assert_eq!((coarse.segments, coarse.rings, fine.segments), (8, 4, 32));
     scene.camera.projection = Projection::Orthographic;
-    let found = study(&scene, None, &request, || 0, &unwatched);
+    let found = study(&Subject::new(scene.clone()), &request, &unwatched);
     assert_eq!(
         (found.rows.len(), found.omitted.len()),
         (2 * Method::VALUES.len(), 0)

@@ -1,23 +1,17 @@
-//! Growth of a frame's time with the pixels and with the triangles.
-//!
-//! There is a series of pictures of one scene, from few pixels to many, and a series of tessellations in one picture.
-//! All of a series are drawn in turn, so that other load of the machine affects all alike; each is drawn once
-//! uncounted just before, so that none pays for the others having used the caches. Slow ones take part in fewer of
-//! the rounds.
+//! Growth of a frame's time with the pixels and with the triangles: pictures of one scene, from few pixels to many, and
+//! tessellations in one picture. Those of a series are drawn in turn, so that other load of the machine affects all
+//! alike, each once uncounted just before, and slow ones in fewer of the rounds.
 
-use super::median_ms;
-use crate::analysis::Subject;
+use super::{Run, median_ms};
 use crate::analysis::report::{Column, Part, Report, Table, as_it_is, fixed};
 use crate::analysis::study::{Fit, order_of};
 use crate::geometry::{divisions_for, triangles};
 use crate::render::Renderer;
 use crate::scene::{Image, ObjectKind, Scene};
 use crate::text::text;
-use fearless_simd::Level;
 use serde::{Deserialize, Serialize};
 
-/// Approximate number of pixels of the pictures, drawn with [`FEW_TRIANGLES`]: each has twice as many as the one
-/// before.
+/// Approximate number of pixels of the pictures, each twice the one before, drawn with [`FEW_TRIANGLES`].
 const PIXELS: [f64; 8] = [
     65_536.0,
     131_072.0,
@@ -52,9 +46,8 @@ pub struct Row {
     pub fastest_ms: f64,
 }
 
-/// A series of pictures, and the exponent by which the time grows: that of a power through all of it, through its
-/// upper half, where the fixed cost of a frame counts for less, and through the fastest frames. None if too few are
-/// known.
+/// A series of pictures, and the exponents by which the time grows, if enough are known: through all of it, through its
+/// upper half, where the fixed cost of a frame counts for less, and through the fastest frames.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Series {
     pub rows: Vec<Row>,
@@ -77,9 +70,9 @@ pub fn most_frames(frames: u32) -> u64 {
     u64::from(frames) * (PIXELS.len() + TRIANGLES.len()) as u64
 }
 
-/// Measures with up to `frames` frames each.
-pub fn measure(subject: &Subject, level: Level, frames: u32, count: &dyn Fn()) -> Growth {
-    let scene = &subject.scene;
+/// Measures the growth with the pixels and with the triangles.
+pub fn measure(run: Run<'_>) -> Growth {
+    let scene = &run.subject.scene;
     let coarse = divided(scene, FEW_TRIANGLES).unwrap_or_else(|| scene.clone());
     let pictures = PIXELS
         .iter()
@@ -89,18 +82,14 @@ pub fn measure(subject: &Subject, level: Level, frames: u32, count: &dyn Fn()) -
         .iter()
         .filter_map(|count| divided(&sized(scene, FEW_PIXELS), *count))
         .collect();
-    let pixels = series(subject, level, pictures, frames, count, |row| row.pixels);
-    let triangles = (!fine.is_empty())
-        .then(|| series(subject, level, fine, frames, count, |row| row.triangles));
-    Growth { pixels, triangles }
+    let pixels = series(run, pictures, |row| row.pixels);
+    Growth {
+        pixels,
+        triangles: (!fine.is_empty()).then(|| series(run, fine, |row| row.triangles)),
+    }
 }
 
 /// Returns the scene with about so many pixels.
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "sides of a picture"
-)]
 fn sized(scene: &Scene, pixels: f64) -> Scene {
     let mut scene = scene.clone();
     let [width, height] = scene.image.size.map(f64::from);
@@ -122,7 +111,6 @@ fn divided(scene: &Scene, count: u64) -> Option<Scene> {
     (triangles(object) * 2 > count).then_some(scene)
 }
 
-/// A picture being measured.
 struct Frame {
     renderer: Renderer,
     clock: fn() -> u64,
@@ -133,24 +121,19 @@ struct Frame {
 }
 
 impl Frame {
-    fn new(subject: &Subject, level: Level, scene: Scene, frames: u32) -> Self {
-        let mut renderer = subject.renderer().with_level(level);
+    fn new(run: Run<'_>, scene: Scene) -> Self {
+        let mut renderer = run.subject.renderer().with_level(run.level);
         renderer.render(&scene);
         let mut frame = Self {
             renderer,
-            clock: subject.clock,
+            clock: run.subject.clock,
             scene,
             stride: 1,
             times: Vec::new(),
         };
         let stride = median_ms(&mut [frame.time()]) / ROUND_MS;
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "saturates"
-        )]
         let stride = (stride.ceil() as u32).max(1);
-        frame.stride = stride.min((frames / LEAST_FRAMES).max(1));
+        frame.stride = stride.min((run.frames / LEAST_FRAMES).max(1));
         frame
     }
 
@@ -178,30 +161,22 @@ impl Frame {
     }
 }
 
-fn series(
-    subject: &Subject,
-    level: Level,
-    scenes: Vec<Scene>,
-    frames: u32,
-    count: &dyn Fn(),
-    size: fn(&Row) -> u64,
-) -> Series {
+fn series(run: Run<'_>, scenes: Vec<Scene>, size: fn(&Row) -> u64) -> Series {
     let mut drawn: Vec<Frame> = scenes
         .into_iter()
-        .map(|scene| Frame::new(subject, level, scene, frames))
+        .map(|scene| Frame::new(run, scene))
         .collect();
-    for round in 0..frames {
+    for round in 0..run.frames {
         for frame in &mut drawn {
             if round.is_multiple_of(frame.stride) {
                 frame.time();
                 let time = frame.time();
                 frame.times.push(time);
             }
-            count();
+            (run.count)();
         }
     }
     let rows: Vec<Row> = drawn.into_iter().map(Frame::row).collect();
-    #[expect(clippy::cast_precision_loss, reason = "far fewer than 2⁵³")]
     let order = |rows: &[Row], ms: fn(&Row) -> f64| {
         order_of(rows.iter().map(|row| (size(row) as f64, ms(row))))
     };

@@ -3,7 +3,7 @@
 
 use super::{ErrorFigures, LinearPicture, PaneFigures, brightest, error_figures};
 use crate::analysis::perception::luminance;
-use crate::figure::palette::{self, Rgb8};
+use crate::figure::palette::{Rgb8, Vector};
 use crate::figure::{Area, Drawing, Shape, Text};
 use crate::render::{Frame, Renderer};
 use crate::scene::{CompareView, DifferenceKind, Rgb, Scene};
@@ -20,8 +20,7 @@ const EMPTY: [u8; 4] = [0x26, 0x27, 0x2B, 255];
 const OUTSIDE: Rgb8 = [0x26, 0x27, 0x2B];
 /// Colour of no difference, where the scale has two sides.
 const NONE: Rgb8 = [0xF4, 0xF4, 0xF2];
-/// Ten even steps of cividis, which people with and without colour blindness read alike (Nuñez, Anderton and Renslow
-/// 2018).
+/// Ten even steps of cividis, which colour blindness leaves alike (Nuñez, Anderton and Renslow 2018).
 const CIVIDIS: [Rgb8; 10] = [
     [0x00, 0x20, 0x4D],
     [0x00, 0x33, 0x6F],
@@ -46,9 +45,8 @@ pub struct PaneArea {
     pub size: [u32; 2],
 }
 
-/// Returns the areas of `count` panes of equal size in a picture of `size`: in the rows and columns that show a
-/// square object largest, with a penalty for the share of the space that stays empty. A last row that is not full is
-/// centred.
+/// Returns the areas of `count` equal panes in a picture of `size`, such that a square object is seen largest, with a
+/// penalty for empty space. A last row that is not full is centred.
 pub fn pane_areas(count: usize, size: [u32; 2]) -> Vec<PaneArea> {
     let count = u32::try_from(count.max(1)).unwrap_or(1);
     let gap = if size[0].min(size[1]) < 64 { 0 } else { GAP };
@@ -129,8 +127,7 @@ pub fn pane_figures(panes: &[DrawnPane]) -> Vec<PaneFigures> {
     panes.iter().map(figures).collect()
 }
 
-/// Formats the figures of a pane for its caption: its brightest value and its error, beside those of the reference
-/// among `all`; if there is none, without them.
+/// Formats the brightest value and the error of a pane, beside those of the reference among `all`, if there is one.
 pub fn caption(figures: &PaneFigures, all: &[PaneFigures]) -> Vec<String> {
     let mut words = Vec::new();
     if figures.error.is_none() {
@@ -185,11 +182,8 @@ pub fn panes_on_sheet(scene: &Scene) -> Vec<(usize, [u32; 2])> {
 }
 
 /// Draws panes of a valid scene, given by their indices with the size of each; `over` may draw over each, with the
-/// renderer that drew it and its scene. `progress` gets the number of samples done in all panes and returns whether
-/// to continue.
-///
-/// # Errors
-/// Any error of `over`.
+/// renderer that drew it and its scene, and its errors are returned. `progress` gets the number of samples done in all
+/// panes and returns whether to continue.
 pub fn draw_panes<E>(
     renderer: &mut Renderer,
     scene: &Scene,
@@ -260,11 +254,11 @@ pub fn comparison_sheet(scene: &Scene, panes: &[DrawnPane], captions: Captions) 
         drawing.shapes.push(Shape::line(ends, 0.1 * em, [255; 3]));
     }
     let mut letter = |text: &str, em: f64, at: DVec2, align: f64| {
-        let text = Text::new(text, at, em, [255; 3]).aligned(align);
-        drawing.texts.push(Text {
+        let text = Text {
             halo: drawing.breadth,
-            ..text
-        });
+            ..Text::new(text, at, em, [255; 3]).aligned(align)
+        };
+        drawing.texts.push(text);
     };
     match compare.view {
         _ if captions == Captions::None => {}
@@ -295,8 +289,7 @@ pub fn comparison_sheet(scene: &Scene, panes: &[DrawnPane], captions: Captions) 
             letter(&last.name, em, DVec2::new(width - em, 1.5 * em), 1.0);
         }
         CompareView::Difference => {
-            let error = error_figures(first.linear(), last.linear());
-            let words = error_line(&error);
+            let words = error_line(&error_figures(first.linear(), last.linear()));
             letter(
                 &format!("{} − {}", first.name, last.name),
                 em,
@@ -382,19 +375,13 @@ pub fn difference_picture(
     };
     let count = picture.pixels.len().min(reference.pixels.len());
     let pixels: Vec<[u8; 4]> = (0..count).into_par_iter().map(pixel).collect();
-    #[expect(
-        clippy::cast_possible_truncation,
-        reason = "sides of pictures are 32 bits"
-    )]
-    let height = (count as u64 / u64::from(width)) as u32;
     Frame {
         width,
-        height,
+        height: (count as u64 / u64::from(width)) as u32,
         pixels,
     }
 }
 
-/// Returns the colour of a difference of each channel, gain included.
 fn colour(kind: DifferenceKind, difference: [f64; 3]) -> Rgb8 {
     match kind {
         DifferenceKind::Signed => signed(luminance(Rgb::from_array(difference))),
@@ -409,7 +396,11 @@ fn colour(kind: DifferenceKind, difference: [f64; 3]) -> Rgb8 {
 
 /// Returns a colour from blue at −1 to orange at 1.
 fn signed(share: f64) -> Rgb8 {
-    let end = if share < 0.0 { palette::N } else { palette::L };
+    let end = if share < 0.0 {
+        Vector::N.colour()
+    } else {
+        Vector::L.colour()
+    };
     mixed(NONE, end, share.abs())
 }
 
@@ -431,8 +422,8 @@ fn code(value: f64) -> u8 {
     value.round().clamp(0.0, 255.0) as u8
 }
 
-/// Draws the scale of a difference picture at its lower right: its colours, and the differences that they represent.
-/// `em` is the size of the letters in pixels. If the scale does not fit the picture, the drawing is empty.
+/// Draws the scale of a difference picture at its lower right, with letters of `em` pixels; nothing where it does not
+/// fit.
 pub fn difference_scale(size: [u32; 2], kind: DifferenceKind, gain: f64, em: f64) -> Drawing {
     let size = DVec2::from_array(size.map(f64::from));
     let mut drawing = Drawing::over_picture([0x10; 3], 0.12 * em);
@@ -477,14 +468,12 @@ pub fn difference_scale(size: [u32; 2], kind: DifferenceKind, gain: f64, em: f64
     drawing
 }
 
-/// Formats a difference for the scale.
 fn tick(value: f64, signed: bool) -> String {
-    let digits = if value == 0.0 {
-        "0".to_owned()
-    } else {
-        let text = format!("{:.4}", value.abs());
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
-    };
+    let digits = format!("{:.4}", value.abs());
+    let digits = digits
+        .trim_end_matches('0')
+        .trim_end_matches('.')
+        .to_owned();
     match (signed, value) {
         (true, v) if v > 0.0 => format!("+{digits}"),
         (true, v) if v < 0.0 => format!("−{digits}"),

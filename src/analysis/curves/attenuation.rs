@@ -22,16 +22,6 @@ pub fn has_distance(light: &Light) -> bool {
     light.kind.has_position() || light.attenuation == Attenuation::Viewer
 }
 
-/// Returns the law by which a light is attenuated. A directional light is equally far from everything, so that only
-/// the distance to the viewer counts.
-fn effective(light: &Light) -> Attenuation {
-    if has_distance(light) {
-        light.attenuation
-    } else {
-        Attenuation::None
-    }
-}
-
 /// Distances in a picture from one light, or from the viewer where the attenuation counts from there; world units.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Distances {
@@ -44,9 +34,8 @@ pub struct Distances {
 }
 
 impl Distances {
-    /// Finds the distances in the picture of `scene` that `renderer` has drawn: to the nearest and the farthest of a
-    /// grid of 40 × 40 pixels, and to the `probe`'s point. A directional light has no position and only distances
-    /// from the viewer.
+    /// Finds the distances in the picture that `renderer` has drawn: to the nearest and the farthest of 40 × 40 pixels,
+    /// and to the `probe`'s point. A directional light has only distances from the viewer.
     pub fn seen(renderer: &Renderer, scene: &Scene, light: &Light, probe: Option<DVec3>) -> Self {
         let from = match light.attenuation {
             Attenuation::Viewer => scene.camera.eye,
@@ -76,7 +65,6 @@ impl Distances {
 }
 
 /// The laws of attenuation as functions of a distance, with their formulas and their dashes beside the current one.
-/// The law of the distance to the viewer is that of the distance to the light.
 const LAWS: [(Attenuation, &str, Dash); 4] = [
     (Attenuation::None, "1", Dash::Dotted),
     (Attenuation::Light, "1/(r + k)", Dash::Long),
@@ -84,10 +72,14 @@ const LAWS: [(Attenuation, &str, Dash); 4] = [
     (Attenuation::Quadratic, "1/(c₁ + c₂d + c₃d²)", Dash::DashDot),
 ];
 
-/// Plots f(d), the attenuation with distance, from the light itself to beyond the visible points, by the current law
-/// and by the others with this light's constants.
+/// Plots f(d) from the light to beyond the visible points, by the current law and by the others with its constants.
 pub fn attenuation_plot(light: &Light, distances: &Distances) -> Plot {
-    let attenuation = effective(light);
+    // A directional light is equally far from everything: only the distance to the viewer counts.
+    let attenuation = if has_distance(light) {
+        light.attenuation
+    } else {
+        Attenuation::None
+    };
     let f = |d: f64| attenuation_at(light, attenuation, d);
     let reach = distances
         .farthest
@@ -95,17 +87,20 @@ pub fn attenuation_plot(light: &Light, distances: &Distances) -> Plot {
         .filter(|d| *d > 0.0)
         .unwrap_or(1.0)
         * BEYOND;
-    let points = |law: Attenuation| {
-        let at = |i: u32| {
-            let share = f64::from(i) / f64::from(SAMPLES);
-            let d = reach * share * share;
-            [d, attenuation_at(light, law, d)]
-        };
-        (0..=SAMPLES).map(at).collect::<Vec<_>>()
+    let at = |law: Attenuation, i: u32| {
+        let share = f64::from(i) / f64::from(SAMPLES);
+        let d = reach * share * share;
+        [d, attenuation_at(light, law, d)]
     };
-    // The current law comes first.
+    let points = |law: Attenuation| (0..=SAMPLES).map(|i| at(law, i)).collect::<Vec<_>>();
+    // The current law comes first; that of the distance to the viewer has the values of the distance to the light.
+    let own = if attenuation == Attenuation::Viewer {
+        Attenuation::Light
+    } else {
+        attenuation
+    };
     let mut laws = LAWS;
-    laws.sort_by_key(|(law, ..)| *law != own_law(attenuation));
+    laws.sort_by_key(|(law, ..)| *law != own);
     let curves: Vec<Curve> = laws
         .into_iter()
         .enumerate()
@@ -136,17 +131,17 @@ pub fn attenuation_plot(light: &Light, distances: &Distances) -> Plot {
         (text!("point-mark-probe"), distances.probe, true),
         (text!("point-mark-farthest"), distances.farthest, false),
     ];
-    let marks = marks.into_iter().filter_map(|(name, d, probe)| {
-        let d = d?;
-        let counted = if probe { curves.len() } else { 1 };
-        let values = laws[..counted]
+    let marks = marks.into_iter().filter_map(|(name, x, probe)| {
+        let x = x?;
+        let label = format!("{name}: f({}) = {}", short(x), short(f(x)));
+        let values = laws
             .iter()
-            .enumerate()
-            .map(|(index, (law, ..))| (index, attenuation_at(light, *law, d)));
+            .map(|(law, ..)| attenuation_at(light, *law, x))
+            .enumerate();
         Some(Mark {
-            x: d,
-            label: format!("{name}: f({}) = {}", short(d), short(f(d))),
-            values: values.collect(),
+            x,
+            label,
+            values: values.take(if probe { laws.len() } else { 1 }).collect(),
             probe,
         })
     });
@@ -198,14 +193,5 @@ pub fn attenuation_plot(light: &Light, distances: &Distances) -> Plot {
             axes,
             curves,
         )
-    }
-}
-
-/// Returns the entry of [`LAWS`] that has the values of a law.
-fn own_law(law: Attenuation) -> Attenuation {
-    if law == Attenuation::Viewer {
-        Attenuation::Light
-    } else {
-        law
     }
 }

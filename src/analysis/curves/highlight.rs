@@ -2,8 +2,7 @@
 //! cosine, and the polar lobe of a point.
 
 use crate::analysis::lobe::ReflectionLobe;
-use crate::analysis::probe::ProbeHit;
-use crate::analysis::probe::exponent;
+use crate::analysis::probe::{ProbeHit, exponent};
 use crate::figure::{Axis, Curve, Dash, Direction, Ink, Mark, Plot, PlotKind, Tag, short};
 use crate::illumination::half_width;
 use crate::scene::{Distribution, ReflectionModel, Scene};
@@ -11,8 +10,7 @@ use crate::text::{fixed, text};
 use glam::DVec3;
 use std::f64::consts::{FRAC_PI_2, SQRT_2};
 
-/// The exponents that the course plots, with their dashes and the heights of their curves' names, where there is
-/// space between neighbouring curves.
+/// The exponents that the course plots, with their dashes and the heights at which their curves are named.
 pub const COURSE: [f64; 4] = [5.0, 15.0, 45.0, 1005.0];
 const DASHES: [Dash; 4] = [Dash::Long, Dash::Dashed, Dash::DashDot, Dash::Dotted];
 const TAGS: [f64; 4] = [0.44, 0.36, 0.28, 0.05];
@@ -25,8 +23,7 @@ const NARROW: f64 = 1e-4;
 /// Largest angle between V and the plane at which V counts as lying in it, degrees.
 const IN_PLANE: f64 = 0.5;
 
-/// Returns angles from −90° to 90°, radians: evenly spaced, and finer on both sides of some, each given with its
-/// half-width.
+/// Returns even angles from −90° to 90°, radians, and finer ones about some, each given with its half-width.
 fn angles(finer: &[(f64, f64)], [parts, count]: [i32; 2]) -> Vec<f64> {
     let mut angles: Vec<f64> = (-EVEN..=EVEN)
         .map(|i| FRAC_PI_2 * f64::from(i) / f64::from(EVEN))
@@ -41,9 +38,8 @@ fn angles(finer: &[(f64, f64)], [parts, count]: [i32; 2]) -> Vec<f64> {
     angles
 }
 
-/// Plots the lobe cut by the plane of incidence, with the vectors: the light of index `light` that the point of `hit`
-/// reflects to viewers in the plane of N and L. Returns none where the light does not reach the surface from the
-/// front.
+/// Plots the lobe cut by the plane of N and L, with the vectors: the light of index `light` that the point of `hit`
+/// reflects to viewers there. Returns none where the light does not reach the surface from the front.
 pub fn lobe_plot(scene: &Scene, hit: &ProbeHit, light: usize) -> Option<Plot> {
     let lobe = ReflectionLobe::at(scene, hit, light)?;
     let mirror = lobe.mirror_angle();
@@ -147,10 +143,7 @@ fn directions(lobe: &ReflectionLobe) -> Vec<Direction> {
 }
 
 /// Plots the falloff of the current highlight with the angle that its model measures, beside the course's exponents;
-/// `angle` is the probe's, radians.
-///
-/// For Cook and Torrance's model, which has no exponent, the current curve is the distribution of its microfacets,
-/// D(α)/D(0).
+/// `angle` is the probe's, radians. Cook and Torrance's model, which has no exponent, has the curve D(α)/D(0).
 pub fn exponent_plot(scene: &Scene, angle: Option<f64>) -> Plot {
     let (falling, model) = (Falling::new(scene), scene.reflection.model);
     let finer: Vec<_> = COURSE
@@ -231,9 +224,8 @@ pub fn exponent_plot(scene: &Scene, angle: Option<f64>) -> Plot {
     }
 }
 
-/// Returns the angle between V and the middle of the highlight at which the specular term has fallen to about a half,
-/// radians: exact for Phong's model, and in the plane of incidence for those that measure N·H, where H turns half as
-/// fast as V.
+/// Returns the angle between V and the middle of the highlight at which it has fallen to about a half, radians: exact
+/// for Phong's model, and in the plane of incidence for those with N·H, where H turns half as fast as V.
 pub fn highlight_half_width(scene: &Scene) -> f64 {
     let own = Falling::new(scene).half_width();
     if scene.reflection.model == ReflectionModel::Phong {
@@ -299,34 +291,31 @@ impl Falling {
         }
     }
 
-    /// Returns its parameter, the name of the plotted quantity, and the formula, in the letter of the angle between
-    /// two vectors.
+    /// Returns its parameter, the plotted quantity and the formula, in the letter of the angle between two vectors.
     fn words(self, letter: &str, [a, b]: [&str; 2]) -> (String, String, String) {
         let lobe = power(letter);
-        let (m, note) = match self {
+        let (m, name, formula) = match self {
             Self::Power(n) => {
                 let formula = format!("({a}·{b})ⁿ = {lobe}");
                 return (format!("n = {}", exponent(n)), lobe, formula);
             }
             Self::Beckmann(m) => (
                 m,
-                text!(
-                    "point-note-distribution",
-                    lobe = lobe,
-                    name = "Beckmann",
-                    formula = format!("D = exp(−tan²{letter}/m²)/(m² cos⁴{letter})")
-                ),
+                "Beckmann",
+                format!("D = exp(−tan²{letter}/m²)/(m² cos⁴{letter})"),
             ),
             Self::Ggx(m) => (
                 m,
-                text!(
-                    "point-note-distribution",
-                    lobe = lobe,
-                    name = "GGX",
-                    formula = format!("D = m²/(m² cos²{letter} + sin²{letter})²")
-                ),
+                "GGX",
+                format!("D = m²/(m² cos²{letter} + sin²{letter})²"),
             ),
         };
+        let note = text!(
+            "point-note-distribution",
+            lobe = lobe,
+            name = name,
+            formula = formula
+        );
         (
             format!("m = {}", short(m)),
             format!("D({letter})/D(0)"),
@@ -335,7 +324,6 @@ impl Falling {
     }
 }
 
-/// Formats the course's highlight as a function of an angle.
 fn power(letter: &str) -> String {
     format!("cosⁿ{letter}")
 }

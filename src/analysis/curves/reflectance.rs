@@ -13,8 +13,7 @@ const SAMPLES: u32 = 360;
 /// Angles at which the legend of W reads the curves, degrees.
 pub const READ_AT: [f64; 3] = [0.0, 45.0, 80.0];
 
-/// Plots W(θ), the fraction of light that the surface reflects, from normal to grazing incidence; `incidence` is the
-/// probe's angle, radians.
+/// Plots W(θ), the fraction of light reflected, by the angle of incidence; `incidence` is the probe's, radians.
 pub fn reflectance_plot(scene: &Scene, incidence: Option<f64>) -> Plot {
     let index = Index::of(&scene.material);
     let w = |theta: f64| index.map_or(Rgb::ONE, |index| index.reflectance(cosine(theta)));
@@ -106,8 +105,7 @@ pub fn reflectance_plot(scene: &Scene, incidence: Option<f64>) -> Plot {
     }
 }
 
-/// A substance: its reflectance, key, index of refraction and dash, and the position of its curve's name: an angle in
-/// degrees and a height above the curve.
+/// Reflectance, key, index of refraction, dash, and the place of the curve's name: degrees, and height above it.
 type Substance = (Reflectance, &'static str, Option<Index>, Dash, [f64; 2]);
 
 /// The substances that are plotted beside the current one.

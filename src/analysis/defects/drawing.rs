@@ -27,8 +27,8 @@ pub struct DefectMark {
     pub label_at: DVec2,
 }
 
-/// Returns the marks of the measurements, for letters of `em` pixels: the outline's largest distance, and a ring
-/// about the largest jump at an unshared vertex.
+/// Returns the marks, for letters of `em` pixels: the outline's largest distance, the largest jump at an unshared
+/// vertex.
 pub fn defect_marks(defects: &Defects, em: f64) -> Vec<DefectMark> {
     // Words are wider than tall.
     let beside = |end: DVec2, way: DVec2| end + DVec2::new(1.9 * em, 1.6 * em) * way;
@@ -67,8 +67,7 @@ pub fn defect_marks(defects: &Defects, em: f64) -> Vec<DefectMark> {
     outline.into_iter().chain(jump).collect()
 }
 
-/// Marks a distance between two ticks, or a short one with an arrow; `way` is a unit vector from its first end to its
-/// second.
+/// Marks a distance between two ticks, or a short one with an arrow; `way` is the unit vector along it.
 fn distance([a, b]: [DVec2; 2], way: DVec2, em: f64) -> Vec<Vec<DVec2>> {
     let tick = 0.45 * em * way.perp();
     if a.distance(b) >= SHORT * em {
@@ -108,8 +107,10 @@ pub fn draw_defects(pixmap: &mut PixmapMut<'_>, defects: &Defects, options: &Ove
 /// Returns the plots of the measurements.
 pub fn defect_plots(defects: &Defects) -> Vec<Plot> {
     let orientation = defects.orientation.as_ref().ok().map(orientation);
-    let shared = defects.shared_vertices.as_ref().ok().map(shared);
-    orientation.into_iter().chain(shared).collect()
+    orientation
+        .into_iter()
+        .chain(defects.shared_vertices.as_ref().ok().map(shared))
+        .collect()
 }
 
 /// Plots two curves, the first one emphasised, with a mark at which both are read.

@@ -15,8 +15,7 @@ use serde::{Deserialize, Serialize};
 const OUTLINE_SAMPLES: u32 = 7;
 /// Distance of an outline from the background outside and from the object inside at which these must appear, pixels.
 const OUTLINE: f64 = 1.5;
-/// First and maximum step across an edge in search of the true outline, pixels: no part of the object that is as wide
-/// as a pixel is skipped.
+/// First and longest step in search of the true outline, pixels: nothing as wide as a pixel is skipped.
 const STEPS: [f64; 2] = [0.25, 1.0];
 /// Maximum number of outline edges examined: of more, every second, every third and so on.
 const MOST_OUTLINE: usize = 2048;
@@ -30,8 +29,7 @@ const ON: f64 = 1e-6;
 const BESIDE: f64 = 0.25;
 /// Maximum number of examined pairs of a vertex and an edge on borders.
 const MOST: usize = 20_000_000;
-/// Maximum work on measured edges, in corners of the mesh examined; of edges that would take more, every second,
-/// every third and so on is measured.
+/// Maximum work on measured edges, in corners examined; of more, every second, every third and so on is measured.
 const MOST_WORK: usize = 40_000_000;
 /// Minimum number of edges measured in any case.
 const LEAST_EDGES: usize = 16;
@@ -62,8 +60,7 @@ pub struct SharedVertices {
     pub greatest: f64,
     /// Position of that jump, pixels.
     pub at: DVec2,
-    /// Samples along that edge: the place from 0 to 1, and the luminance on the side without the vertex and on the
-    /// side with it.
+    /// Samples along that edge: the place from 0 to 1, and the luminance on the side without the vertex and with it.
     pub samples: Vec<[f64; 3]>,
     /// Position of the vertex on that edge, from 0 to 1.
     pub vertex: f64,
@@ -179,9 +176,8 @@ fn outline(mesh: &Mesh, scene: &Scene) -> Vec<[DVec2; 2]> {
         .collect()
 }
 
-/// Finds the distance of the true outline from `place` along `outwards`; negative inside. Returns none if there is
-/// none within `reach`, or none before the polygons' outline on the other side, that of another part of the object:
-/// `shown` tells where the polygons are.
+/// Finds the distance of the true outline from `place` along `outwards`, negative inside; none if there is none within
+/// `reach` or before the outline of another part of the object: `shown` tells where the polygons are.
 fn distance(
     place: DVec2,
     outwards: DVec2,
@@ -220,8 +216,7 @@ struct Touched {
     vertex: DVec3,
 }
 
-/// Finds the edges with vertices on them. An edge that has a face on either side has none: both faces end at its
-/// ends.
+/// Finds edges with vertices on them; an edge with a face on either side has none, since both end at its ends.
 fn touched(mesh: &Mesh) -> Measurement<Vec<Touched>> {
     // If every edge has a face on either side, there is none to examine.
     let open = if mesh.closed {

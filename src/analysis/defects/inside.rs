@@ -1,9 +1,9 @@
-//! Defects inside the outline: the perspective distortion, the dependence on orientation, and unrepresentative vertex normals.
+//! Defects inside the outline: the perspective distortion, the dependence on orientation, and unrepresentative vertex
+//! normals.
 
 use super::{Measurement, interpolates};
 use crate::analysis::comparison::{ErrorFigures, LinearPicture, error_figures};
-use crate::analysis::perception::luminance;
-use crate::analysis::perception::pixel_luminance;
+use crate::analysis::perception::{luminance, pixel_luminance};
 use crate::analysis::probe::probe;
 use crate::illumination::Equation;
 use crate::render::Renderer;
@@ -22,8 +22,7 @@ const CHUNK: usize = 4096;
 /// Error of interpolating in the picture a quantity that is linear in space.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PerspectiveDistortion {
-    /// The interpolation that is compared with perspective-correct interpolation: the scene's own, or affine if that
-    /// is perspective-correct.
+    /// The interpolation compared with the perspective-correct one: the scene's own, or affine if that is correct.
     pub interpolation: Interpolation,
     /// Difference over the picture.
     pub error: ErrorFigures,
@@ -97,15 +96,14 @@ pub fn orientation(
     let equation = renderer.shining_equation(&turned);
     let samples: Vec<Turned> = (0..=360 / STEP)
         .map(|step| {
-            let angle = f64::from(step * STEP);
-            turned.camera.roll = angle;
+            turned.camera.roll = f64::from(step * STEP);
             let [scanline, barycentric] =
                 [Interpolation::Scanline, Interpolation::Affine].map(|interpolation| {
                     turned.shading.interpolation = interpolation;
                     turned_value(renderer, &turned, &equation, triangle, point)
                 });
             Turned {
-                angle,
+                angle: turned.camera.roll,
                 scanline,
                 barycentric,
             }
@@ -130,8 +128,7 @@ pub fn orientation(
     })
 }
 
-/// Returns the luminance of `point`, which lies on `triangle`, in a rotated picture. The triangle visible there is
-/// the same in all.
+/// Returns the luminance of `point` on `triangle`, which is visible there in every rotated picture.
 fn turned_value(
     renderer: &Renderer,
     turned: &Scene,
@@ -163,9 +160,7 @@ pub struct VertexNormals {
 pub fn vertex_normals(renderer: &mut Renderer, scene: &Scene) -> Measurement<VertexNormals> {
     match scene.shading.mode {
         ShadingMode::Gouraud | ShadingMode::Phong => {}
-        ShadingMode::Flat | ShadingMode::Interpolated => {
-            return Err("picture-missing-own-normals");
-        }
+        ShadingMode::Flat | ShadingMode::Interpolated => return Err("picture-missing-own-normals"),
         ShadingMode::Exact => return Err("picture-missing-exact-normals"),
     }
     let own_contrast = contrast(renderer, scene).ok_or("picture-missing-object")?;
@@ -203,8 +198,7 @@ pub fn vertex_normals(renderer: &mut Renderer, scene: &Scene) -> Measurement<Ver
     truth.shading.mode = ShadingMode::Exact;
     if !renderer.shows_surface(&truth) {
         // Such an object has no surface beyond its polygons: each has its own normal.
-        truth.shading.mode = ShadingMode::Phong;
-        truth.object.normals = NormalSource::Facet;
+        (truth.shading.mode, truth.object.normals) = (ShadingMode::Phong, NormalSource::Facet);
     }
     let true_contrast = contrast(renderer, &truth).unwrap_or_default();
     Ok(VertexNormals {

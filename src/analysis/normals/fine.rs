@@ -1,8 +1,6 @@
-//! Thin strokes by the thousand: each nearby pixel is covered according to its distance from the stroke.
-//!
-//! Filling a path of thousands of strokes takes tens of milliseconds; a stroke a few pixels long touches only about a
-//! hundred pixels, which is all the work done here. Coverage is `½ − d`, clamped to 0 to 1, with d the distance from
-//! the stroke's edge in pixels: exact for a straight edge along the grid, off by less than a tenth for any other.
+//! Thin strokes by the thousand, a path of which would take tens of milliseconds to fill: each touches only the hundred
+//! pixels nearby. Coverage is `½ − d`, clamped to 0 to 1, with d the distance from the stroke's edge in pixels: exact
+//! for a straight edge along the grid, off by less than a tenth for any other.
 
 use crate::figure::palette::Rgb8;
 use glam::{DVec2, Vec2};
@@ -97,7 +95,6 @@ mod tests {
     use super::*;
     use tiny_skia::Pixmap;
 
-    /// Draws a stroke and returns it with the area it covers.
     fn drawn(foot: DVec2, tip: DVec2, change: impl Fn(Fine) -> Fine) -> (Pixmap, f64) {
         let mut pixmap = Pixmap::new(24, 11).expect("not empty");
         let stroke = Fine {

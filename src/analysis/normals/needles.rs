@@ -8,7 +8,7 @@
 use super::fine::Fine;
 use super::{NormalField, SeenNormal, VertexFace, VertexNormal};
 use crate::analysis::overlay::{OverlayLayer, OverlayOptions, Sketch, Style};
-use crate::figure::palette::{self, Rgb8, readable};
+use crate::figure::palette::{self, Rgb8, Vector, readable};
 use crate::figure::{Area, Drawing, Label, Shape, inked_size};
 use crate::geometry::NormalOrigin;
 use crate::render::Renderer;
@@ -40,12 +40,10 @@ const MOST: usize = 2000;
 const LOOKED_AT: usize = 24_000;
 /// Edge length, in letters, below which needles do not fit at every edge.
 const CROWDED: f64 = 0.5;
-/// Minimum distance between needles: in letters where they are crowded, elsewhere in median edges, since a shape has
-/// parts that are finer than the rest.
+/// Minimum distance between needles: in letters where crowded, else in median edges, since some parts are finer.
 const APART: f64 = 0.8;
 const APART_IN_EDGES: f64 = 0.15;
-/// Minimum distance from needles of the other kind where they are crowded, relative to that between needles of one
-/// kind.
+/// Minimum distance from needles of the other kind, where crowded, relative to that within a kind.
 const OTHERS: f64 = 0.3;
 /// Length of an emphasised normal, relative to a needle.
 const EMPHASIS: f64 = 1.5;
@@ -91,9 +89,8 @@ pub struct Needles {
 }
 
 impl Needles {
-    /// Lays out the needles of the layers among `options` that are normals, over a picture of `scene` of `size`
-    /// pixels that `renderer` last drew. Back faces and hidden points are left out; if there are too many, an even
-    /// choice is made.
+    /// Lays out the needles of the layers among `options` over a picture of `scene` of `size` pixels that `renderer`
+    /// last drew, without back faces and hidden points; if there are too many, an even choice is made.
     pub fn new(
         size: [u32; 2],
         scene: &Scene,
@@ -158,7 +155,7 @@ impl Needles {
                     min: DVec2::ZERO,
                     max: DVec2::ZERO,
                 };
-                let sketch = Sketch::new(view, style, nowhere, one.point, Some(1.0), 1.0);
+                let sketch = Sketch::new(view, style, nowhere, one.point, 1.0);
                 let tip = sketch.and_then(|sketch| sketch.end(one.normal * needles.length));
                 needles.needles.extend(tip.map(|tip| Needle {
                     kind,
@@ -173,8 +170,8 @@ impl Needles {
             let text = match &notes[..] {
                 [vertices, faces] => text!(
                     "picture-needles-both",
-                    vertices = vertices.as_str(),
-                    faces = faces.as_str()
+                    vertices = &vertices[..],
+                    faces = &faces[..]
                 ),
                 _ => notes.concat(),
             };
@@ -198,7 +195,7 @@ impl Needles {
     /// Draws the needles on a pixmap of the size for which they were laid out.
     pub fn draw(&self, pixmap: &mut PixmapMut<'_>) {
         let (style, width) = (self.style, WIDTH * self.style.line);
-        let blue = readable(palette::N, style.halo_colour, CONTRAST);
+        let blue = readable(Vector::N.colour(), style.halo_colour, CONTRAST);
         let dash = palette::FACE_DASHES.map(|length| f64::from(length) * width);
         for (kind, colour, halo, dash) in [
             (NeedleKind::Face, palette::FACE, DARK, Some(dash)),
@@ -226,11 +223,7 @@ impl Needles {
 }
 
 /// Draws the layers of `options` that are normals over a picture of `scene` that `renderer` last drew, and highlights
-/// a vertex of its mesh. The pixmap has that picture's size.
-///
-/// # Errors
-///
-/// The error of `vertex`, if it finds none.
+/// a vertex of its mesh. The pixmap has that picture's size. The error is that of `vertex`.
 pub fn draw_normals<E>(
     pixmap: &mut PixmapMut<'_>,
     scene: &Scene,
@@ -249,7 +242,6 @@ pub fn draw_normals<E>(
     Ok(())
 }
 
-/// The choice of needles to draw.
 struct Choice {
     shown: Vec<SeenNormal>,
     /// Distance kept between them where they are crowded, world units.
@@ -258,8 +250,7 @@ struct Choice {
     thinned: bool,
 }
 
-/// Chooses as many needles that are not `hidden` as keep a distance from each other and from `others`, in the order
-/// of the mesh. `edge` is the polygons' edge length and `letter` the text size, both in world units.
+/// Chooses needles that are not `hidden` and keep a distance from each other and from `others`, in the mesh's order.
 fn thinned(
     seen: &[SeenNormal],
     edge: f64,
@@ -407,7 +398,7 @@ impl LitVertex {
         let (_, depth) = view.project(vertex.position)?;
         let [least, most] = LENGTHS.map(|share| share * side * view.world_per_pixel(depth));
         let length = EMPHASIS * (LENGTH * field.median_edge).clamp(2.0 * least, most);
-        let about = |position| Sketch::new(view, style, pane, position, Some(length), 1.0);
+        let about = |position| Sketch::new(view, style, pane, position, length);
         let mut sketch = about(vertex.position)?;
         let greatest = vertex
             .faces
@@ -470,7 +461,6 @@ impl LitVertex {
     }
 }
 
-/// Fills and outlines a face.
 fn draw_face(sketch: &mut Sketch, field: &NormalField, face: &VertexFace, weight: f64) {
     let front = face.normal.dot(sketch.view.towards_eye(face.centre)) > 0.0;
     let corners = field
@@ -532,7 +522,7 @@ fn draw_face_normal(sketch: &mut Sketch, own: &Sketch, face: &VertexFace, letter
 /// Draws the vertex with its own normal on top of everything, and the normal's source if it is not the faces.
 fn draw_vertex_normal(sketch: &mut Sketch, field: &NormalField, vertex: &VertexNormal) {
     let (style, origin) = (sketch.style, sketch.origin);
-    let colour = readable(palette::N, style.halo_colour, CONTRAST);
+    let colour = readable(Vector::N.colour(), style.halo_colour, CONTRAST);
     let tip = sketch.end(vertex.normal).unwrap_or(origin);
     let along = (tip - origin).normalize_or_zero();
     let head = style.head.min(0.5 * origin.distance(tip));

@@ -2,7 +2,7 @@
 
 use super::{NormalField, VertexNormal};
 use crate::analysis::report::{
-    Answer, Column, Part, Report, ReportContext, Table, as_it_is, cells, fixed,
+    Answer, Column, Part, Report, ReportContext, Table, as_it_is, fixed,
 };
 use crate::analysis::{Question, Subject, Watch};
 use crate::geometry::NormalOrigin;
@@ -94,7 +94,6 @@ impl FoundNormal {
         }
     }
 
-    /// Describes the normal's source in words.
     fn origin(&self) -> String {
         let vertex = &self.vertex;
         let count = vertex.faces.len();
@@ -126,21 +125,24 @@ impl FoundNormal {
 impl Answer for FoundNormal {
     fn report(&self, about: &ReportContext<'_>) -> Report {
         let vertex = &self.vertex;
-        let (number, count, place) = (vertex.vertex, self.vertices, triple(vertex.position));
-        let mut report = Report::new(text!(
+        let at = triple(vertex.position);
+        let (number, count) = (vertex.vertex.to_string(), self.vertices.to_string());
+        let title = text!(
             "picture-vertex",
             scene = about.name,
-            number = number.to_string(),
-            count = count.to_string(),
-            at = place
-        ));
+            number = number,
+            count = count,
+            at = at
+        );
+        let mut report = Report::new(title);
         let section = report.section("");
         section.line(format!("N = {}: {}", triple(vertex.normal), self.origin()));
         if vertex.length > 0.0 {
+            let length = format!("{:.4}", vertex.length);
             section.line(text!(
                 "picture-normal-sum",
                 sum = triple(vertex.sum),
-                length = format!("{:.4}", vertex.length)
+                length = length
             ));
         }
         let weight = match self.unit() {
@@ -148,28 +150,33 @@ impl Answer for FoundNormal {
             Some(_) => text!("picture-column-area"),
             None => text!("picture-column-weight"),
         };
-        let mut columns = vec![
-            Column::both("face", text!("picture-column-face"), as_it_is),
-            Column::both("share", text!("picture-column-share"), fixed::<4>),
-            Column::both("weight", weight, fixed::<5>),
-            Column::both("angle", text!("picture-column-off"), fixed::<3>),
-            Column::shown(text!("picture-column-normal"), as_it_is),
-        ];
-        columns.extend(["nx", "ny", "nz"].map(Column::key));
-        let mut table = Table::new(columns);
-        table.rows.extend(vertex.faces.iter().map(|face| {
-            let DVec3 { x, y, z } = face.normal;
-            cells![
-                face.face,
-                face.share,
-                face.weight,
-                face.angle,
-                triple(face.normal),
-                x,
-                y,
-                z
-            ]
-        }));
+        let table = Table::from_rows(
+            &vertex.faces,
+            [
+                (
+                    Column::both("face", text!("picture-column-face"), as_it_is),
+                    |face| face.face.into(),
+                ),
+                (
+                    Column::both("share", text!("picture-column-share"), fixed::<4>),
+                    |face| face.share.into(),
+                ),
+                (Column::both("weight", weight, fixed::<5>), |face| {
+                    face.weight.into()
+                }),
+                (
+                    Column::both("angle", text!("picture-column-off"), fixed::<3>),
+                    |face| face.angle.into(),
+                ),
+                (
+                    Column::shown(text!("picture-column-normal"), as_it_is),
+                    |face| triple(face.normal).into(),
+                ),
+                (Column::key("nx"), |face| face.normal.x.into()),
+                (Column::key("ny"), |face| face.normal.y.into()),
+                (Column::key("nz"), |face| face.normal.z.into()),
+            ],
+        );
         report.section("").push(Part::Table(table));
         report
     }

@@ -2,8 +2,7 @@
 
 use super::digits::{coordinates, digits};
 use super::products::LightHere;
-use crate::text;
-use crate::text::fixed;
+use crate::text::{fixed, text};
 use glam::DVec3;
 
 /// A step from N, L and V to R and H.
@@ -57,73 +56,76 @@ pub struct WorkedStep {
 }
 
 impl LightHere<'_> {
-    /// Returns N as the construction uses it: turned towards the light where the surface has two sides.
-    pub(super) fn facing_normal(self) -> DVec3 {
-        if self.turned() {
+    /// Returns the construction of R and H, without those of R where no light is in front, or of H where L is −V.
+    pub fn construction(self) -> Vec<WorkedStep> {
+        let n = if self.turned() {
             -self.here.hit.normal
         } else {
             self.here.hit.normal
-        }
-    }
-
-    /// Returns the construction of R and H. R needs a light in front of the surface, H one that is not directly
-    /// behind the point as the viewer sees it; without them there are fewer steps.
-    pub fn construction(self) -> Vec<WorkedStep> {
-        let (n, l, v) = (self.facing_normal(), self.terms.l, self.here.hit.view);
+        };
+        let (l, v) = (self.terms.l, self.here.hit.view);
         if n == DVec3::ZERO || ![n, l, v].iter().all(|vector| vector.is_finite()) {
             return vec![];
         }
         let cosine = n.dot(l);
         let products = (n * l).to_array().map(|product| fixed(product, 4));
-        let mut steps = vec![WorkedStep {
-            step: ConstructionStep::Cosine,
-            formula: if self.turned() {
+        let step = |step, formula, numbers, result| WorkedStep {
+            step,
+            formula,
+            numbers,
+            result,
+        };
+        let mut steps = vec![step(
+            ConstructionStep::Cosine,
+            if self.turned() {
                 "−{N}·{L}"
             } else {
                 "{N}·{L}"
             },
-            numbers: vec![products.join(" + ").replace("+ −", "− "), fixed(cosine, 4)],
-            result: DVec3::X * cosine,
-        }];
+            vec![products.join(" + ").replace("+ −", "− "), fixed(cosine, 4)],
+            DVec3::X * cosine,
+        )];
         if cosine > 0.0 {
             let foot = n * cosine;
             let across = foot - l;
             let mirrored = foot + across;
-            let times =
-                |number: f64, vector| format!("{} · {}", fixed(number, 4), coordinates(vector));
+            let times = format!("{} · {}", fixed(cosine, 4), coordinates(n));
             let made = |sign: &str, a, b| format!("{} {sign} {}", coordinates(a), coordinates(b));
-            steps.extend([
-                WorkedStep {
-                    step: ConstructionStep::Projection,
-                    formula: "{N}({N}·{L})",
-                    numbers: vec![times(cosine, n), coordinates(foot)],
-                    result: foot,
-                },
-                WorkedStep {
-                    step: ConstructionStep::Across,
-                    formula: "S = {N}({N}·{L}) − {L}",
-                    numbers: vec![made("−", foot, l), coordinates(across)],
-                    result: across,
-                },
-                WorkedStep {
-                    step: ConstructionStep::Mirror,
-                    formula: "{R} = {N}({N}·{L}) + S = 2{N}({N}·{L}) − {L}",
-                    numbers: vec![made("+", foot, across), coordinates(mirrored)],
-                    result: mirrored,
-                },
-            ]);
+            let mut add = |which, formula, numbers, vector| {
+                steps.push(step(
+                    which,
+                    formula,
+                    vec![numbers, coordinates(vector)],
+                    vector,
+                ));
+            };
+            add(ConstructionStep::Projection, "{N}({N}·{L})", times, foot);
+            add(
+                ConstructionStep::Across,
+                "S = {N}({N}·{L}) − {L}",
+                made("−", foot, l),
+                across,
+            );
+            let mirror = "{R} = {N}({N}·{L}) + S = 2{N}({N}·{L}) − {L}";
+            add(
+                ConstructionStep::Mirror,
+                mirror,
+                made("+", foot, across),
+                mirrored,
+            );
         }
         let sum = l + v;
         if let Some(halfway) = sum.try_normalize() {
-            steps.push(WorkedStep {
-                step: ConstructionStep::Halfway,
-                formula: "{H} = ({L} + {V})/|{L} + {V}|",
-                numbers: vec![
-                    format!("{}/{}", coordinates(sum), digits(sum.length())),
-                    coordinates(halfway),
-                ],
-                result: halfway,
-            });
+            let numbers = vec![
+                format!("{}/{}", coordinates(sum), digits(sum.length())),
+                coordinates(halfway),
+            ];
+            steps.push(step(
+                ConstructionStep::Halfway,
+                "{H} = ({L} + {V})/|{L} + {V}|",
+                numbers,
+                halfway,
+            ));
         }
         steps
     }

@@ -5,8 +5,7 @@ use crate::scene::Rgb;
 use crate::text::{fixed, text};
 use glam::DVec3;
 
-/// Smallest number written with four decimals, which lose their digits below it, so that a power of ten is used; from
-/// `LARGE` on a number is too long to be written out.
+/// Smallest number with digits left in four decimals; from `LARGE` on a number is too long to be written out.
 const SMALL: f64 = 5e-4;
 const LARGE: f64 = 1e5;
 

@@ -14,12 +14,12 @@ use crate::render::srgb;
 use crate::scene::{
     CuedBy, DepthCueing, Encoding, FlatAt, Overflow, Rgb, ShadingMode, Through, View,
 };
-use crate::text;
-use crate::text::fixed;
+use crate::text::{fixed, text};
 use glam::DVec3;
 
 /// A piece of the filled-in equation.
 #[derive(Clone, Debug, PartialEq)]
+#[expect(missing_docs, reason = "the variants tell what their fields are")]
 pub enum FilledPart {
     /// A remark, a sentence or two.
     Note(String),
@@ -27,24 +27,18 @@ pub enum FilledPart {
     Evaluated(String),
     /// A line of letters.
     Formula(String),
-    /// The name of a term, and its share of the pixel's luminance.
+    /// The name of a term, its colour, and its share of the pixel's luminance in percent; none where the pixel is
+    /// black.
     Heading {
-        /// The term's name.
         name: &'static str,
-        /// The term's colour.
         tone: Tone,
-        /// Its share in percent; none where the pixel is black.
         share: Option<String>,
     },
-    /// A product, factor by factor.
+    /// A product, factor by factor: the name of the result, the columns, and the colours of its letters and its value.
     Product {
-        /// Name of the result.
         name: String,
-        /// The columns of the product.
         product: Product,
-        /// The colour of its letters.
         letters: Tone,
-        /// The colour of its value.
         value: Tone,
     },
     /// A line of the sum.
@@ -176,8 +170,7 @@ impl Here<'_> {
         }
     }
 
-    /// Returns the line for the light that comes through the surface, mixed with the reflected light; none where it
-    /// is opaque.
+    /// Returns the line for the light that comes through the surface; none where it is opaque.
     fn through_line(self) -> Option<FilledLine> {
         let (product, through) = (self.mixture()?, self.hit.transmission?);
         let refractions = through.refractions;
@@ -189,7 +182,8 @@ impl Here<'_> {
                 totals = totals
             ),
         };
-        // Snell's law with this pixel's angles: that of the line of sight, which V is not with a viewer at infinity, and that of T.
+        // Snell's law with this pixel's angles: that of the line of sight, which V is not with a viewer at infinity,
+        // and that of T.
         let sight = View::new(&self.scene.camera, self.scene.image.size);
         let view = sight.towards_eye(self.hit.position);
         let (normal, eta) = (self.hit.normal, self.scene.transparency.ior);
@@ -216,8 +210,7 @@ impl Here<'_> {
         })
     }
 
-    /// Returns the line for the share of the intensity that depth cueing keeps and the colour that replaces the rest;
-    /// none where there is none.
+    /// Returns the line for depth cueing, if there is any: what is kept of the intensity, and the colour in its place.
     fn fading_line(self) -> Option<FilledLine> {
         let (product, s0) = (self.fading()?, self.hit.cue?.scale);
         let cueing = &self.scene.depth_cueing;

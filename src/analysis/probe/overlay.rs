@@ -1,7 +1,5 @@
-//! The vectors of the illumination equation at a probed point, over a picture.
-//!
-//! Input is a probe and its scene, output an [`Overlay`]: arrows, arcs, handles and labels with their positions in
-//! pixels, which can be read, tested or drawn.
+//! The vectors of the illumination equation at a probed point, over a picture: arrows, arcs, handles and labels with
+//! their positions in pixels, which can be read, tested or drawn.
 
 mod equation;
 mod lights;
@@ -24,11 +22,8 @@ use tiny_skia::PixmapMut;
 /// Length of a unit vector across the line of sight, in the picture's shorter side.
 const UNIT_LENGTH: f64 = 0.19;
 
-/// An overlay laid out for a picture of a given size.
-///
-/// # Guarantees
-///
-/// Labels lie inside the picture and do not overlap; one that does not fit is left out. All coordinates are finite.
+/// An overlay laid out for a picture of a given size. Labels lie inside it and do not overlap; one that does not fit is
+/// left out. All coordinates are finite.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Overlay {
     /// The vectors at the point.
@@ -46,9 +41,8 @@ pub struct Overlay {
     style: Style,
 }
 
-/// Draws the overlay of `probe` on `pixmap`, which holds a picture of `scene` or nothing yet. The camera is fitted to
-/// the pixmap's size, so that a picture may be larger or smaller than the scene specifies. Where the probe hit
-/// nothing, only the lights are drawn.
+/// Draws the overlay of `probe` on `pixmap`, which holds a picture of `scene` of any size or nothing yet. Where the
+/// probe hit nothing, only the lights are drawn.
 pub fn draw_overlay(
     pixmap: &mut PixmapMut<'_>,
     scene: &Scene,
@@ -68,8 +62,11 @@ impl Overlay {
         let side = picture.max.min_element();
         let style = Style::new(side, options);
         let view = View::new(&scene.camera, size);
-        let about = |position, length| {
-            Sketch::new(view, style, picture, position, length, UNIT_LENGTH * side)
+        let about = |position, length: Option<f64>| {
+            let (_, depth) = view.project(position)?;
+            let length = length.filter(|length| *length > 0.0 && length.is_finite());
+            let length = length.unwrap_or(UNIT_LENGTH * side * view.world_per_pixel(depth));
+            Sketch::new(view, style, picture, position, length)
         };
         let mut overlay = Self {
             arrows: vec![],

@@ -1,8 +1,6 @@
-//! The terms of the equation as products of numbers: their factors, and the values of these at this pixel.
-//!
-//! Where the equation is evaluated at the pixel, every factor is known. Where a term is a sum, over the vertices of a
-//! polygon or over the points of an area light, the factors that differ from one summand to the next are combined:
-//! their displayed value is their mean, which makes the product exact again.
+//! The terms of the equation as products of numbers: their factors, with their values at this pixel. Where a term is a
+//! sum, over the vertices of a polygon or the points of an area light, the factors that differ between summands are
+//! combined: their mean is displayed, which makes the product exact again.
 
 use super::digits::triple;
 use super::{LightTerms, ProbeHit};
@@ -337,8 +335,7 @@ fn quotient(product: Rgb, factors: Rgb) -> Rgb {
     }))
 }
 
-/// Returns the quotient of `product` and `factors` that all channels share, from the channel that has it most
-/// precisely; 0 where none has.
+/// Returns the quotient that all channels share, from the channel with the largest factor; 0 where all are 0.
 fn common(product: Rgb, factors: Rgb) -> f64 {
     let best = (0..3)
         .max_by(|&a, &b| factors[a].total_cmp(&factors[b]))

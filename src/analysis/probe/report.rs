@@ -14,8 +14,7 @@ use crate::analysis::{Question, Subject, Watch};
 use crate::figure::palette::Vector;
 use crate::figure::{Paper, PlotStyle};
 use crate::scene::Choice;
-use crate::text;
-use crate::text::fixed;
+use crate::text::{fixed, text};
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
@@ -150,8 +149,9 @@ impl Answer for Probed {
             .push(Part::Table(stored(hit)));
         if let Some(fit) = self.probe.ambient_fit {
             let [r, g, b] = fit.to_array().map(format_number);
-            let note = text!("point-report-fit", r = r, g = g, b = b);
-            report.section("").note(note);
+            report
+                .section("")
+                .note(text!("point-report-fit", r = r, g = g, b = b));
         }
         report
     }
@@ -271,7 +271,6 @@ fn say(section: &mut Section, part: FilledPart) {
     }
 }
 
-/// Returns the table of a term's factors and their product for each channel.
 fn product_table(product: &Product) -> Table {
     let mut columns = vec![Column::shown("", format_number)];
     for (index, column) in product.columns.iter().enumerate() {

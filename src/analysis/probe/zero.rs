@@ -34,55 +34,53 @@ pub enum ZeroCause {
     TooFaint,
 }
 
-/// All causes in their order.
-const CAUSES: [ZeroCause; 10] = [
-    ZeroCause::Muted,
-    ZeroCause::NotSoloed,
-    ZeroCause::Black,
-    ZeroCause::Coefficient,
-    ZeroCause::NoChannel,
-    ZeroCause::FacesAway,
-    ZeroCause::OutsideCone,
-    ZeroCause::InShadow,
-    ZeroCause::MissesViewer,
-    ZeroCause::TooFaint,
+/// All causes in their order, each with the keys of its name and of its clause.
+const CAUSES: [(ZeroCause, &str, &str); 10] = [
+    (ZeroCause::Muted, "point-zero-muted", "point-zero-muted.why"),
+    (
+        ZeroCause::NotSoloed,
+        "point-zero-not-soloed",
+        "point-zero-not-soloed.why",
+    ),
+    (ZeroCause::Black, "point-zero-black", "point-zero-black.why"),
+    (
+        ZeroCause::Coefficient,
+        "point-zero-not-reflected",
+        "point-zero-not-reflected.why",
+    ),
+    (
+        ZeroCause::NoChannel,
+        "point-zero-not-reflected",
+        "point-zero-not-reflected.channel",
+    ),
+    (
+        ZeroCause::FacesAway,
+        "point-zero-behind",
+        "point-zero-behind.why",
+    ),
+    (
+        ZeroCause::OutsideCone,
+        "point-zero-outside-cone",
+        "point-zero-outside-cone.why",
+    ),
+    (
+        ZeroCause::InShadow,
+        "point-zero-in-shadow",
+        "point-zero-in-shadow.why",
+    ),
+    (
+        ZeroCause::MissesViewer,
+        "point-zero-not-to-viewer",
+        "point-zero-not-to-viewer.why",
+    ),
+    (
+        ZeroCause::TooFaint,
+        "point-zero-too-faint",
+        "point-zero-too-faint.why",
+    ),
 ];
 
-impl ZeroCause {
-    /// Returns the cause in a word or two.
-    fn short(self) -> &'static str {
-        match self {
-            Self::Muted => text!("point-zero-muted"),
-            Self::NotSoloed => text!("point-zero-not-soloed"),
-            Self::Black => text!("point-zero-black"),
-            Self::Coefficient | Self::NoChannel => text!("point-zero-not-reflected"),
-            Self::FacesAway => text!("point-zero-behind"),
-            Self::OutsideCone => text!("point-zero-outside-cone"),
-            Self::InShadow => text!("point-zero-in-shadow"),
-            Self::MissesViewer => text!("point-zero-not-to-viewer"),
-            Self::TooFaint => text!("point-zero-too-faint"),
-        }
-    }
-
-    /// Returns the cause in a clause, for a term whose coefficient is called `c`.
-    fn clause(self, c: &str) -> String {
-        match self {
-            Self::Muted => text!("point-zero-muted.why").to_owned(),
-            Self::NotSoloed => text!("point-zero-not-soloed.why").to_owned(),
-            Self::Black => text!("point-zero-black.why").to_owned(),
-            Self::Coefficient => text!("point-zero-not-reflected.why", c = c),
-            Self::NoChannel => text!("point-zero-not-reflected.channel", c = c),
-            Self::FacesAway => text!("point-zero-behind.why").to_owned(),
-            Self::OutsideCone => text!("point-zero-outside-cone.why").to_owned(),
-            Self::InShadow => text!("point-zero-in-shadow.why").to_owned(),
-            Self::MissesViewer => text!("point-zero-not-to-viewer.why").to_owned(),
-            Self::TooFaint => text!("point-zero-too-faint.why").to_owned(),
-        }
-    }
-}
-
-/// Causes in their order: none where a term adds something, one that holds for all points of the light wherever the
-/// equation is evaluated, or several that each hold at some.
+/// Causes in their order: none, one that holds for all points of the light everywhere, or several that hold at some.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ZeroCauses(u16);
 
@@ -92,8 +90,10 @@ impl ZeroCauses {
 
     /// Returns the causes that hold, in their order.
     pub fn iter(self) -> impl Iterator<Item = ZeroCause> {
-        let holds = move |cause: &ZeroCause| self.0 & Self::from(*cause).0 != 0;
-        CAUSES.into_iter().filter(holds)
+        CAUSES
+            .into_iter()
+            .map(|(cause, ..)| cause)
+            .filter(move |cause| self.0 & Self::from(*cause).0 != 0)
     }
 
     /// Returns whether no cause holds.
@@ -101,7 +101,6 @@ impl ZeroCauses {
         self == Self::NONE
     }
 
-    /// Returns the first cause alone.
     pub(super) fn first(self) -> Self {
         Self(self.0 & self.0.wrapping_neg())
     }
@@ -114,12 +113,17 @@ impl ZeroCauses {
 
     /// Returns the first cause in a word or two.
     pub(super) fn short(self) -> Option<&'static str> {
-        self.iter().map(ZeroCause::short).next()
+        self.iter()
+            .next()
+            .map(|cause| text!(CAUSES[cause as usize].1))
     }
 
     /// Returns the causes in a clause, for a term whose coefficient is called `coefficient`; none if there are none.
     pub(super) fn clauses(self, coefficient: &str) -> Option<String> {
-        let clauses: Vec<_> = self.iter().map(|cause| cause.clause(coefficient)).collect();
+        let clauses: Vec<String> = self
+            .iter()
+            .map(|cause| text!(CAUSES[cause as usize].2, c = coefficient))
+            .collect();
         match &clauses[..] {
             [] => None,
             [clause] => Some(clause.clone()),
@@ -145,8 +149,8 @@ impl Serialize for ZeroCauses {
     }
 }
 
-/// Finds why the diffuse and the specular term of a light are 0, where they are; `values` are the terms. `all` has
-/// the sources of every light, `shining` those that the picture is shaded with, whose shadows are known.
+/// Finds why the two terms of a light are 0, where their `values` are: by the sources of `all` lights, and by those
+/// that the picture is shaded with, whose shadows are known.
 pub(super) fn zero_causes(
     scene: &Scene,
     [all, shining]: [&Equation<f64>; 2],
@@ -186,15 +190,16 @@ pub(super) fn zero_causes(
     }
     let both = ZeroCauses(always[0].0 & always[1].0).first();
     [0, 1].map(|term| {
-        let shown = [both, always[term].first(), ever[term]]
+        let shown = [
+            both,
+            always[term].first(),
+            ever[term],
+            ZeroCause::TooFaint.into(),
+        ];
+        let shown = shown
             .into_iter()
-            .find(|causes| !causes.is_empty());
-        let shown = shown.unwrap_or(ZeroCause::TooFaint.into());
-        if values[term] == Rgb::ZERO {
-            shown
-        } else {
-            ZeroCauses::NONE
-        }
+            .find(|causes| values[term] == Rgb::ZERO && !causes.is_empty());
+        shown.unwrap_or(ZeroCauses::NONE)
     })
 }
 

@@ -16,8 +16,7 @@ const LONG: f64 = 4096.0;
 const REACH: f64 = 6.0;
 /// Share of their distance within which a sample counts as an end of the line.
 const SAME: f64 = 1e-9;
-/// Half the distance over which slopes are taken, pixels: short compared with any visible polygon, long compared with
-/// the rounding errors of double precision.
+/// Half the distance over which slopes are taken, pixels: short beside polygons, long beside rounding errors.
 const DELTA: f64 = 1.0 / 64.0;
 /// Share of the line within which ends of pieces count as one place.
 const TOGETHER: f64 = 1e-9;
@@ -33,8 +32,7 @@ pub struct Sample {
     pub t: f64,
 }
 
-/// A line through the picture. `t` runs from 0 to 1 between its ends, and below and beyond them where it is followed
-/// further.
+/// A line through the picture: `t` runs from 0 to 1 between its ends, and beyond them where it is followed further.
 #[derive(Clone, Debug)]
 pub struct Line {
     ends: [DVec2; 2],
@@ -45,8 +43,7 @@ pub struct Line {
 }
 
 impl Line {
-    /// Creates the line between two places of a picture of `size`, followed for a surround of width `surround`
-    /// pixels.
+    /// Creates the line between two places of a picture of `size`, followed for a surround of so many pixels.
     pub fn new(from: DVec2, to: DVec2, size: [u32; 2], surround: f64) -> Option<Self> {
         let along = to - from;
         let axis = usize::from(along.x.abs() < along.y.abs());
@@ -93,7 +90,6 @@ impl Line {
     }
 
     /// Returns the range of t in which the picture is followed.
-    #[expect(clippy::cast_precision_loss, reason = "fewer samples than 2⁵³")]
     fn span(&self) -> [f64; 2] {
         [
             self.first.min(0.0),
@@ -108,7 +104,6 @@ impl Line {
     }
 
     /// Returns t of all places that are followed.
-    #[expect(clippy::cast_precision_loss, reason = "fewer samples than 2⁵³")]
     fn followed(&self) -> impl Iterator<Item = f64> {
         (0..self.count).map(|k| self.first + self.step * k as f64)
     }
@@ -127,8 +122,8 @@ impl Line {
         t > min_distance && t < 1.0 - min_distance
     }
 
-    /// Selects from values at all places those at [`Line::samples`]; the value of an end itself where given,
-    /// otherwise linear between its neighbours.
+    /// Selects from values at all places those at [`Line::samples`]; at the ends as given, or linear between
+    /// neighbours.
     pub fn within(&self, values: &[f64], ends: [Option<f64>; 2]) -> Vec<f64> {
         let between = |t: f64| {
             let at = ((t - self.first) / self.step).clamp(0.0, (self.count - 1) as f64);

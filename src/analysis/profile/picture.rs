@@ -35,9 +35,8 @@ pub struct ProfileCurves {
     pub perceived: Vec<DVec2>,
 }
 
-/// Lays out the profile of one mode over a picture whose shorter side has `side` pixels and whose letters are `em`
-/// pixels large. The curves lie to the left of the line traversed from right to left, so that they are above a
-/// horizontal line; an intensity of 1 is three tenths of the shorter side.
+/// Lays out the profile of one mode over a picture with a shorter side of `side` and letters of `em` pixels. The curves
+/// are above the line in either direction; an intensity of 1 is three tenths of the shorter side.
 pub fn lay_out_profile(
     profile: &Profile,
     trace: &Trace,
@@ -59,8 +58,7 @@ pub fn lay_out_profile(
             .map(|(at, value)| DVec2::new(at.x, at.y) + across * (value * HEIGHT * side))
             .collect()
     };
-    let mut ticks = Vec::new();
-    let mut latest = f64::NEG_INFINITY;
+    let (mut ticks, mut latest) = (Vec::new(), f64::NEG_INFINITY);
     for border in profile
         .borders
         .iter()
@@ -69,8 +67,7 @@ pub fn lay_out_profile(
         let s = border.t * profile.length;
         if s - latest >= GAP * em {
             latest = s;
-            let at = DVec2::new(border.x, border.y);
-            let reach = across * (TICK * em);
+            let (at, reach) = (DVec2::new(border.x, border.y), across * (TICK * em));
             ticks.push([at - reach, at + reach]);
         }
     }
@@ -82,8 +79,7 @@ pub fn lay_out_profile(
     })
 }
 
-/// Draws the profile of one mode over its picture on `pixmap`: the intensity solid in the mode's colour, the perceived
-/// brightness dashed.
+/// Draws the profile of one mode over its picture: the intensity in the mode's colour, the perceived brightness dashed.
 pub fn draw_profile(
     pixmap: &mut PixmapMut<'_>,
     profile: &Profile,
@@ -92,15 +88,15 @@ pub fn draw_profile(
 ) {
     let side = f64::from(pixmap.width().min(pixmap.height()));
     let style = Style::new(side, options);
-    let Some(curves) = lay_out_profile(profile, trace, side, style.text) else {
-        return;
-    };
-    let ProfileCurves {
+    let Some(ProfileCurves {
         ends,
         ticks,
         intensity,
         perceived,
-    } = curves;
+    }) = lay_out_profile(profile, trace, side, style.text)
+    else {
+        return;
+    };
     let colour = readable(shading(trace.mode), style.halo_colour, 3.0);
     let thin = |points: Vec<DVec2>| Shape::line(points, 0.7 * style.line, style.neutral);
     let mut marks = vec![thin(ends.to_vec())];
@@ -113,9 +109,8 @@ pub fn draw_profile(
     style.drawing(marks).draw(pixmap);
 }
 
-/// Computes a picture of the response over the whole picture: each pixel's colour is multiplied by the ratio of the
-/// response to its luminance. A black pixel has no colour and becomes grey; negative values become black. Beyond the
-/// picture's edge its last pixels continue.
+/// Computes a picture of the response: each pixel's colour times the ratio of the response to its luminance. Black
+/// pixels become grey, negative values black, and the last pixels continue beyond the edge.
 pub fn perceived_picture(
     renderer: &mut Renderer,
     scene: &Scene,

@@ -14,8 +14,7 @@ const CONSTANT: f64 = 1e-6;
 /// Minimum distance from the object's outline of values that set the scale of a plot: at the outline the intensity
 /// jumps, which would flatten the rest. For slopes in pixels; for the perceived brightness in widths of the surround.
 const CLEAR: [f64; 2] = [2.0, 4.0];
-/// Share of the slopes that may lie off the plot where no outline is known, since there are no polygons: there slopes
-/// grow without bound.
+/// Share of the slopes that may lie off the plot where there are no polygons: at an outline they have no bound.
 const OFF: f64 = 0.02;
 
 /// The quantity on the x axis.
@@ -30,37 +29,30 @@ pub enum Abscissa {
 impl Abscissa {
     /// Returns the axis value at parameter t of the line.
     pub fn at(self, profile: &Profile, t: f64) -> f64 {
-        match self {
-            Self::Distance => t * profile.length,
-            Self::PictureX(_) => {
-                let [from, to] = ends(profile);
-                from + (to - from) * t
-            }
-        }
+        let [from, to] = self.ends(profile);
+        from + (to - from) * t
     }
 
     /// Returns the parameter t of the line at axis value x.
     pub fn share(self, profile: &Profile, x: f64) -> f64 {
-        match self {
-            Self::Distance => x / profile.length,
-            Self::PictureX(_) => {
-                let [from, to] = ends(profile);
-                (x - from) / (to - from)
-            }
-        }
+        let [from, to] = self.ends(profile);
+        (x - from) / (to - from)
     }
 
     /// Returns whether the axis runs against the line.
     fn reversed(self, profile: &Profile) -> bool {
-        let [from, to] = ends(profile);
-        self != Self::Distance && to < from
+        let [from, to] = self.ends(profile);
+        to < from
     }
-}
 
-/// Returns x of the line's ends.
-fn ends(profile: &Profile) -> [f64; 2] {
-    let x = |sample: Option<&Sample>| sample.map_or(0.0, |sample| sample.x);
-    [x(profile.samples.first()), x(profile.samples.last())]
+    /// Returns the axis values of the line's ends.
+    fn ends(self, profile: &Profile) -> [f64; 2] {
+        let x = |sample: Option<&Sample>| sample.map_or(0.0, |sample| sample.x);
+        match self {
+            Self::Distance => [0.0, profile.length],
+            Self::PictureX(_) => [x(profile.samples.first()), x(profile.samples.last())],
+        }
+    }
 }
 
 /// A view of one mode among others.
@@ -86,9 +78,14 @@ pub fn compared_plots(profile: &Profile, request: &ProfileQuestion, view: Compar
         .collect();
     let mut curves = plotter.curves(own, |trace| trace.intensity.clone());
     curves.extend(seen.iter().map(|trace| plotter.perceived(trace)));
-    let title = text!("line-intensity-title");
     let y = plotter.intensity_axis(&seen);
-    let intensity = plotter.plot(PlotKind::Profile, title, y, curves);
+    let intensity = plotter.plot(
+        PlotKind::Profile,
+        text!("line-intensity-title"),
+        "",
+        y,
+        curves,
+    );
     [intensity, plotter.slopes(own), plotter.added(request, own)]
 }
 
@@ -121,64 +118,71 @@ impl<'a> ProfilePlotter<'a> {
             .traces
             .iter()
             .flat_map(|trace| &trace.intensity);
-        let perceived = seen.iter().flat_map(|trace| &trace.perceived);
-        let all = actual.chain(perceived).copied().collect();
+        let all = actual
+            .chain(seen.iter().flat_map(|trace| &trace.perceived))
+            .copied()
+            .collect();
         axis(text!("line-axis-intensity"), bounds(all, 0.0))
     }
 
     fn slopes(&self, own: Option<ShadingMode>) -> Plot {
-        let traces = &self.profile.traces;
         let constant = |trace: &Trace| trace.slope.iter().all(|slope| slope.abs() < CONSTANT);
-        if traces.iter().all(constant) {
+        if self.profile.traces.iter().all(constant) {
             return self.jumps(own);
         }
-        let sign = if self.abscissa.reversed(self.profile) {
-            -1.0
-        } else {
-            1.0
-        };
+        let sign = self.sign();
         let curves = self.curves(own, |trace| trace.slope.iter().map(|s| s * sign).collect());
         let values = self.away_from_outline(CLEAR[0], &curves);
         let off = if self.edges.is_empty() { OFF } else { 0.0 };
         let y = axis(text!("line-axis-slope"), bounds(values, off));
-        let title = text!("line-slope-title");
-        let mut plot = self.plot(PlotKind::ProfileSlope, title, y, curves);
-        text!("line-slope-note").clone_into(&mut plot.note);
-        plot
+        self.plot(
+            PlotKind::ProfileSlope,
+            text!("line-slope-title"),
+            text!("line-slope-note"),
+            y,
+            curves,
+        )
+    }
+
+    /// Returns the factor by which slopes along the line become slopes along the axis.
+    fn sign(&self) -> f64 {
+        if self.abscissa.reversed(self.profile) {
+            -1.0
+        } else {
+            1.0
+        }
     }
 
     /// Plots the jumps of intensity between polygons, where slopes are 0 within them.
     fn jumps(&self, own: Option<ShadingMode>) -> Plot {
-        let traces = self.profile.traces.iter();
-        let sign = if self.abscissa.reversed(self.profile) {
-            -1.0
-        } else {
-            1.0
+        let curve = |trace: &Trace| {
+            let steps = self.profile.borders.iter().zip(&trace.corners);
+            let spikes = steps.filter_map(|(border, corner)| {
+                let x = self.x(border.t);
+                Some([[x, 0.0], [x, self.sign() * corner.as_ref()?.step], [x, 0.0]])
+            });
+            let [first, last] = [0.0, 1.0].map(|t| [self.x(t), 0.0]);
+            let points = std::iter::once(first)
+                .chain(spikes.flatten())
+                .chain([last])
+                .collect();
+            Curve {
+                points: self.ordered(points),
+                ..self.curve_of(trace, Vec::new(), own)
+            }
         };
-        let curves: Vec<Curve> = traces
-            .map(|trace| {
-                let steps = self.profile.borders.iter().zip(&trace.corners);
-                let spikes = steps.filter_map(|(border, corner)| {
-                    let x = self.abscissa.at(self.profile, border.t);
-                    Some([[x, 0.0], [x, sign * corner.as_ref()?.step], [x, 0.0]])
-                });
-                let [first, last] = [0.0, 1.0].map(|t| [self.abscissa.at(self.profile, t), 0.0]);
-                let spikes = spikes.flatten();
-                let points = std::iter::once(first).chain(spikes).chain([last]).collect();
-                Curve {
-                    points: self.ordered(points),
-                    ..self.curve_of(trace, Vec::new(), own)
-                }
-            })
-            .collect();
+        let curves: Vec<Curve> = self.profile.traces.iter().map(curve).collect();
         let values = curves
             .iter()
             .flat_map(|curve| curve.points.iter().map(|[_, y]| *y));
         let y = axis(text!("line-axis-jump"), bounds(values.collect(), 0.0));
-        let title = text!("line-jumps-title");
-        let mut plot = self.plot(PlotKind::ProfileSlope, title, y, curves);
-        text!("line-jumps-note").clone_into(&mut plot.note);
-        plot
+        self.plot(
+            PlotKind::ProfileSlope,
+            text!("line-jumps-title"),
+            text!("line-jumps-note"),
+            y,
+            curves,
+        )
     }
 
     fn added(&self, request: &ProfileQuestion, own: Option<ShadingMode>) -> Plot {
@@ -211,21 +215,19 @@ impl<'a> ProfilePlotter<'a> {
         if curves.iter().any(outside) {
             note = format!("{note} {}", text!("line-added-outline"));
         }
-        let title = text!("line-added-title");
-        let mut plot = self.plot(PlotKind::ProfileAdded, title, y, curves);
-        plot.note = note;
-        plot
+        self.plot(
+            PlotKind::ProfileAdded,
+            text!("line-added-title"),
+            &note,
+            y,
+            curves,
+        )
     }
 
-    /// Returns the values of curves at least so many pixels away from where the line enters or leaves the object; all
-    /// if nothing is that far away.
+    /// Returns the values at least so many pixels from where the line enters or leaves the object; or else all.
     fn away_from_outline(&self, pixels: f64, curves: &[Curve]) -> Vec<f64> {
-        let outline: Vec<f64> = self
-            .edges
-            .iter()
-            .filter(|edge| edge.faces.contains(&None))
-            .map(|edge| self.abscissa.at(self.profile, edge.t))
-            .collect();
+        let edges = self.edges.iter().filter(|edge| edge.faces.contains(&None));
+        let outline: Vec<f64> = edges.map(|edge| self.x(edge.t)).collect();
         let clear = |x: f64| outline.iter().all(|edge| (x - edge).abs() >= pixels);
         let points = || curves.iter().flat_map(|curve| &curve.points);
         let away: Vec<f64> = points()
@@ -239,26 +241,29 @@ impl<'a> ProfilePlotter<'a> {
         }
     }
 
-    fn plot(&self, kind: PlotKind, title: &str, y: Axis, curves: Vec<Curve>) -> Plot {
+    /// Returns the axis value at parameter t of the line.
+    fn x(&self, t: f64) -> f64 {
+        self.abscissa.at(self.profile, t)
+    }
+
+    fn plot(&self, kind: PlotKind, title: &str, note: &str, y: Axis, curves: Vec<Curve>) -> Plot {
         let x = match self.abscissa {
             Abscissa::Distance => Axis::new(text!("line-axis-distance"), 0.0, self.profile.length),
             Abscissa::PictureX([low, high]) => Axis::new(text!("line-axis-x"), low, high),
         };
         let marked = self.edges.iter().filter(|_| self.marked);
-        let mut borders: Vec<f64> = marked
-            .map(|edge| self.abscissa.at(self.profile, edge.t))
-            .collect();
+        let mut borders: Vec<f64> = marked.map(|edge| self.x(edge.t)).collect();
         borders.sort_by(f64::total_cmp);
         Plot {
             borders,
-            ..Plot::new(kind, title, "", [x, y], curves)
+            ..Plot::new(kind, title, note, [x, y], curves)
         }
     }
 
-    /// Returns a curve for each mode; that of `own` is emphasised, or all are.
     fn curves(&self, own: Option<ShadingMode>, values: impl Fn(&Trace) -> Vec<f64>) -> Vec<Curve> {
-        let traces = self.profile.traces.iter();
-        traces
+        self.profile
+            .traces
+            .iter()
             .map(|trace| self.curve_of(trace, values(trace), own))
             .collect()
     }
@@ -275,12 +280,15 @@ impl<'a> ProfilePlotter<'a> {
     fn curve(&self, trace: &Trace, values: &[f64], dash: Dash) -> Curve {
         let samples = self.profile.samples.iter().zip(values);
         let points = samples
-            .map(|(sample, value)| [self.abscissa.at(self.profile, sample.t), *value])
+            .map(|(sample, value)| [self.x(sample.t), *value])
             .collect();
-        let (name, ink) = (trace.mode.label(), Ink::Shading(trace.mode));
         Curve {
             dash,
-            ..Curve::new(name, self.ordered(points), ink)
+            ..Curve::new(
+                trace.mode.label(),
+                self.ordered(points),
+                Ink::Shading(trace.mode),
+            )
         }
     }
 
@@ -293,7 +301,6 @@ impl<'a> ProfilePlotter<'a> {
         }
     }
 
-    /// Returns points in the order of the axis.
     fn ordered(&self, mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
         if self.abscissa.reversed(self.profile) {
             points.reverse();
@@ -325,7 +332,6 @@ fn bounds(mut values: Vec<f64>, off: f64) -> [f64; 2] {
     let Some(last) = values.len().checked_sub(1) else {
         return [0.0, 1.0];
     };
-    #[expect(clippy::cast_precision_loss, reason = "far fewer samples than 2⁵³")]
     let skip = (last as f64 * off) as usize;
     let [low, high] = [values[skip], values[last - skip]];
     if high - low > 1e-6 * high.abs().max(low.abs()) {

@@ -13,8 +13,8 @@ use serde::Serialize;
 
 /// Rows and columns left free on each side of the polygon.
 const MARGIN: f64 = 1.0;
-/// Bounds of the ratio of width to height at which polygons are shown undistorted. Others are stretched to the nearer
-/// bound, along with their pixels, which changes neither α nor any value.
+/// Bounds of the ratio of width to height; other polygons are stretched along with their pixels, which changes no
+/// value.
 const SHAPES: [f64; 2] = [0.5, 1.6];
 /// Ratio of a polygon's area to the square of its extent below which it is a line up to rounding.
 const EDGE_ON: f64 = 1e-10;
@@ -82,8 +82,7 @@ pub struct Grid {
 }
 
 impl Grid {
-    /// Returns a grid of `rows` rows in whose middle a polygon is as large as fits; none for one that is seen
-    /// edge-on.
+    /// Returns a grid of `rows` rows that the polygon fills; none for one that is seen edge-on.
     fn around(corners: &[ScanCorner], rows: u32) -> Option<Self> {
         let places = || corners.iter().map(|corner| corner.place);
         let (min, max) = places().fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(a, b), p| {
@@ -141,8 +140,7 @@ struct Shading {
     divisor: f64,
 }
 
-/// Returns face `face` of `scene`, which `renderer` has drawn last, before conversion: its corners are in picture
-/// coordinates.
+/// Returns face `face` of `scene`, which was drawn last, before conversion: its corners are in the picture.
 fn seen(renderer: &Renderer, scene: &Scene, face: u32) -> Result<(Scan, Shading), ScanError> {
     let polygon = renderer
         .polygon(face)
@@ -231,7 +229,6 @@ fn seen(renderer: &Renderer, scene: &Scene, face: u32) -> Result<(Scan, Shading)
 }
 
 impl Shading {
-    /// Returns the intensity of a pixel that was given `value` and sees the point `position`.
     fn intensity(&self, scan: &Scan, value: DVec3, position: DVec3) -> Rgb {
         if scan.carried != Carried::Normal {
             return value;
@@ -244,18 +241,14 @@ impl Shading {
         self.equation.illuminate_world(position, normal, None)
     }
 
-    /// Returns the stored value of an intensity.
     fn stored(&self, intensity: Rgb) -> [u8; 3] {
         let [r, g, b, _] = stored_pixel(intensity / self.divisor, self.encoding);
         [r, g, b]
     }
 
     /// Returns the point seen at a place of the grid, world, and the value there by barycentric weights: on the
-    /// polygon's triangle that contains the place; for a place on the border outside all of them, on the triangle
-    /// that it is least outside of. Returns none for a polygon without area.
-    ///
-    /// Weights in space are those in the picture over the depths, normalised to add up to 1 again (Blinn 1992). The
-    /// depths of an orthographic picture do not enter.
+    /// polygon's triangle that contains the place or, on the border, is least away from it; none for a polygon without
+    /// area. Weights in space are those in the picture over the depths, normalised to add up to 1 again (Blinn 1992).
     fn barycentric(&self, scan: &Scan, place: DVec2) -> Option<[DVec3; 2]> {
         let corners = &scan.corners;
         let weighted = self.triangles.iter().filter_map(|&triangle| {
@@ -293,7 +286,6 @@ impl Shading {
     }
 }
 
-/// Scans the polygon in `grid`.
 fn convert(mut scan: Scan, shading: &Shading, grid: Grid) -> Scan {
     scan.grid = grid;
     for corner in &mut scan.corners {
@@ -334,8 +326,7 @@ fn first_centre(place: f64, count: u32) -> u32 {
     (place - 0.5).ceil().clamp(0.0, f64::from(count)) as u32
 }
 
-/// Returns the edges sorted by their upper ends, those of one height from left to right. Horizontal edges are
-/// omitted, since no scan line crosses them.
+/// Returns the edges by their upper ends, then from left to right, without the horizontal ones.
 fn edge_table(corners: &[ScanCorner]) -> Vec<ScanEdge> {
     let count = corners.len();
     let mut edges: Vec<ScanEdge> = (0..count)

@@ -1,8 +1,5 @@
-//! Drawing of the scan line in slow motion: enlarged pixels, the polygon's outline, P and Q with their shares of the
-//! edges.
-//!
-//! Input is a scan and one of its steps, output a [`Drawing`]. The part α of an edge or of a span, from its first end
-//! to the point found on it, is thick and yellow; the rest, 1−α, is thick in the colour of text.
+//! Drawing of the scan line in slow motion: enlarged pixels, the polygon's outline, P and Q. The part α of an edge or
+//! of a span, from its first end to the point found on it, is thick and yellow; the rest, 1−α, in the colour of text.
 
 use super::{Crossing, Scan, ScanLevel, ScanPoint, corner_name};
 use crate::figure::palette::{ALPHA, Rgb8, readable};
@@ -11,8 +8,7 @@ use crate::scene::{Choice, ShadingMode};
 use crate::text::text;
 use glam::DVec2;
 
-/// Margins for letters about the outermost corners, in ems: for α at the sides, for the corners' names above and
-/// below.
+/// Margins about the outermost corners, in ems: for α at the sides, for names above and below.
 const LETTERED: DVec2 = DVec2::new(2.5, 1.9);
 /// Number of corners beyond which only a polygon's active edges are lettered.
 const MOST_LETTERS: usize = 12;
@@ -35,14 +31,12 @@ pub fn scan_room(scan: &Scan, width: f64, tallest: f64, style: &PlotStyle) -> DV
     )
 }
 
-/// Returns the margins beside and above a grid with pixels of that size: its free rows and columns hold a part of the
-/// letters.
+/// Returns the margins beside and above a grid of such pixels, whose free rows and columns hold letters too.
 fn pad(cell: f64, em: f64) -> DVec2 {
     (LETTERED * em - cell).max(DVec2::splat(0.3 * em))
 }
 
-/// Draws `scan` at step `step` in an area of `size`. With a title there is also a column beside or below the picture
-/// with the formulas filled in.
+/// Draws `scan` at step `step` in an area of `size`; with a title there is also a column with the formulas filled in.
 pub fn lay_out_scan(scan: &Scan, step: usize, size: DVec2, style: &PlotStyle) -> Drawing {
     let mut drawing = Drawing::new(size, style.paper.ground);
     let mut bounds = Area {
@@ -211,17 +205,14 @@ struct ScanCanvas<'a> {
 }
 
 impl ScanCanvas<'_> {
-    /// Returns the position of a place of the grid in the drawing.
     fn at(&self, place: DVec2) -> DVec2 {
         self.origin + place * self.cell
     }
 
-    /// Returns the position of a place of the scan line in the drawing.
     fn on_line(&self, x: f64) -> DVec2 {
         self.at(DVec2::new(x, self.point.line.centre_y()))
     }
 
-    /// Returns the square of a pixel.
     fn square(&self, [x, y]: [u32; 2]) -> Area {
         let min = self.at(DVec2::new(f64::from(x), f64::from(y)));
         Area {
@@ -259,9 +250,8 @@ impl ScanCanvas<'_> {
         }
     }
 
-    /// Draws text, its size in ems, centred at the first of `places` where it overlaps no other label, on a patch of
-    /// the background and inside the area. If there is no such place it is omitted, or at the first place if it
-    /// `must` appear.
+    /// Draws text, its size in ems, on a patch at the first of `places` where it overlaps no other label; if there is
+    /// none it is omitted, or at the first place if it `must` appear.
     fn label(&mut self, text: String, colour: Rgb8, size: f64, places: &[DVec2], must: bool) {
         let size = size * self.em;
         let text = Text::new(text, DVec2::ZERO, size, colour).bold();
@@ -404,7 +394,6 @@ impl ScanCanvas<'_> {
                 .any(|&edge| scan.edges[edge].corners.contains(&corner))
         };
         let few = scan.corners.len() <= MOST_LETTERS;
-        #[expect(clippy::cast_precision_loss, reason = "a face has few corners")]
         let count = scan.corners.len().max(1) as f64;
         let middle = self.at(scan
             .corners
@@ -450,8 +439,7 @@ impl ScanCanvas<'_> {
         }
     }
 
-    /// Draws the number of a part, beside its middle or on its other side, if the part is long enough and the place
-    /// is free.
+    /// Draws the number of a part, beside its middle or on the other side, if the part is long enough.
     fn share(&mut self, [from, to]: [DVec2; 2], aside: DVec2, value: f64, alpha: bool) {
         if from.distance(to) < LETTERED_PART * self.em {
             return;

@@ -11,7 +11,7 @@ use crate::analysis::report::{
 use crate::analysis::{Question, Subject, Watch};
 use crate::figure::{Paper, PlotStyle};
 use crate::scene::Choice;
-use crate::text::text;
+use crate::text::{fixed, text};
 use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
@@ -103,7 +103,6 @@ impl Question for ScanQuestion {
 }
 
 impl Answer for ScanStop {
-    /// Returns the edge table, and the scan line of the step with all its pixels.
     fn report(&self, _: &ReportContext<'_>) -> Report {
         let scan = &self.scan;
         let line = scan.at(self.step).line;
@@ -125,7 +124,7 @@ impl Answer for ScanStop {
         let [first, last] = scan.steps_of_line(line.y).unwrap_or_default();
         for mix in (first..=last).filter_map(|step| scan.found(step).pop()) {
             let place = if mix.pixel.is_none() {
-                format!(", x = {}", format_number(mix.x, 3))
+                format!(", x = {}", fixed(mix.x, 3))
             } else {
                 String::new()
             };
@@ -137,7 +136,6 @@ impl Answer for ScanStop {
         report
     }
 
-    /// Returns the table of pixels, one per row.
     fn table(&self) -> Option<Table> {
         let columns = "y,x,p_x,q_x,alpha_p,alpha_q,alpha,value_r,value_g,value_b,barycentric_r,barycentric_g,barycentric_b";
         let mut table = Table::new(columns.split(',').map(Column::key));
@@ -244,10 +242,10 @@ impl Mix<'_> {
 
     /// Formats α with its numbers, `α = (7.50 − 2.00) / (14.00 − 2.00) = 0.458`.
     pub fn alpha_text(&self) -> String {
-        let [from, here, to] = self.places.map(|place| format_number(place, 2));
+        let [from, here, to] = self.places.map(|place| fixed(place, 2));
         format!(
             "α = ({here} − {from}) / ({to} − {from}) = {}",
-            format_number(self.alpha, 3)
+            fixed(self.alpha, 3)
         )
     }
 
@@ -265,7 +263,7 @@ impl Mix<'_> {
     /// Formats the interpolation with the numbers of one component.
     pub fn row(&self, component: usize) -> String {
         let bracketed = |value: f64| {
-            let text = format_number(value, 4);
+            let text = fixed(value, 4);
             if text.starts_with('−') {
                 format!("({text})")
             } else {
@@ -273,10 +271,10 @@ impl Mix<'_> {
             }
         };
         let [a, b] = self.values.map(|value| bracketed(value[component]));
-        let [rest, alpha] = [1.0 - self.alpha, self.alpha].map(|share| format_number(share, 3));
+        let [rest, alpha] = [1.0 - self.alpha, self.alpha].map(|share| fixed(share, 3));
         format!(
             "{rest}·{a} + {alpha}·{b} = {}",
-            format_number(self.value[component], 4)
+            fixed(self.value[component], 4)
         )
     }
 
@@ -419,13 +417,12 @@ impl Scan {
         }
     }
 
-    /// Returns the lines that explain how a pixel gets its intensity from an interpolated normal; none where
-    /// intensities are interpolated.
+    /// Returns the lines that explain how a pixel gets its intensity from an interpolated normal, if there is one.
     pub fn intensity_words(&self, pixel: &ScanPixel) -> Vec<String> {
         if self.carried != Carried::Normal {
             return Vec::new();
         }
-        let length = format_number(pixel.value.length(), 4);
+        let length = fixed(pixel.value.length(), 4);
         vec![
             if self.renormalise {
                 text!("line-scan-renormalised", length = length)
@@ -439,8 +436,8 @@ impl Scan {
     /// Returns the table of results up to a step, with the pixel's value by barycentric interpolation.
     pub fn found_table(&self, step: usize) -> Table {
         let [a, b, c] = self.carried.components();
-        let value = |head| Column::shown(head, |value| format_number(value, 3));
-        let alpha = Column::shown("α", |value| format_number(value, 2));
+        let value = |head| Column::shown(head, |value| fixed(value, 3));
+        let alpha = Column::shown("α", |value| fixed(value, 2));
         let name = Column::shown("", as_it_is);
         let mut table = Table::new([name, alpha, value(a), value(b), value(c)]);
         let mut row = |name: &str, alpha: Option<f64>, value: DVec3| {
@@ -483,8 +480,7 @@ impl Scan {
             text!("line-scan-x-from"),
             "dx/dy",
         ];
-        let mut table =
-            Table::new(columns.map(|head| Column::shown(head, |v| format_number(v, 2))));
+        let mut table = Table::new(columns.map(|head| Column::shown(head, |v| fixed(v, 2))));
         let many = self.edges.len() > MOST_EDGES;
         for (index, edge) in self
             .edges
@@ -506,24 +502,6 @@ impl Scan {
     }
 }
 
-/// Formats a number with a fixed number of decimals and a true minus sign.
-fn format_number(value: f64, decimals: usize) -> String {
-    let text = format!("{value:.decimals$}");
-    // A number that rounds to zero has no sign.
-    let zero = text
-        .trim_start_matches('-')
-        .chars()
-        .all(|digit| digit == '0' || digit == '.');
-    if zero {
-        text.trim_start_matches('-').to_owned()
-    } else {
-        text.replace('-', "−")
-    }
-}
-
 fn triple(value: DVec3) -> String {
-    value
-        .to_array()
-        .map(|part| format_number(part, 4))
-        .join(", ")
+    value.to_array().map(|part| fixed(part, 4)).join(", ")
 }

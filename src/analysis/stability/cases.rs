@@ -160,8 +160,7 @@ pub const CASES: &[Case] = &[
         .condition(1e7, "engine-condition-difference")
         .draws(pyramid)
         .with(|scene| {
-            let offset = DVec3::new(1.1e7, -0.7e7, 1.3e7);
-            moved(scene, |v| v + offset);
+            moved(scene, |v| v + DVec3::new(1.1e7, -0.7e7, 1.3e7));
         }),
     case("telephoto", Geometry)
         .condition(1e10, "engine-condition-discriminant")
@@ -297,8 +296,7 @@ fn corner() -> Scene {
     scene
 }
 
-/// Returns a wall at z = −3 in front of an eye at (0, 0, 2), and a floor `floor` units above the eye, from z = −3 to
-/// `to`.
+/// Returns a wall at z = −3 before an eye at (0, 0, 2), and a floor at height `floor` from z = −3 to `to`.
 fn room(floor: f64, to: f64) -> Scene {
     let wall = [
         [-1.5, -0.7, -3.0],
@@ -384,18 +382,13 @@ fn polygon() -> Scene {
 fn scan_lines(renderer: &mut Renderer) -> Pictures {
     let scene = polygon();
     let background = scene.image.background.to_array();
-    let truth = true_spans(background);
-    let naive = naive_spans(background);
+    let (truth, naive) = (true_spans(background), naive_spans(background));
     Pictures {
         engine: engine_picture(renderer, &scene),
         naive,
         truth,
         scene: Some(scene),
     }
-}
-
-fn grey(value: f64) -> [f64; 3] {
-    [value; 3]
 }
 
 fn true_spans(background: [f64; 3]) -> Vec<Truth> {
@@ -431,7 +424,7 @@ fn true_spans(background: [f64; 3]) -> Vec<Truth> {
                 let at = precise(centre);
                 let value = p[1] + (at - p[0]) / (q[0] - p[0]) * (q[1] - p[1]);
                 pixels[(y * SIDE + x) as usize] = Truth {
-                    color: grey(value.into()),
+                    color: [value.into(); 3],
                     clear: true,
                 };
             }
@@ -466,7 +459,7 @@ fn naive_spans(background: [f64; 3]) -> Vec<[f64; 3]> {
             let at = x as f32 + 0.5;
             if p.x <= at && at <= q.x {
                 let value = p.y + (at - p.x) / (q.x - p.x) * (q.y - p.y);
-                pixels[(y * SIDE + x) as usize] = grey(value.into());
+                pixels[(y * SIDE + x) as usize] = [value.into(); 3];
             }
         }
     }
@@ -491,15 +484,15 @@ fn critical(_: &mut Renderer) -> Pictures {
         let beyond = (f64::from(x) - middle) / middle * ANGLES;
         let angle = critical_angle(eta).unwrap_or_default() + beyond;
         pictures.truth.push(Truth {
-            color: grey(true_cosine(angle, eta) * GAIN),
+            color: [true_cosine(angle, eta) * GAIN; 3],
             clear: true,
         });
         let incident = DVec3::new(angle.sin(), 0.0, -angle.cos());
         let cosine = refract(incident, DVec3::Z, eta).map_or(0.0, |t| -t.z);
-        pictures.engine.push(grey(cosine * GAIN));
-        pictures.naive.push(grey(
-            f64::from(naive_cosine(angle as f32, eta as f32)) * GAIN,
-        ));
+        pictures.engine.push([cosine * GAIN; 3]);
+        pictures
+            .naive
+            .push([f64::from(naive_cosine(angle as f32, eta as f32)) * GAIN; 3]);
     }
     pictures
 }

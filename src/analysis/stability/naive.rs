@@ -1,9 +1,7 @@
-//! The naive renderer: a first renderer that follows the textbook line by line, in single precision.
-//!
-//! World coordinates go through one matrix, are divided by w without clipping, and fill triangles by edge functions;
-//! normals are interpolated and divided by their length, the power is taken of the cosine, and the intensity times
-//! 255 is cast to a byte. No line of it is wrong on an ordinary scene, where it agrees with the reference to about a
-//! code value.
+//! The naive renderer: a first renderer that follows the textbook line by line, in single precision: one matrix, a
+//! division by w without clipping, edge functions, normals divided by their length, the power of the cosine, and the
+//! intensity times 255 cast to a byte. No line of it is wrong on an ordinary scene, where it agrees with the reference
+//! to about a code value.
 
 use crate::scene::{
     Attenuation, Light, LightKind, NormalSource, ObjectKind, Projection, ReflectionModel, Scene,
@@ -15,8 +13,7 @@ use glam::{Vec2, Vec3, Vec4};
 const NEAR: f32 = 1e-3;
 const FAR: f32 = 1e3;
 
-/// Draws `scene`, whose object is polygons or, in exact mode, the sphere: linear intensities row by row from the top,
-/// which may be infinite or NaN.
+/// Draws polygons or, in exact mode, the sphere: linear intensities from the top, which may be infinite or NaN.
 pub fn draw(scene: &Scene) -> Vec<[f32; 3]> {
     let [width, height] = scene.image.size;
     let background = scene.image.background.as_vec3().to_array();
@@ -172,7 +169,6 @@ fn triangles(scene: &Scene) -> Vec<[NaiveVertex; 3]> {
     polygons.faces.iter().flat_map(|face| fan(face)).collect()
 }
 
-/// Fills the pixels of one triangle.
 fn fill(
     scene: &Scene,
     camera: &Camera,

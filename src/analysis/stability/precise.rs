@@ -1,11 +1,12 @@
 //! Double-double numbers, 106 bits as the unevaluated sum of two `f64`, and vectors of them.
 //!
-//! The algorithms are those of T. J. Dekker (*A Floating-Point Technique for Extending the Available Precision*, 1971) and
-//! of Y. Hida, X. S. Li and D. H. Bailey (*Algorithms for Quad-Double Precision Floating Point Arithmetic*, 2001). Relative errors
-//! are a few 10⁻³² for the operations and below 10⁻²⁹ for the functions, in the range of exponents of an `f64`.
+//! The algorithms are those of T. J. Dekker (*A Floating-Point Technique for Extending the Available Precision*, 1971)
+//! and of Y. Hida, X. S. Li and D. H. Bailey (*Algorithms for Quad-Double Precision Floating Point Arithmetic*, 2001).
+//! Relative errors are a few 10⁻³² for the operations and below 10⁻²⁹ for the functions, in the range of exponents of
+//! an `f64`.
 
+use crate::analysis::operators::operators;
 use glam::DVec3;
-use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A double-double number.
 #[derive(Clone, Copy, Debug, Default, PartialEq, PartialOrd)]
@@ -92,16 +93,10 @@ impl Precise {
         for _ in 0..SQUARINGS {
             less_one = less_one * 2.0 + less_one * less_one;
         }
-        #[expect(
-            clippy::cast_possible_truncation,
-            reason = "a power of 2 in the range of an f64"
-        )]
-        let scale = 2.0_f64.powi(power as i32);
-        (less_one + precise(1.0)) * scale
+        (less_one + precise(1.0)) * 2.0_f64.powi(power as i32)
     }
 
-    /// Computes the natural logarithm of a positive number, by Newton's iteration; absolute error 10⁻³² times its
-    /// size or 1.
+    /// Computes the natural logarithm of a positive number by Newton's iteration, to 10⁻³² times its size or 1.
     pub fn ln(self) -> Self {
         let mut x = precise(self.hi.ln());
         for _ in 0..2 {
@@ -135,62 +130,30 @@ impl From<Precise> for f64 {
     }
 }
 
-impl Add for Precise {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
-        let (high, low) = (sum(self.hi, other.hi), sum(self.lo, other.lo));
+operators! {
+    Add::add for Precise: |a, b: Precise| {
+        let (high, low) = (sum(a.hi, b.hi), sum(a.lo, b.lo));
         let once = quick_sum(high.hi, high.lo + low.hi);
         quick_sum(once.hi, once.lo + low.lo)
-    }
-}
-
-impl Neg for Precise {
-    type Output = Self;
-
-    fn neg(self) -> Self {
-        Self {
-            hi: -self.hi,
-            lo: -self.lo,
-        }
-    }
-}
-
-impl Sub for Precise {
-    type Output = Self;
-
-    fn sub(self, other: Self) -> Self {
-        self + -other
-    }
-}
-
-impl Mul for Precise {
-    type Output = Self;
-
-    fn mul(self, other: Self) -> Self {
-        let high = product(self.hi, other.hi);
-        quick_sum(high.hi, high.lo + (self.hi * other.lo + self.lo * other.hi))
-    }
-}
-
-impl Mul<f64> for Precise {
-    type Output = Self;
-
-    fn mul(self, factor: f64) -> Self {
-        self * precise(factor)
-    }
-}
-
-impl Div for Precise {
-    type Output = Self;
-
-    fn div(self, other: Self) -> Self {
-        let first = self.hi / other.hi;
-        let rest = self - other * first;
-        let second = rest.hi / other.hi;
-        let third = (rest - other * second).hi / other.hi;
+    };
+    Neg::neg for Precise: |a| Precise { hi: -a.hi, lo: -a.lo };
+    Sub::sub for Precise: |a, b: Precise| a + -b;
+    Mul::mul for Precise: |a, b: Precise| {
+        let high = product(a.hi, b.hi);
+        quick_sum(high.hi, high.lo + (a.hi * b.lo + a.lo * b.hi))
+    };
+    Mul::mul for Precise: |a, factor: f64| a * precise(factor);
+    Div::div for Precise: |a, b: Precise| {
+        let first = a.hi / b.hi;
+        let rest = a - b * first;
+        let second = rest.hi / b.hi;
+        let third = (rest - b * second).hi / b.hi;
         quick_sum(first, second) + precise(third)
-    }
+    };
+    Add::add for Precise3: |a, b: Precise3| Precise3(std::array::from_fn(|k| a.0[k] + b.0[k]));
+    Sub::sub for Precise3: |a, b: Precise3| Precise3(std::array::from_fn(|k| a.0[k] - b.0[k]));
+    Neg::neg for Precise3: |a| Precise3(a.0.map(|v| -v));
+    Mul::mul for Precise3: |a, factor: Precise| Precise3(a.0.map(|v| v * factor));
 }
 
 /// A vector of three double-double numbers.
@@ -224,40 +187,6 @@ impl Precise3 {
         } else {
             self
         }
-    }
-}
-
-impl Add for Precise3 {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
-        let ([a, b, c], [x, y, z]) = (self.0, other.0);
-        Self([a + x, b + y, c + z])
-    }
-}
-
-impl Sub for Precise3 {
-    type Output = Self;
-
-    fn sub(self, other: Self) -> Self {
-        let ([a, b, c], [x, y, z]) = (self.0, other.0);
-        Self([a - x, b - y, c - z])
-    }
-}
-
-impl Neg for Precise3 {
-    type Output = Self;
-
-    fn neg(self) -> Self {
-        Self(self.0.map(|v| -v))
-    }
-}
-
-impl Mul<Precise> for Precise3 {
-    type Output = Self;
-
-    fn mul(self, factor: Precise) -> Self {
-        Self(self.0.map(|v| v * factor))
     }
 }
 

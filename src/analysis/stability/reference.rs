@@ -15,8 +15,8 @@ use rayon::prelude::*;
 /// Minimum visible distance from the eye, in camera distances, as in the engine.
 const NEAR: f64 = 1e-3;
 
-/// Half the side of the square about a pixel's centre, pixels, in which the same polygon has to be visible
-/// everywhere: positions of vertices are rounded to 1/256 of a pixel.
+/// Half the side of the square about a pixel's centre that must see one polygon: vertices are rounded to 1/256 of a
+/// pixel.
 const CLEAR: f64 = 1.0 / 64.0;
 
 /// The vector of length zero.
@@ -68,7 +68,6 @@ struct Triangle {
     normals: [Precise3; 3],
 }
 
-/// A ray's intersection.
 struct Hit {
     face: usize,
     /// Distance in units of the ray's direction.
@@ -128,7 +127,6 @@ impl<'a> ReferenceScene<'a> {
         Truth { color, clear }
     }
 
-    /// Returns the nearest visible point at a place in the picture.
     fn meet(&self, place: DVec2) -> Option<(Precise3, Hit)> {
         let [width, height] = self.scene.image.size.map(f64::from);
         let across = self.right * (precise(place.x - width / 2.0) / self.scale)

@@ -1,6 +1,5 @@
 //! The question for the catalogue of cases, and its report.
 
-use super::codec;
 use super::{CaseResult, HALF_A_CODE_VALUE, Verdict, case_pictures, stability, stability_cases};
 use crate::analysis::codec::Codec;
 use crate::analysis::report::{
@@ -12,7 +11,7 @@ use crate::render::Frame;
 use crate::scene::Choice;
 use crate::text::text;
 use glam::DVec2;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Value, json};
 use std::sync::Arc;
 
@@ -24,22 +23,26 @@ pub struct StabilityQuestion {
 }
 
 /// The results of the cases.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Catalogue {
     /// One result for each case that has been run, in the catalogue's order.
+    #[serde(serialize_with = "each", deserialize_with = "shared")]
     pub results: Vec<Arc<CaseResult>>,
+}
+
+fn each<S: Serializer>(results: &[Arc<CaseResult>], into: S) -> Result<S::Ok, S::Error> {
+    into.collect_seq(results.iter().map(|result| &**result))
+}
+
+fn shared<'de, D: Deserializer<'de>>(from: D) -> Result<Vec<Arc<CaseResult>>, D::Error> {
+    let results: Vec<CaseResult> = Deserialize::deserialize(from)?;
+    Ok(results.into_iter().map(Arc::new).collect())
 }
 
 impl Question for StabilityQuestion {
     type Answer = Catalogue;
 
-    const CODEC: Option<Codec<Catalogue>> = Some(Codec {
-        to_bytes: |found| codec::results_to_bytes(&found.results),
-        from_bytes: |bytes| {
-            let results = codec::results_from_bytes(bytes)?;
-            Some(Catalogue { results })
-        },
-    });
+    const CODEC: Option<Codec<Catalogue>> = Some(Codec::plain());
 
     fn answer(&self, subject: &Subject, watch: &dyn Watch<Catalogue>) -> Result<Catalogue, String> {
         let wanted =
@@ -60,22 +63,37 @@ impl Question for StabilityQuestion {
 impl CaseResult {
     /// Adds the description of the case.
     pub fn describe(&self, section: &mut Section) {
-        let (naive, engine) = (self.case.naive(), self.case.engine());
-        section.line(text!("engine-says-naive", text = naive));
-        section.line(text!("engine-says-engine", text = engine));
+        section.line(text!("engine-says-naive", text = self.case.naive()));
+        section.line(text!("engine-says-engine", text = self.case.engine()));
         section.note(text!(
             "engine-errors",
             error = error(self.naive_error),
             engine = error(self.robust_error)
         ));
-        let lost = self.naive_not_finite;
-        if lost > 0 {
-            section.note(text!("engine-lost", count = lost));
+        if self.naive_not_finite > 0 {
+            section.note(text!("engine-lost", count = self.naive_not_finite));
         }
         if let Some(condition) = self.case.condition {
-            let (number, of) = (condition.to_string(), condition.of.text());
-            section.note(text!("engine-condition-number", number = number, of = of));
+            section.note(text!(
+                "engine-condition-number",
+                number = condition.to_string(),
+                of = condition.of.text()
+            ));
         }
+    }
+
+    /// Returns the figures of the case for programs.
+    fn value(&self) -> Value {
+        let (case, words) = (
+            self.case,
+            [self.case.title(), self.case.naive(), self.case.engine()],
+        );
+        json!({
+            "name": case.name, "title": words[0], "topic": case.topic, "wrong": words[1], "robust": words[2],
+            "condition": case.condition, "naive_error": self.naive_error, "robust_error": self.robust_error,
+            "verdict": self.verdict, "pixels": self.pixels, "naive_off": self.naive_off,
+            "naive_not_finite": self.naive_not_finite, "robust_not_finite": self.robust_not_finite,
+        })
     }
 }
 
@@ -84,7 +102,6 @@ fn error(value: f64) -> String {
     format!("{value:.2}")
 }
 
-/// Returns a table with a row for each case.
 fn rows(results: &[Arc<CaseResult>]) -> Table {
     Table::from_rows(
         results,
@@ -128,8 +145,9 @@ impl Answer for Catalogue {
     fn report(&self, _: &ReportContext<'_>) -> Report {
         let mut report = Report::new(text!("engine-stability-title"));
         for results in self.results.chunk_by(|a, b| a.case.topic == b.case.topic) {
-            let section = report.section(results[0].case.topic.label());
-            section.push(Part::Table(rows(results).to_choose()));
+            report
+                .section(results[0].case.topic.label())
+                .push(Part::Table(rows(results).to_choose()));
         }
         if let [result] = &self.results[..] {
             result.describe(report.section(result.case.title()));
@@ -139,13 +157,9 @@ impl Answer for Catalogue {
             .iter()
             .filter(|result| result.verdict == Verdict::Fails)
             .count();
-        report.failure = (failed > 0).then(|| {
-            text!(
-                "engine-stability-failed",
-                count = failed,
-                all = self.results.len()
-            )
-        });
+        let all = self.results.len();
+        report.failure =
+            (failed > 0).then(|| text!("engine-stability-failed", count = failed, all = all));
         report
     }
 
@@ -153,26 +167,20 @@ impl Answer for Catalogue {
         Some(rows(&self.results))
     }
 
-    /// Draws each case as the naive renderer, the engine and the reference draw it.
     fn figure(&self, _: &ReportContext<'_>, _: Option<[u32; 2]>, _: Paper) -> Option<Figure> {
-        let results: Vec<CaseResult> = self
-            .results
-            .iter()
-            .map(|result| CaseResult::clone(result))
-            .collect();
-        let scene = if let [one] = &results[..] {
+        let scene = if let [one] = &self.results[..] {
             one.scene.clone().map(Box::new)
         } else {
             None
         };
         Some(Figure::Picture {
-            frame: stability_sheet(&results)?,
+            frame: stability_sheet(&self.results)?,
             scene,
         })
     }
 
     fn value(&self, _: &ReportContext<'_>) -> Value {
-        json!({ "cases": self.results.iter().map(|result| json!(**result)).collect::<Vec<_>>() })
+        json!({ "cases": self.results.iter().map(|result| result.value()).collect::<Vec<_>>() })
     }
 }
 
@@ -191,9 +199,8 @@ const WORDS: [u8; 3] = [0xF2; 3];
 const WEAK: [u8; 3] = [0xA8, 0xAA, 0xB0];
 const WRONG: [u8; 3] = [0xFF, 0x8A, 0x5C];
 
-/// Draws the cases two to a row, a single one by itself; none if there are no results, or if the sheet cannot hold
-/// them.
-pub fn stability_sheet(results: &[CaseResult]) -> Option<Frame> {
+/// Draws the cases two to a row; none if there are no results, or more than a sheet can hold.
+fn stability_sheet(results: &[Arc<CaseResult>]) -> Option<Frame> {
     let side = results.first()?.pictures[0].width * SCALE;
     let columns = u32::try_from(results.len()).ok()?.min(2);
     let rows = u32::try_from(results.len()).ok()?.div_ceil(columns);
@@ -241,7 +248,6 @@ pub fn stability_sheet(results: &[CaseResult]) -> Option<Frame> {
     Some(sheet)
 }
 
-/// Returns the captions of the three pictures with their colours.
 fn captions(result: &CaseResult) -> [(String, [u8; 3]); 3] {
     let of = |name: &str, error: f64| {
         let decimals = if error < 10.0 { 2 } else { 0 };
@@ -254,15 +260,13 @@ fn captions(result: &CaseResult) -> [(String, [u8; 3]); 3] {
         (text!("engine-caption", name = name, error = error), colour)
     };
     let [naive, engine, reference] = case_pictures();
-    let lost = result.naive_not_finite;
     let (words, colour) = of(naive, result.naive_error);
-    let naive = if lost > 0 {
-        (
+    let naive = match result.naive_not_finite {
+        0 => (words, colour),
+        lost => (
             text!("engine-caption-lost", caption = words, count = lost),
             WRONG,
-        )
-    } else {
-        (words, colour)
+        ),
     };
     [
         naive,

@@ -8,8 +8,8 @@
 //!   (1989). Normals turn by equal angles along the edges and then along the span: N(i+1) = 2·cos Δ·N(i) − N(i−1), of
 //!   unit length without a root. Equal angles are equal steps in the picture, so that this is affine by construction.
 //!
-//! All is scalar code in double precision and in one thread, unlike the engine's kernels. Times are to be compared among the
-//! three of them, or as counts of operations ([`Method::pixel_cost`]), not with the engine's.
+//! All is scalar code in double precision and in one thread, unlike the engine's kernels. Times are to be compared
+//! among the three of them, or as counts of operations ([`Method::pixel_cost`]), not with the engine's.
 
 use super::Method;
 use super::jet::Jet;
@@ -71,10 +71,10 @@ impl Historic {
     /// Draws `mesh` in `scene` by the scalar method `method`.
     pub fn draw(&mut self, method: Method, scene: &Scene, mesh: &VertexMesh) {
         let [width, height] = scene.image.size.map(|side| side as usize);
-        let [r, g, b] = scene.image.background.as_vec3().to_array();
+        let background = scene.image.background.as_vec3().extend(0.0).to_array();
         self.width = width;
         self.linear.clear();
-        self.linear.resize(width * height, [r, g, b, 0.0]);
+        self.linear.resize(width * height, background);
         self.keys.clear();
         self.keys.resize(width * height, f64::NEG_INFINITY);
         let shade = Shade::new(scene);
@@ -93,7 +93,6 @@ impl Historic {
             }
         };
         self.stored.clear();
-        #[expect(clippy::cast_sign_loss, reason = "clamped")]
         let code = |value: f32| (255.0 * value.clamp(0.0, 1.0) + 0.5) as u8;
         self.stored.extend(
             self.linear
@@ -193,13 +192,11 @@ impl Historic {
     }
 }
 
-/// A vertex in the picture.
 #[derive(Clone, Copy, Debug)]
 struct ScreenVertex {
     /// Position in the picture, pixels.
     at: DVec2,
-    /// Depth key that is linear in the picture over a flat polygon, larger for nearer points: 1/depth, or −depth
-    /// without perspective.
+    /// Depth key, linear in the picture over a flat polygon: 1/depth, or −depth without perspective; nearer is larger.
     key: f64,
     /// Unit normal.
     normal: DVec3,
@@ -225,8 +222,7 @@ struct Span {
     ends: [Crossing; 2],
 }
 
-/// Returns the crossings at which the line at `y` enters and leaves a triangle: an edge counts from its upper end up
-/// to but not including its lower one.
+/// Returns the crossings at which the line at `y` enters and leaves a triangle; an edge lacks its lower end.
 fn crossings(corners: [DVec2; 3], y: f64) -> Option<[Crossing; 2]> {
     let mut crossed = (0..3).filter_map(|from| {
         let to = (from + 1) % 3;
@@ -252,7 +248,6 @@ struct Linear<T> {
     y: T,
 }
 
-/// Returns the linear function that has its `value` at each corner.
 fn linear<T>(corners: &[ScreenVertex; 3], value: impl Fn(&ScreenVertex) -> T) -> Linear<T>
 where
     T: Copy + Sub<Output = T> + Mul<f64, Output = T>,
@@ -277,8 +272,7 @@ impl<T: Copy + Add<Output = T> + Mul<f64, Output = T>> Linear<T> {
     }
 }
 
-/// Returns normals as a linear function of the picture; only their directions count. Divided by the depth they are
-/// linear in space.
+/// Returns normals as a linear function of the picture; divided by the depth they are linear in space.
 fn carried(triangle: &[ScreenVertex; 3], perspective: bool) -> Linear<DVec3> {
     linear(triangle, |corner| {
         corner.normal * if perspective { corner.key } else { 1.0 }
@@ -310,8 +304,7 @@ impl Shade {
         }
     }
 
-    /// Returns the point seen at a place of the picture, given as offsets from its middle in pixels and a key: in the
-    /// equation's frame, in any number type.
+    /// Returns the point seen at an offset from the picture's middle, pixels, with a key: in the equation's frame.
     fn position<R: Real<Scalar = f64>>(&self, [x, y]: [R; 2], key: R) -> V3<R> {
         let View {
             right,
@@ -437,8 +430,7 @@ impl Kernel for Angular<'_> {
     }
 }
 
-/// Returns the unit vector on the great circle from `a` towards `b`, at `t` times the angle between them (Shoemake
-/// 1985).
+/// Returns the unit vector on the great circle from `a` to `b`, at `t` times their angle (Shoemake 1985).
 fn turned(a: DVec3, b: DVec3, t: f64) -> DVec3 {
     let angle = angle(a, b);
     let sine = angle.sin();

@@ -3,10 +3,10 @@
 //! A [`Jet`] is a number type of the equation, so that L, f and everything computed from them have their Taylor
 //! expansion from the one code of `illumination`.
 
+use crate::analysis::operators::operators;
 use crate::illumination::Real;
 use glam::{DVec2, DVec3};
 use std::f64::consts::{LN_2, LOG2_E};
-use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A value and its derivatives at one place.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -28,8 +28,8 @@ impl Jet {
         }
     }
 
-    /// Returns the value `offset` pixels away, its difference to the pixel on the right, and the difference of the
-    /// differences, which is constant.
+    /// Returns the value `offset` pixels away, its difference to the pixel on the right, and the constant second
+    /// difference.
     pub fn differences(&self, offset: DVec2) -> [f64; 3] {
         let [dx, dy] = offset.to_array();
         let DVec3 {
@@ -60,69 +60,20 @@ fn crossed(a: DVec2, b: DVec2) -> DVec3 {
     DVec3::new(2.0 * a.x * b.x, a.x * b.y + a.y * b.x, 2.0 * a.y * b.y)
 }
 
-impl Add for Jet {
-    type Output = Self;
-
-    fn add(self, o: Self) -> Self {
-        Self {
-            value: self.value + o.value,
-            slope: self.slope + o.slope,
-            curve: self.curve + o.curve,
-        }
-    }
-}
-
-impl Neg for Jet {
-    type Output = Self;
-
-    fn neg(self) -> Self {
-        self * -1.0
-    }
-}
-
-impl Sub for Jet {
-    type Output = Self;
-
-    fn sub(self, o: Self) -> Self {
-        self + -o
-    }
-}
-
-impl Mul for Jet {
-    type Output = Self;
-
-    fn mul(self, o: Self) -> Self {
-        Self {
-            value: self.value * o.value,
-            slope: self.slope * o.value + o.slope * self.value,
-            curve: self.curve * o.value + crossed(self.slope, o.slope) + o.curve * self.value,
-        }
-    }
-}
-
-impl Mul<f64> for Jet {
-    type Output = Self;
-
-    fn mul(self, k: f64) -> Self {
-        Self {
-            value: self.value * k,
-            slope: self.slope * k,
-            curve: self.curve * k,
-        }
-    }
-}
-
-impl Div for Jet {
-    type Output = Self;
-
-    fn div(self, o: Self) -> Self {
-        let inverse = 1.0 / o.value;
-        self * o.chain([
-            inverse,
-            -inverse * inverse,
-            2.0 * inverse * inverse * inverse,
-        ])
-    }
+operators! {
+    Add::add for Jet: |a, b: Jet| Jet { value: a.value + b.value, slope: a.slope + b.slope, curve: a.curve + b.curve };
+    Neg::neg for Jet: |a| a * -1.0;
+    Sub::sub for Jet: |a, b: Jet| a + -b;
+    Mul::mul for Jet: |a, b: Jet| Jet {
+        value: a.value * b.value,
+        slope: a.slope * b.value + b.slope * a.value,
+        curve: a.curve * b.value + crossed(a.slope, b.slope) + b.curve * a.value,
+    };
+    Mul::mul for Jet: |a, k: f64| Jet { value: a.value * k, slope: a.slope * k, curve: a.curve * k };
+    Div::div for Jet: |a, b: Jet| {
+        let inverse = 1.0 / b.value;
+        a * b.chain([inverse, -inverse * inverse, 2.0 * inverse * inverse * inverse])
+    };
 }
 
 impl Real for Jet {

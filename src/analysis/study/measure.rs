@@ -2,8 +2,8 @@
 
 use super::historic::{Historic, cannot_draw};
 use super::{Method, Omission, Setting, Study, StudyQuestion, StudyRow, median_and_spread};
-use crate::analysis::Watch;
 use crate::analysis::comparison::{LinearPicture, region_errors};
+use crate::analysis::{Subject, Watch};
 use crate::geometry::{Mesh, VertexMesh, tessellate};
 use crate::illumination::Equation;
 use crate::render::{Renderer, Stage};
@@ -11,23 +11,15 @@ use crate::scene::{Interpolation, Object, ObjectKind, Projection, Scene, Shading
 use std::collections::HashMap;
 use std::sync::Arc;
 
-/// Value of N·V of the true surface below which pixels see it too obliquely to count as inside: there polygons of any
-/// size have the outline's own error.
+/// N·V of the true surface below which pixels do not count as inside: there polygons have the outline's error.
 const INSIDE: f64 = 0.2;
 
-/// Measures `scene`, whose object of kind `obj` shows `model`. `clock` returns nanoseconds since any fixed moment.
-/// `watch` is called after each frame; when it stops the work, the results so far are returned.
-pub fn study(
-    scene: &Scene,
-    model: Option<Arc<Mesh>>,
-    request: &StudyQuestion,
-    clock: fn() -> u64,
-    watch: &dyn Watch<Study>,
-) -> Study {
-    let (settings, omitted) = settings(request, scene);
+/// Measures a subject. `watch` is called after each frame; when it stops the work, the results so far are returned.
+pub fn study(subject: &Subject, request: &StudyQuestion, watch: &dyn Watch<Study>) -> Study {
+    let (settings, omitted) = settings(request, &subject.scene);
     let repeats = request.repeats.max(1);
     let total = settings.len() as u64 * u64::from(repeats);
-    let mut measure = Measure::new(scene, model, clock);
+    let mut measure = Measure::new(subject);
     let mut study = Study {
         omitted,
         threads: rayon::current_num_threads(),
@@ -48,7 +40,6 @@ pub fn study(
             done += 1;
             study.conclude();
             watch.found(&study);
-            #[expect(clippy::cast_precision_loss, reason = "a share for the eye")]
             if !watch.progress(done as f32 / total as f32) && done < total {
                 return study;
             }
@@ -58,8 +49,7 @@ pub fn study(
     study
 }
 
-/// Returns the settings of `request` in `scene`, those of one method together, from coarse to fine; and the
-/// omissions.
+/// Returns the settings of `request`, those of one method together from coarse to fine, and the omissions.
 fn settings(request: &StudyQuestion, scene: &Scene) -> (Vec<Setting>, Vec<Omission>) {
     let (mut settings, mut omissions) = (Vec::new(), Vec::new());
     let divisions = divisions(request, scene);
@@ -102,8 +92,7 @@ fn settings(request: &StudyQuestion, scene: &Scene) -> (Vec<Setting>, Vec<Omissi
     (settings, omissions)
 }
 
-/// Returns the interpolations that make a difference: without perspective, or where nothing is interpolated, one
-/// represents all.
+/// Returns the interpolations that make a difference; where none does, one represents all.
 fn interpolations(
     method: Method,
     request: &StudyQuestion,
@@ -127,7 +116,6 @@ fn interpolations(
     )
 }
 
-/// Returns segments and rings, from coarse to fine.
 fn divisions(request: &StudyQuestion, scene: &Scene) -> Vec<[u32; 2]> {
     /// Minimum number of rings for every shape.
     const LEAST_RINGS: u32 = 3;
@@ -157,7 +145,6 @@ fn divisions(request: &StudyQuestion, scene: &Scene) -> Vec<[u32; 2]> {
     all
 }
 
-/// Returns each value once, in order.
 fn unique<T: PartialEq>(values: impl Iterator<Item = T>) -> Vec<T> {
     let mut kept = Vec::new();
     for value in values {
@@ -168,11 +155,8 @@ fn unique<T: PartialEq>(values: impl Iterator<Item = T>) -> Vec<T> {
     kept
 }
 
-/// The state of measuring the settings of one scene.
-struct Measure {
-    scene: Scene,
-    model: Option<Arc<Mesh>>,
-    clock: fn() -> u64,
+struct Measure<'a> {
+    subject: &'a Subject,
     renderer: Renderer,
     historic: Historic,
     /// The mesh last requested.
@@ -181,21 +165,17 @@ struct Measure {
     exact: HashMap<u64, Exact>,
 }
 
-/// The exact picture of a scene.
 struct Exact {
     pixels: Vec<[f32; 4]>,
     /// The pixels that show the object with N·V ≥ [`INSIDE`].
     inside: Vec<bool>,
 }
 
-impl Measure {
-    fn new(scene: &Scene, model: Option<Arc<Mesh>>, clock: fn() -> u64) -> Self {
-        let renderer = Renderer::with_clock(clock).with_model(model.clone());
-        let (historic, exact) = (Historic::default(), HashMap::new());
+impl<'a> Measure<'a> {
+    fn new(subject: &'a Subject) -> Self {
+        let (renderer, historic, exact) = (subject.renderer(), Historic::default(), HashMap::new());
         Self {
-            scene: scene.clone(),
-            model,
-            clock,
+            subject,
             renderer,
             historic,
             mesh: None,
@@ -204,7 +184,7 @@ impl Measure {
     }
 
     fn scene(&self, setting: &Setting) -> Scene {
-        let mut scene = self.scene.clone();
+        let mut scene = self.subject.scene.clone();
         setting.apply(&mut scene);
         scene
     }
@@ -215,11 +195,11 @@ impl Measure {
         // The true surface does not depend on the tessellation, and only n differs.
         let renderer = &mut self.renderer;
         let exact = self.exact.entry(setting.n.to_bits()).or_insert_with(|| {
-            let mut whole = self.scene.clone();
+            let mut whole = self.subject.scene.clone();
             (whole.material.n, whole.shading.mode) = (setting.n, ShadingMode::Exact);
             Exact::new(renderer, &whole)
         });
-        let mesh = mesh_of(&mut self.mesh, self.model.as_ref(), &scene);
+        let mesh = mesh_of(&mut self.mesh, self.subject.model.as_ref(), &scene);
         self.renderer.keep_linear(true);
         let scalar = setting.method.is_scalar();
         let pixels = if scalar {
@@ -261,12 +241,12 @@ impl Measure {
     fn time(&mut self, setting: &Setting) -> (u64, u64) {
         let scene = self.scene(setting);
         if setting.method.is_scalar() {
-            let mesh = mesh_of(&mut self.mesh, self.model.as_ref(), &scene);
+            let mesh = mesh_of(&mut self.mesh, self.subject.model.as_ref(), &scene);
             self.historic.draw(setting.method, &scene, mesh);
-            let began = (self.clock)();
+            let began = (self.subject.clock)();
             self.historic.draw(setting.method, &scene, mesh);
             return (
-                (self.clock)().saturating_sub(began),
+                (self.subject.clock)().saturating_sub(began),
                 self.historic.evaluations,
             );
         }
@@ -287,8 +267,7 @@ impl Measure {
 }
 
 impl Exact {
-    /// Draws `scene`, whose mode is exact: in double precision where a pixel's value is the equation's alone, rounded
-    /// to single at the end; as the engine draws it where rays contribute.
+    /// Draws `scene`, whose mode is exact: in double precision where no rays contribute to a pixel, rounded at the end.
     fn new(renderer: &mut Renderer, scene: &Scene) -> Self {
         renderer.keep_linear(true);
         renderer.render(scene);
@@ -299,10 +278,8 @@ impl Exact {
             Equation::<f64>::new(scene),
             View::new(&scene.camera, scene.image.size),
         );
-        for (index, (x, y)) in (0..height)
-            .flat_map(|y| (0..width).map(move |x| (x, y)))
-            .enumerate()
-        {
+        let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+        for (index, (x, y)) in places.enumerate() {
             if pixels[index][3] == 0.0 {
                 continue;
             }

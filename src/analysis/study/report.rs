@@ -26,13 +26,7 @@ impl Question for StudyQuestion {
     const CODEC: Option<Codec<Study>> = Some(Codec::plain());
 
     fn answer(&self, subject: &Subject, watch: &dyn Watch<Study>) -> Result<Study, String> {
-        let found = study(
-            &subject.scene,
-            subject.model.clone(),
-            self,
-            subject.clock,
-            watch,
-        );
+        let found = study(subject, self, watch);
         match (found.rows.is_empty(), found.omitted.first()) {
             (false, _) => Ok(found),
             (true, Some(omitted)) => Err(text!(
@@ -47,17 +41,11 @@ impl Question for StudyQuestion {
 
 /// Returns a row as an object, with the keys of its setting among its own.
 fn row_object(row: &StudyRow) -> Value {
-    let mut object = json!(row);
-    let setting = object
-        .as_object_mut()
-        .and_then(|row| row.shift_remove("setting"));
-    match (setting, object) {
-        (Some(Value::Object(mut setting)), Value::Object(row)) => {
-            setting.extend(row);
-            Value::Object(setting)
-        }
-        (_, object) => object,
+    let mut object = json!(row.setting);
+    if let (Value::Object(all), Value::Object(own)) = (&mut object, json!(row)) {
+        all.extend(own.into_iter().filter(|(key, _)| key != "setting"));
     }
+    object
 }
 
 impl Answer for Study {
@@ -84,12 +72,11 @@ impl Answer for Study {
         }
         let section = report.section(text!("engine-study-remarks"));
         for omitted in &self.omitted {
-            let (method, reason) = (title(omitted.method, omitted.interpolation), omitted.reason);
-            let reason = reason.text();
+            let method = title(omitted.method, omitted.interpolation);
             section.note(text!(
                 "engine-study-omitted",
                 method = method,
-                reason = reason
+                reason = omitted.reason.text()
             ));
         }
         if scalar {
@@ -129,11 +116,9 @@ impl Answer for Study {
                 Method::VALUES.iter().filter_map(one).collect()
             };
         let cost = |method: &Method| {
-            let [additions, multiplications, divisions, powers] = method.pixel_cost();
-            let of = json!({
-                "additions": additions, "multiplications": multiplications, "divisions": divisions, "powers": powers,
-            });
-            (method.word().to_owned(), of)
+            let names = ["additions", "multiplications", "divisions", "powers"].map(str::to_owned);
+            let counts = names.into_iter().zip(method.pixel_cost().map(Value::from));
+            (method.word().to_owned(), Value::Object(counts.collect()))
         };
         json!({
             "scene": about.name,
@@ -156,7 +141,6 @@ fn codes(error: f64) -> String {
     format!("{:.3}", 255.0 * error)
 }
 
-/// Returns a table with a row for each setting.
 fn rows(study: &Study) -> Table {
     Table::from_rows(
         &study.rows,
@@ -250,8 +234,7 @@ fn orders(study: &Study) -> Table {
     )
 }
 
-/// Plots error over time, both logarithmic: a curve for each method, and the Pareto front. Returns none while no
-/// setting has an error and a time.
+/// Plots error over time, both logarithmic: a curve for each method, and the Pareto front; none before any is known.
 pub fn study_plot(study: &Study) -> Option<Plot> {
     let known: Vec<(&StudyRow, [f64; 2])> = study
         .rows
@@ -268,11 +251,11 @@ pub fn study_plot(study: &Study) -> Option<Plot> {
         .map(|(_, at)| *at)
         .collect();
     front.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    let dash = Dash::Long;
+    let front = Curve::new(text!("engine-front"), front, Ink::Reference);
     let mut curves = vec![Curve {
-        dash,
+        dash: Dash::Long,
         emphasised: false,
-        ..Curve::new(text!("engine-front"), front, Ink::Reference)
+        ..front
     }];
     let mut points = Vec::new();
     for series in known.chunk_by(|a, b| a.0.setting.is_like(&b.0.setting)) {
@@ -321,22 +304,17 @@ pub fn study_plot(study: &Study) -> Option<Plot> {
         let margin = ((high - low) * MARGIN).max(0.5 * (LEAST - (high - low)));
         Axis::decades(name, low - margin, high + margin)
     };
+    let axes = [
+        axis(text!("engine-axis-time"), 0),
+        axis(text!("engine-axis-error"), 1),
+    ];
+    let (title, note) = (text!("engine-study-plot"), text!("engine-study-plot.note"));
     Some(Plot {
-        kind: PlotKind::Study,
-        title: text!("engine-study-plot").to_owned(),
-        note: text!("engine-study-plot.note").to_owned(),
-        x: axis(text!("engine-axis-time"), 0),
-        y: axis(text!("engine-axis-error"), 1),
-        curves,
-        legend: vec![],
-        marks: vec![],
-        directions: vec![],
-        borders: vec![],
         points,
+        ..Plot::new(PlotKind::Study, title, note, axes, curves)
     })
 }
 
-/// Returns the window's description of a row.
 fn about_row(row: &StudyRow) -> Vec<String> {
     let setting = &row.setting;
     vec![

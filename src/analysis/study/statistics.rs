@@ -5,8 +5,7 @@ use serde::{Deserialize, Serialize};
 /// Minimum number of points for fitting a slope with its confidence.
 const LEAST: usize = 3;
 
-/// Error below which rounding to single precision and of positions to 1/256 of a pixel dominates, so that it says
-/// nothing about a method.
+/// Error below which rounding dominates, to single precision and of positions to 1/256 of a pixel.
 const ROUNDING: f64 = 2e-6;
 
 /// A straight line through points, by least squares: `y = offset + slope·x`.
@@ -16,9 +15,8 @@ pub struct Fit {
     pub slope: f64,
     /// Value of y at x = 0.
     pub offset: f64,
-    /// Half-width of the interval about the slope that contains the true one with a probability of 95 %, provided
-    /// that the points scatter independently about a line with normally distributed errors: Student's t times the
-    /// slope's standard error.
+    /// Half-width of the interval about the slope that contains the true one with a probability of 95 %, if the points
+    /// scatter normally and independently: Student's t times the slope's standard error.
     pub confidence: f64,
     /// Number of points.
     pub points: usize,
@@ -29,7 +27,6 @@ pub fn fit_line(points: &[[f64; 2]]) -> Option<Fit> {
     if points.len() < LEAST {
         return None;
     }
-    #[expect(clippy::cast_precision_loss, reason = "few points")]
     let count = points.len() as f64;
     let mean = |axis: usize| points.iter().map(|point| point[axis]).sum::<f64>() / count;
     let (mx, my) = (mean(0), mean(1));
@@ -50,8 +47,8 @@ pub fn fit_line(points: &[[f64; 2]]) -> Option<Fit> {
     })
 }
 
-/// Fits the order p of an error proportional to hᵖ, from pairs of h and the error; those at the level of rounding are
-/// omitted.
+/// Fits the order p of an error proportional to hᵖ, from pairs of h and the error, without those at the level of
+/// rounding.
 pub fn order_of(errors: impl IntoIterator<Item = (f64, f64)>) -> Option<Fit> {
     let known = errors
         .into_iter()
@@ -74,14 +71,12 @@ pub fn student(freedom: usize) -> f64 {
         return *value;
     }
     let z = 1.959_964_f64;
-    #[expect(clippy::cast_precision_loss, reason = "few points")]
     let f = freedom.max(1) as f64;
     z + (z.powi(3) + z) / (4.0 * f)
         + (5.0 * z.powi(5) + 16.0 * z.powi(3) + 3.0 * z) / (96.0 * f * f)
 }
 
-/// Returns for each pair (time, error) whether no other is at least as small in both and smaller in one: the Pareto
-/// front. Pairs with a NaN are not on it; of equal ones all are.
+/// Returns which pairs (time, error) no other beats in one without losing in the other: the Pareto front, never NaN.
 pub fn pareto_front(points: &[[f64; 2]]) -> Vec<bool> {
     let beats = |a: &[f64; 2], b: &[f64; 2]| a[0] <= b[0] && a[1] <= b[1] && a != b;
     let on = |point: &[f64; 2]| {
@@ -95,10 +90,6 @@ pub fn pareto_front(points: &[[f64; 2]]) -> Vec<bool> {
 pub fn median_and_spread(samples: &mut [u64]) -> (f64, f64) {
     samples.sort_unstable();
     let quantile = |share: f64| {
-        #[expect(
-            clippy::cast_precision_loss,
-            reason = "far fewer than 2⁵³ samples and nanoseconds"
-        )]
         let (last, value) = ((samples.len() - 1) as f64, |index: usize| {
             samples[index] as f64 / 1e6
         });

@@ -119,8 +119,7 @@ impl<'a> PlotCanvas<'a> {
     }
 }
 
-/// Wraps `text` to lines no wider than `width`, broken at spaces, and between Chinese characters except before
-/// punctuation.
+/// Wraps `text` to lines of a width, at spaces and between Chinese characters, not before punctuation.
 fn wrapped(text: &str, width: f64, size: f64) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for piece in pieces(text) {

@@ -21,9 +21,7 @@ const TAGGED: f64 = 20.0;
 const BORDER_GAP: f64 = 0.25;
 /// Minimum mean distance between borders with lines of their own, in ems.
 const LINE_GAP: f64 = 0.8;
-/// Dashes of those lines, in widths.
 const BORDER_DASHES: &[f32] = &[2.0, 4.0];
-/// Dashes of the lines that mark values of x, in widths.
 const MARK_DASHES: &[f32] = &[3.0, 3.0];
 /// Radius of a point and of the hole in a ring, and the gap to its name, in ems.
 const RADIUS: [f64; 2] = [0.3, 0.15];
@@ -74,24 +72,27 @@ pub fn draw(canvas: &mut PlotCanvas<'_>, bounds: Area, span: Option<[f64; 2]>) {
         0.0,
     );
     let marks = plot.marks.iter().zip(&rows).map(|(mark, row)| {
-        let (from, _) = label_span(mark, plot, &area, em);
+        let (from, to) = label_span(mark, plot, &area, em);
         let label = DVec2::new(from, area.min.y - (0.45 + ROW * row) * em);
-        let colour = if mark.probe {
-            canvas.paper.text
-        } else {
-            canvas.paper.weak
-        };
-        (mark, label, colour)
+        (
+            mark,
+            label,
+            to,
+            if mark.probe {
+                canvas.paper.text
+            } else {
+                canvas.paper.weak
+            },
+        )
     });
     let marks: Vec<_> = marks.collect();
-    for (mark, label, colour) in &marks {
+    for (mark, label, _, colour) in &marks {
         let foot = scale.place([mark.x, y.low]);
         // A mark's line ends at the labels of others that it would cross.
-        let crossed = marks.iter().filter_map(|(other, at, _)| {
-            let (from, to) = label_span(other, plot, &area, em);
-            (at.y > label.y && from < foot.x && foot.x < to).then_some(at.y)
-        });
-        let mut crossed: Vec<f64> = crossed.collect();
+        let crossed = marks
+            .iter()
+            .filter(|(_, at, to, _)| at.y > label.y && at.x < foot.x && foot.x < *to);
+        let mut crossed: Vec<f64> = crossed.map(|(_, at, ..)| at.y).collect();
         crossed.sort_by(|a, b| b.total_cmp(a));
         let mut start = foot.y;
         let mut line = |from: f64, to: f64| {
@@ -104,7 +105,7 @@ pub fn draw(canvas: &mut PlotCanvas<'_>, bounds: Area, span: Option<[f64; 2]>) {
         }
         line(start, label.y + 0.25 * em);
     }
-    for (mark, label, colour) in marks {
+    for (mark, label, _, colour) in marks {
         canvas
             .over_lines(&mark.label, label, 1.0, colour, 0.0)
             .strong = mark.probe;
@@ -151,8 +152,7 @@ pub fn draw(canvas: &mut PlotCanvas<'_>, bounds: Area, span: Option<[f64; 2]>) {
     canvas.drawing.scales.push(scale);
 }
 
-/// Returns the row above the plot, 0 the lowest, in which each mark's label overlaps neither the others nor the name
-/// of the y axis.
+/// Returns each mark's row, 0 the lowest, such that its label overlaps neither others nor the y axis' name.
 fn label_rows(plot: &Plot, area: &Area, left: f64, em: f64) -> Vec<f64> {
     let mut taken: Vec<(u32, f64, f64)> = vec![(0, left, left + width_of(&plot.y.name, em) + em)];
     for mark in &plot.marks {
@@ -204,8 +204,10 @@ fn axes(
         let at = scale.place([value, plot.y.low]);
         canvas.axis(at, DVec2::new(at.x, area.min.y), paper.grid);
         let half = 0.5 * width_of(&text, em);
-        let middle = at.x.max(half).min(canvas.drawing.size.x - half);
-        let below = DVec2::new(middle, at.y + 1.3 * em);
+        let below = DVec2::new(
+            at.x.max(half).min(canvas.drawing.size.x - half),
+            at.y + 1.3 * em,
+        );
         canvas.text(text, below, 1.0, paper.weak, 0.5);
     }
     let corner = DVec2::new(area.min.x, area.max.y);
@@ -215,20 +217,23 @@ fn axes(
     canvas.text(&plot.x.name, middle, 1.0, paper.text, 0.5);
 }
 
-/// Draws the edges between polygons: a faint line through the plot and a tick on the axis, or ticks alone; a word
-/// where there are too many to distinguish.
+/// Draws the edges between polygons: faint lines with ticks, or ticks alone, or a word where they crowd.
 fn borders(canvas: &mut PlotCanvas<'_>, scale: &Scale, area: &Area) {
     let (em, weak, plot) = (canvas.em, canvas.paper.weak, canvas.plot);
     let places = plot.borders.iter().map(|x| scale.place([*x, plot.y.low]).x);
     let places: Vec<f64> = places
         .filter(|x| (area.min.x..=area.max.x).contains(x))
         .collect();
-    #[expect(clippy::cast_precision_loss, reason = "far fewer borders than 2⁵³")]
     let gap = (area.max.x - area.min.x) / (places.len() as f64 * em);
     if gap < BORDER_GAP {
         let words = text!("line-edges-crowded", count = places.len());
-        let at = area.max - DVec2::new(0.3, 0.5) * em;
-        canvas.over_lines(&words, at, 0.92, weak, 1.0);
+        canvas.over_lines(
+            &words,
+            area.max - DVec2::new(0.3, 0.5) * em,
+            0.92,
+            weak,
+            1.0,
+        );
         return;
     }
     for x in places {

@@ -33,8 +33,7 @@ pub enum PlotKind {
 }
 
 impl PlotKind {
-    /// All kinds that belong to a point, in the order of the equation: the lobe last, because it combines all of
-    /// them.
+    /// All kinds that belong to a point, in the order of the equation; the lobe combines all of them.
     pub const ALL: [Self; 4] = [
         Self::Attenuation,
         Self::Exponent,

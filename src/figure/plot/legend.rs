@@ -44,7 +44,6 @@ impl Legend {
             })
             .collect();
         // Where space is short, columns move together.
-        #[expect(clippy::cast_precision_loss, reason = "a plot has few columns")]
         let gap = (bounds.max.x - bounds.min.x - width - widths.iter().sum::<f64>())
             / widths.len().max(1) as f64;
         let gap = gap.clamp(LEAST_GAP * em, GAPS[1] * em);
@@ -64,7 +63,6 @@ impl Legend {
                 bounds,
             );
         }
-        #[expect(clippy::cast_precision_loss, reason = "a plot has few curves")]
         let lines = (plot.curves.len() + usize::from(!plot.legend.is_empty())) as f64;
         let size = DVec2::new(width, LINE * em * lines);
         let whole = bounds.max - bounds.min;

@@ -103,14 +103,12 @@ pub fn dashes(dash: Dash) -> &'static [f32] {
     }
 }
 
-/// Returns the columns and rows of a sheet with that many plots: two side by side where it is wide, and in any case
-/// from three on.
+/// Returns the columns and rows of a sheet with that many plots: two side by side from three on, or where it is wide.
 pub fn grid(plots: usize, wide: bool) -> DVec2 {
     match plots {
         0 | 1 => DVec2::ONE,
         2 if wide => DVec2::new(2.0, 1.0),
         2 => DVec2::new(1.0, 2.0),
-        #[expect(clippy::cast_precision_loss, reason = "a sheet has few plots")]
         _ => DVec2::new(2.0, plots.div_ceil(2) as f64),
     }
 }

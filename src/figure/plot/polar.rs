@@ -95,8 +95,11 @@ fn ground(canvas: &mut PlotCanvas<'_>, scale: &Scale, rings: u32, step: f64) {
     let under = DVec2::new(0.0, 1.65 * em);
     for ring in 1..=rings {
         let value = f64::from(ring) * step;
-        let arc = (-45..=45).map(|i| at(f64::from(i) * 2.0, value)).collect();
-        canvas.line(arc, 0.08, paper.grid);
+        canvas.line(
+            (-45..=45).map(|i| at(f64::from(i) * 2.0, value)).collect(),
+            0.08,
+            paper.grid,
+        );
         if (rings - ring).is_multiple_of(apart) {
             let decimals = (-(step * 1.000_001).log10().floor()).clamp(0.0, 6.0) as usize;
             canvas.text(

@@ -2,7 +2,7 @@
 
 use super::{lobe_of, near, preset, probed};
 use glam::{DVec2, DVec3};
-use shading_lab::analysis::curves::plot;
+use shading_lab::analysis::curves::Curves;
 use shading_lab::analysis::overlay::{OverlayLayer, OverlayOptions};
 use shading_lab::analysis::probe::{Probe, draw_overlay};
 use shading_lab::figure::palette::contrast;
@@ -15,9 +15,10 @@ fn all_plots() -> Vec<Plot> {
     let mut scene = preset("attenuation");
     scene.material.reflectance = Reflectance::Gold;
     let (renderer, probe) = probed(&scene);
+    let curves = Curves::new(&renderer, &scene, &probe, 0);
     PlotKind::ALL
         .into_iter()
-        .filter_map(|kind| plot(kind, &renderer, &scene, &probe, 0))
+        .filter_map(|kind| curves.plot(kind, &scene))
         .collect()
 }
 
@@ -162,7 +163,8 @@ fn a_place_in_a_plot_is_read_back() {
 /// An upper bound on the pixels inked by the probe's ring, which is always drawn.
 const RING: usize = 100;
 
-/// Counts the pixels that the lobe alone inks over an empty picture, and returns the mean of their positions with the count.
+/// Counts the pixels that the lobe alone inks over an empty picture, and returns the mean of their positions with the
+/// count.
 fn inked(scene: &Scene, probe: &Probe, length: f64) -> (usize, DVec2) {
     let options = OverlayOptions {
         layers: vec![OverlayLayer::Lobe],

@@ -9,15 +9,13 @@ use crate::figure::palette::Vector;
 use crate::figure::short;
 use crate::illumination::attenuation_at;
 use crate::scene::{Attenuation, LightKind, Reflectance, ReflectionModel};
-use crate::text;
-use crate::text::fixed;
+use crate::text::{fixed, text};
 use glam::DVec3;
 
 /// Tolerance for the length of a unit vector; a normal that differs by more has not been normalised.
 const UNIT: f64 = 1e-6;
 
 impl LightHere<'_> {
-    /// Returns the light's part of the sum.
     pub(super) fn line(self, shares: &[Share]) -> FilledLine {
         let (terms, name) = (self.terms, self.source.name.trim());
         let number = self.index + 1;
@@ -164,8 +162,11 @@ impl LightHere<'_> {
             rows.push(("s".into(), digits(terms.spot)));
         }
         if material.reflectance != Reflectance::Constant {
-            let phong = scene.reflection.model == ReflectionModel::Phong;
-            let other = if phong { "N" } else { "H" };
+            let other = if scene.reflection.model == ReflectionModel::Phong {
+                "N"
+            } else {
+                "H"
+            };
             rows.push((between("W(θ)", "L", other), degrees(terms.incidence)));
         }
         if let Some(t) = hit.transmission.and_then(|through| through.t) {
@@ -197,7 +198,6 @@ impl LightHere<'_> {
         (from - self.here.hit.position).length()
     }
 
-    /// Formats f with the distance filled in.
     fn attenuation_formula(self) -> String {
         let (light, d) = (self.source, self.distance());
         let formula = match light.attenuation {
@@ -216,7 +216,6 @@ impl LightHere<'_> {
         format!("{{f}}{formula}{}", result(self.terms.attenuation))
     }
 
-    /// Formats N·L as the cosine of θ.
     fn facing_formula(self) -> String {
         let theta = self.terms.theta.to_degrees();
         let sign = if self.turned() { "−" } else { "" };
@@ -233,7 +232,6 @@ impl LightHere<'_> {
         )
     }
 
-    /// Formats S from the cosine of φ or α.
     fn lobe_formula(self) -> String {
         let model = self.here.scene.reflection.model;
         if model == ReflectionModel::CookTorrance {

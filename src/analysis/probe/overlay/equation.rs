@@ -5,13 +5,12 @@ use super::{lobe, side};
 use crate::analysis::lobe::ReflectionLobe;
 use crate::analysis::overlay::{OverlayLayer, OverlayOptions, Sketch, Style};
 use crate::analysis::probe::{LightTerms, ProbeHit};
-use crate::figure::palette::{self, Vector};
+use crate::figure::palette::Vector;
 use crate::figure::{Area, Shape, lowered};
 use crate::scene::{Backfacing, ReflectionModel, Scene};
 use glam::{DVec2, DVec3};
 
-/// Sine of the angle to the line of sight (ten degrees) below which an arrow is too short to draw and shows its head
-/// from the front or from behind.
+/// Sine of the angle to the line of sight (10°) below which an arrow shows its head from the front or from behind.
 const HEAD_ON: f64 = 0.17;
 /// Width of the arrows of lights that are not emphasised.
 const SUBORDINATE: f64 = 0.55;
@@ -171,8 +170,7 @@ impl<'a> Equation<'a> {
         Some(side)
     }
 
-    /// Draws layers in the order in which their letters are placed: the first get the best places. `every_light` adds
-    /// L of the other lights.
+    /// Draws layers, those first whose letters get the best places. `every_light` adds L of the other lights.
     pub fn draw(
         &self,
         sketch: &mut Sketch,
@@ -202,7 +200,14 @@ impl<'a> Equation<'a> {
             if let (Some(at_l), Some(at_foot)) = (sketch.end(terms.l), sketch.end(foot)) {
                 let (text, anchor) = (sketch.style.text, sketch.inside(at_foot, sketch.style.text));
                 let aside = (at_foot - at_l).normalize_or_zero();
-                sketch.letter("N(N·L)".into(), 0.8, palette::N, anchor, aside, 0.3 * text);
+                sketch.letter(
+                    "N(N·L)".into(),
+                    0.8,
+                    Vector::N.colour(),
+                    anchor,
+                    aside,
+                    0.3 * text,
+                );
             }
         }
         (arrows, arcs)
@@ -337,8 +342,8 @@ impl<'a> Equation<'a> {
     }
 }
 
-/// Draws an arrow and returns the additional distance of its letter from its tip. An arrow seen along its shaft shows
-/// its point as a dot, or its fletching as a cross, in a circle; circles about one place nest.
+/// Draws an arrow and returns the additional distance of its letter from its tip: one seen along its shaft ends in a
+/// circle, and circles about one place nest.
 fn draw_arrow(sketch: &mut Sketch, arrow: &Arrow, circles: &mut Vec<(DVec2, f64)>) -> f64 {
     let style = sketch.style;
     let (colour, dashes) = (style.colour(arrow.vector), arrow.vector.dashes());
@@ -380,10 +385,11 @@ fn draw_arc(sketch: &mut Sketch, angle: Angle, (from, to): (DVec3, DVec3)) -> Op
         Angle::Phi => (RADIUS[1], 0.6),
         Angle::Alpha => (RADIUS[2], 0.6),
     };
-    let directions = turn(from, to)?.into_iter();
-    let points: Vec<DVec2> = directions
-        .map(|direction| sketch.end(direction * radius))
-        .collect::<Option<_>>()?;
+    let points = sketch.ends(
+        turn(from, to)?
+            .into_iter()
+            .map(|direction| direction * radius),
+    )?;
     // All points on one line through the origin: edge-on, the arc would only thicken the arrow beneath it.
     let ways = || points.iter().map(|point| *point - sketch.origin);
     let far = ways().max_by(|a, b| a.length_squared().total_cmp(&b.length_squared()));
@@ -423,13 +429,12 @@ fn turn(from: DVec3, to: DVec3) -> Option<Vec<DVec3>> {
     Some((0..=CHORDS).map(at).collect())
 }
 
-/// Draws R by projection: L projects onto N at N(N·L), and as far again on the other side lies R = 2N(N·L) − L. `n`
-/// and `l` are unit vectors, and `n`·`l` is positive.
+/// Draws R = 2N(N·L) − L by projection of L onto N, as far again on the other side; unit vectors with `n`·`l` > 0.
 fn draw_construction(sketch: &mut Sketch, n: DVec3, l: DVec3) {
     let foot = n * n.dot(l);
-    let [at_l, at_r, at_foot, at_top] =
-        [l, 2.0 * foot - l, foot, 2.0 * foot].map(|vector| sketch.end(vector));
-    let (Some(at_l), Some(at_r), Some(at_foot), Some(at_top)) = (at_l, at_r, at_foot, at_top)
+    let Some([at_l, at_r, at_foot, at_top]) = sketch
+        .ends([l, 2.0 * foot - l, foot, 2.0 * foot])
+        .and_then(|ends| <[DVec2; 4]>::try_from(ends).ok())
     else {
         return;
     };
@@ -445,7 +450,7 @@ fn draw_construction(sketch: &mut Sketch, n: DVec3, l: DVec3) {
     draw_right_angle(sketch, n, l, foot);
     sketch
         .shapes
-        .push(Shape::disc(at_foot, 0.9 * style.line, palette::N));
+        .push(Shape::disc(at_foot, 0.9 * style.line, Vector::N.colour()));
 }
 
 /// Draws the square at `foot`, where the line from the end of `l` meets N's line.
@@ -454,22 +459,17 @@ pub(super) fn draw_right_angle(sketch: &mut Sketch, n: DVec3, l: DVec3, foot: DV
         .try_normalize()
         .filter(|_| (l - foot).length() > 2.0 * SQUARE);
     let Some(across) = across else { return };
-    let corners = [
+    let corners = sketch.ends([
         foot + across * SQUARE,
         foot + (across - n) * SQUARE,
         foot - n * SQUARE,
-    ];
-    let corners: Option<Vec<DVec2>> = corners
-        .into_iter()
-        .map(|corner| sketch.end(corner))
-        .collect();
+    ]);
     let (width, colour) = (0.45 * sketch.style.line, sketch.style.neutral);
     sketch
         .shapes
         .extend(corners.map(|corners| Shape::line(corners, width, colour)));
 }
 
-/// Draws the ring about the probed point.
 pub(super) fn draw_point(sketch: &mut Sketch) {
     let Style {
         ring,

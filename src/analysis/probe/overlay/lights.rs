@@ -1,7 +1,8 @@
 //! Symbols of the lights: a sun for one that has a position, parallel rays for one that only has a direction.
 
 use crate::analysis::overlay::Sketch;
-use crate::figure::{Area, Shape, palette};
+use crate::figure::palette::Vector;
+use crate::figure::{Area, Shape};
 use crate::scene::{Light, LightKind, View};
 use glam::DVec2;
 
@@ -11,8 +12,7 @@ const RAYS_AT: f64 = 0.4;
 const RAYS_LENGTH: f64 = 3.2;
 /// Share of their full length below which rays are shown from the front or from behind.
 const HEAD_ON: f64 = 0.17;
-/// Outer radius of a sun, and reach of the pointer beside one whose light is outside the picture, in its disc's
-/// radii.
+/// Outer radius of a sun, and reach of the pointer beside one outside the picture, in its disc's radii.
 const SUN: [f64; 2] = [1.95, 3.1];
 
 /// Number of lights beyond which only the chosen one is lettered.
@@ -39,8 +39,11 @@ pub(super) fn draw(
     for (index, light) in lights.iter().enumerate() {
         let size = if chosen == Some(index) { 1.25 } else { 1.0 };
         let radius = 0.4 * sketch.style.text * size;
-        let directional = light.kind == LightKind::Directional;
-        let draw = if directional { draw_rays } else { draw_sun };
+        let draw = if light.kind == LightKind::Directional {
+            draw_rays
+        } else {
+            draw_sun
+        };
         let (pixel, outside) = draw(sketch, light, radius);
         if lights.len() > 1 && (lights.len() <= LETTERED || chosen == Some(index)) {
             let aside = (sketch.view.centre - pixel).normalize_or_zero();
@@ -48,7 +51,7 @@ pub(super) fn draw(
             sketch.letter(
                 (index + 1).to_string(),
                 size,
-                palette::L,
+                Vector::L.colour(),
                 pixel,
                 aside,
                 clearance,
@@ -81,7 +84,9 @@ fn draw_sun(sketch: &mut Sketch, light: &Light, radius: f64) -> (DVec2, bool) {
     for eighth in 0..8 {
         let way = DVec2::from_angle(f64::from(eighth) * std::f64::consts::FRAC_PI_4);
         let ray = vec![pixel + way * 1.4 * radius, pixel + way * SUN[0] * radius];
-        sketch.shapes.push(Shape::line(ray, line, palette::L));
+        sketch
+            .shapes
+            .push(Shape::line(ray, line, Vector::L.colour()));
     }
     if outside {
         let way = (wanted - sketch.view.centre).normalize_or_zero();
@@ -89,7 +94,7 @@ fn draw_sun(sketch: &mut Sketch, light: &Light, radius: f64) -> (DVec2, bool) {
             pixel + way * SUN[1] * radius,
             way,
             0.9 * radius,
-            palette::L,
+            Vector::L.colour(),
         ));
     }
     // The light's hue at full brightness, so that a dim light can still be found.
@@ -106,12 +111,11 @@ fn draw_sun(sketch: &mut Sketch, light: &Light, radius: f64) -> (DVec2, bool) {
     sketch.shapes.push(Shape::disc(pixel, radius, hue));
     sketch
         .shapes
-        .push(Shape::ring(pixel, radius, line, palette::L).plain());
+        .push(Shape::ring(pixel, radius, line, Vector::L.colour()).plain());
     (pixel, outside)
 }
 
-/// Returns the position of a light in the picture, and whether it is behind the eye; in that case the position is a
-/// point far out on the light's side.
+/// Returns the position of a light in the picture, far out on its side if it is behind the eye, and whether it is.
 fn whereabouts(view: &View, light: &Light, pane: Area) -> (DVec2, bool) {
     if let Some((pixel, _)) = view.project(light.position) {
         return (pixel, false);
@@ -148,7 +152,7 @@ fn draw_rays(sketch: &mut Sketch, light: &Light, radius: f64) -> (DVec2, bool) {
             pixel,
             1.5 * radius,
             direction.dot(sketch.view.forward) < 0.0,
-            palette::L,
+            Vector::L.colour(),
         );
         return (pixel, false);
     }
@@ -166,7 +170,7 @@ fn draw_rays(sketch: &mut Sketch, light: &Light, radius: f64) -> (DVec2, bool) {
             along,
             width,
             head,
-            palette::L,
+            Vector::L.colour(),
         ));
     }
     (pixel, false)

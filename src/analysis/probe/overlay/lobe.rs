@@ -7,7 +7,8 @@
 use crate::analysis::curves::highlight_half_width;
 use crate::analysis::lobe::ReflectionLobe;
 use crate::analysis::overlay::Sketch;
-use crate::figure::{Shape, palette};
+use crate::figure::Shape;
+use crate::figure::palette::Vector;
 use crate::scene::{ReflectionModel, Scene};
 use glam::{DVec2, DVec3};
 
@@ -17,8 +18,7 @@ const LENGTH: f64 = 1.3;
 const NET: [u32; 2] = [24, 12];
 /// Number of chords between neighbouring lines of the net.
 const CHORDS: u32 = 4;
-/// Number of parallels that lie within `SKIRT` half-widths of R; the others are evenly spaced from there to the
-/// horizon.
+/// Parallels within `SKIRT` half-widths of R; the others are evenly spaced from there to the horizon.
 const NEAR: u32 = 7;
 const SKIRT: f64 = 2.4;
 /// Maximum share of the angle to the horizon for the highlight.
@@ -32,7 +32,6 @@ const WIDTH: f64 = 0.32;
 /// Opacity of a line that the lobe itself hides, and of the surface.
 const FAINT: [f64; 2] = [0.22, 0.1];
 
-/// Draws the lobe in the sketch's view.
 pub(super) fn draw(sketch: &Sketch, lobe: &ReflectionLobe, scene: &Scene) -> Vec<Shape> {
     let peak = peak_of(lobe, scene);
     if peak.is_nan() || peak <= 0.0 || !peak.is_finite() {
@@ -45,9 +44,9 @@ pub(super) fn draw(sketch: &Sketch, lobe: &ReflectionLobe, scene: &Scene) -> Vec
         skirt: SKIRT * highlight_half_width(scene),
     };
     let specular = if scene.reflection.model == ReflectionModel::Phong {
-        palette::R
+        Vector::R.colour()
     } else {
-        palette::H
+        Vector::H.colour()
     };
     let [meridians, parallels] = NET;
     // The inside of the silhouette, faintly.
@@ -55,12 +54,9 @@ pub(super) fn draw(sketch: &Sketch, lobe: &ReflectionLobe, scene: &Scene) -> Vec
     for (i, j) in (0..meridians).flat_map(|i| (0..parallels).map(move |j| (i, j))) {
         let place = |(i, j): (u32, u32)| {
             let direction = surface.direction(i * CHORDS, j * CHORDS);
-            sketch.end(direction * surface.reach(direction))
+            direction * surface.reach(direction)
         };
-        let corners = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)]
-            .into_iter()
-            .map(place);
-        let corners: Option<Vec<DVec2>> = corners.collect();
+        let corners = sketch.ends([(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)].map(place));
         skin.extend(corners.map(|corners| Shape::area(corners, specular).faded(FAINT[1]).plain()));
     }
     let along = |i| {
@@ -86,7 +82,7 @@ pub(super) fn draw(sketch: &Sketch, lobe: &ReflectionLobe, scene: &Scene) -> Vec
             let line = Shape::line(
                 points,
                 WIDTH * sketch.style.line,
-                if bright { specular } else { palette::L },
+                if bright { specular } else { Vector::L.colour() },
             );
             if seen {
                 shown.push(line);
@@ -175,8 +171,7 @@ impl Surface<'_> {
         }
     }
 
-    /// Returns whether the line from `point` to the eye stays outside the lobe. The lobe is star-shaped, so that a
-    /// place is inside if it is nearer than the surface in its direction.
+    /// Returns whether the line from `point` to the eye stays outside the lobe, which is star-shaped.
     fn is_seen(&self, point: DVec3) -> bool {
         let world = self.sketch.position + point * self.sketch.length;
         let towards = self.sketch.view.towards_eye(world);
@@ -189,8 +184,7 @@ impl Surface<'_> {
     }
 }
 
-/// Returns consecutive knots with the same appearance; each run includes the first knot of the next, so that lines
-/// stay connected.
+/// Returns runs of knots that look alike, each with the first knot of the next, so that lines stay connected.
 fn runs(knots: &[Knot]) -> Vec<&[Knot]> {
     let look = |knot: &Knot| (knot.seen, knot.bright);
     let (mut runs, mut start) = (Vec::new(), 0);

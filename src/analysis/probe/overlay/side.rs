@@ -53,7 +53,7 @@ pub(super) fn sketch(
     let side = (pane.max - pane.min).min_element();
     let view = view(in_pane(pane, [n, l]), n, [l, v]);
     let style = Style::new(2.3 * side, options);
-    let mut sketch = Sketch::new(view, style, pane, DVec3::ZERO, Some(1.0), side)?;
+    let mut sketch = Sketch::new(view, style, pane, DVec3::ZERO, 1.0)?;
     let ground = Shape::area(pane.corners(), style.halo_colour).plain();
     let frame = Shape::outline(pane.corners(), 0.35 * style.line, SURFACE).plain();
     sketch.shapes.extend([ground.faded(OPAQUE[1]), frame]);
@@ -66,10 +66,7 @@ pub(super) fn draw_surface(sketch: &mut Sketch, n: DVec3) {
     let across = n.cross(sketch.view.forward).normalize_or_zero();
     let [beside, below] = SURFACE_SIZE;
     let corners = [(-1.0, 0.0), (1.0, 0.0), (1.0, 1.0), (-1.0, 1.0)];
-    let corners: Option<Vec<DVec2>> = corners
-        .into_iter()
-        .map(|(x, y)| sketch.end(across * (beside * x) - n * (below * y)))
-        .collect();
+    let corners = sketch.ends(corners.map(|(x, y)| across * (beside * x) - n * (below * y)));
     let area = corners.map(|corners| Shape::area(corners, SURFACE).plain().faded(OPAQUE[0]));
     sketch.shapes.extend(area);
 }

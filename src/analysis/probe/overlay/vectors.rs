@@ -5,7 +5,7 @@ use super::side::{Frame, draw_surface, view};
 use crate::analysis::overlay::{Halo, OverlayOptions, Sketch, Style};
 use crate::analysis::probe::ConstructionStep;
 use crate::analysis::probe::products::Here;
-use crate::figure::palette::{self, Rgb8, Vector, readable};
+use crate::figure::palette::{Rgb8, Vector, readable};
 use crate::figure::{Area, Drawing, PlotStyle, Shape};
 use crate::text::fixed;
 use glam::{DVec2, DVec3};
@@ -64,12 +64,8 @@ impl VectorsShown {
     }
 }
 
-/// Draws N, L, R, V, H and T of a light at the probed point, seen from the side, in a drawing of that `width`.
-/// Returns none where there is no such light or no direction.
-///
-/// # Guarantees
-///
-/// Letters lie inside the drawing and do not overlap.
+/// Draws N, L, R, V, H and T of a light at the probed point, seen from the side, in a drawing of that `width`; none
+/// where there is no such light or no direction. Letters lie inside the drawing and do not overlap.
 pub fn draw_vectors(
     here: Here<'_>,
     light: usize,
@@ -121,7 +117,7 @@ pub fn draw_vectors(
         max: size,
     };
     let view = seen_from(DVec2::new(0.5 * width, margin[1] + unit), unit);
-    let mut sketch = Sketch::new(view, letters, pane, DVec3::ZERO, Some(1.0), unit)?;
+    let mut sketch = Sketch::new(view, letters, pane, DVec3::ZERO, 1.0)?;
     if !halfway {
         draw_surface(&mut sketch, focus.n);
     }
@@ -165,8 +161,8 @@ fn draw_lines(sketch: &mut Sketch, focus: &Focus<'_>, shown: VectorsShown) {
     let (n, l) = (focus.n, focus.terms.l);
     if projects(focus, shown) {
         let foot = n * n.dot(l);
-        thin(sketch, [l, foot], DASHES);
-        thin(sketch, [DVec3::ZERO, foot], DASHES);
+        thin(sketch, [l, foot]);
+        thin(sketch, [DVec3::ZERO, foot]);
         draw_right_angle(sketch, n, l, foot);
     }
 }
@@ -185,17 +181,23 @@ fn draw_steps(sketch: &mut Sketch, focus: &Focus<'_>, length: f64, v: DVec3, sho
                 let line = STRONG * sketch.style.line;
                 sketch
                     .shapes
-                    .push(Shape::line(vec![from, to], line, palette::N));
+                    .push(Shape::line(vec![from, to], line, Vector::N.colour()));
             }
             let text = format!("N·L = {}", fixed(n.dot(l), 3));
-            letter(sketch, text, palette::N, 0.5 * foot, -l);
+            letter(sketch, text, Vector::N.colour(), 0.5 * foot, -l);
         }
         if [Projection, Across, Mirror]
             .into_iter()
             .any(|step| shown.has(step))
         {
-            arrow(sketch, [DVec3::ZERO, foot], STRONG, palette::N);
-            letter(sketch, "N(N·L)".into(), palette::N, 0.5 * foot, r - foot);
+            arrow(sketch, [DVec3::ZERO, foot], STRONG, Vector::N.colour());
+            letter(
+                sketch,
+                "N(N·L)".into(),
+                Vector::N.colour(),
+                0.5 * foot,
+                r - foot,
+            );
         }
         if shown.has(Across) || shown.has(Mirror) {
             arrow(sketch, [l, foot], 1.0, neutral);
@@ -208,19 +210,21 @@ fn draw_steps(sketch: &mut Sketch, focus: &Focus<'_>, length: f64, v: DVec3, sho
     }
     if shown.has(Halfway) && (l + v).length() > 1e-9 {
         let middle = 0.5 * (l + v);
-        thin(sketch, [l, v], DASHES);
+        thin(sketch, [l, v]);
         if let Some(at) = sketch.end(middle) {
-            let disc = Shape::disc(at, 1.3 * sketch.style.line, palette::H);
-            sketch.shapes.push(disc);
+            sketch
+                .shapes
+                .push(Shape::disc(at, 1.3 * sketch.style.line, Vector::H.colour()));
         }
         letter(sketch, "(L + V)/2".into(), neutral, middle, -middle);
     }
 }
 
-fn thin(sketch: &mut Sketch, ends: [DVec3; 2], dashes: &'static [f32]) {
-    let points: Option<Vec<DVec2>> = ends.into_iter().map(|end| sketch.end(end)).collect();
+fn thin(sketch: &mut Sketch, ends: [DVec3; 2]) {
     let (width, colour) = (0.5 * sketch.style.line, sketch.style.neutral);
-    let line = points.map(|points| Shape::line(points, width, colour).dashed(dashes));
+    let line = sketch
+        .ends(ends)
+        .map(|points| Shape::line(points, width, colour).dashed(DASHES));
     sketch.shapes.extend(line);
 }
 
@@ -248,13 +252,12 @@ fn letter(sketch: &mut Sketch, text: String, colour: Rgb8, at: DVec3, aside: DVe
     let towards = sketch
         .end(at + aside)
         .map_or(DVec2::ZERO, |end| end - anchor);
-    let clearance = 0.35 * sketch.style.text;
     sketch.letter(
         text,
         0.9,
         colour,
         anchor,
         towards.normalize_or_zero(),
-        clearance,
+        0.35 * sketch.style.text,
     );
 }
