@@ -1,11 +1,8 @@
 //! Golden pictures of the commands' other figures: comparisons, differences, defects, profiles, the scan line. Each is drawn by
 //! its command and compared with an approved picture.
-//!
-//! `UPDATE_GOLDEN=1` replaces the approved pictures, and the run still fails, so that they are reviewed before they are
-//! committed.
 
-use std::fs::{self, File};
-use std::io::BufReader;
+use crate::common::golden::{self, Golden};
+use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -75,22 +72,7 @@ const FIGURES: &[(&str, &str)] = &[
     ),
 ];
 
-fn kept(name: &str) -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR"))
-        .join("tests/golden/figures")
-        .join(format!("{name}.png"))
-}
-
-/// Reads the size and the bytes of a picture.
-fn read(path: &Path) -> Option<([u32; 2], Vec<u8>)> {
-    let mut reader = png::Decoder::new(BufReader::new(File::open(path).ok()?))
-        .read_info()
-        .ok()?;
-    let mut bytes = vec![0; reader.output_buffer_size()?];
-    let info = reader.next_frame(&mut bytes).ok()?;
-    bytes.truncate(info.buffer_size());
-    Some(([info.width, info.height], bytes))
-}
+const GOLDEN: Golden = Golden("figures");
 
 fn draw(name: &str, command: &str) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("figures");
@@ -113,10 +95,10 @@ fn draw(name: &str, command: &str) -> PathBuf {
 
 /// Compares a figure with the approved picture; returns a description of the difference, if any.
 fn compare(name: &str, actual: &Path) -> Option<String> {
-    let Some((size, expected)) = read(&kept(name)) else {
+    let Some((size, expected)) = golden::read(&GOLDEN.kept(name)) else {
         return Some(format!("{name}: no picture is kept"));
     };
-    let Some((drawn, actual)) = read(actual) else {
+    let Some((drawn, actual)) = golden::read(actual) else {
         return Some(format!("{name}: no picture was drawn"));
     };
     if drawn != size || actual.len() != expected.len() {
@@ -136,43 +118,16 @@ fn compare(name: &str, actual: &Path) -> Option<String> {
 
 #[test]
 fn every_figure_is_drawn_as_it_was() {
-    let update = std::env::var_os("UPDATE_GOLDEN").is_some();
-    let mut wrong = Vec::new();
-    for (name, command) in FIGURES {
-        let drawn = draw(name, command);
-        if let Some(message) = compare(name, &drawn) {
-            if update {
-                fs::create_dir_all(kept(name).parent().expect("a folder"))
-                    .expect("the folder is made");
-                fs::copy(&drawn, kept(name)).expect("copied");
-            }
-            wrong.push(message);
-        }
-    }
-    assert!(
-        wrong.is_empty(),
-        "{}{}",
-        wrong.join("\n"),
-        if update {
-            "\nreplaced: look at them"
-        } else {
-            ""
-        }
-    );
+    let drawn = FIGURES
+        .iter()
+        .map(|(name, command)| (*name, draw(name, command)));
+    let compare = |name: &str, drawn: &PathBuf| compare(name, drawn);
+    GOLDEN.check(drawn, compare, |path, drawn| {
+        fs::copy(drawn, path).expect("copied");
+    });
 }
 
 #[test]
 fn no_figure_is_kept_that_is_not_drawn() {
-    for entry in
-        fs::read_dir(kept("panes").parent().expect("a folder")).expect("the folder of kept figures")
-    {
-        let name = entry
-            .expect("an entry")
-            .path()
-            .file_stem()
-            .expect("a name")
-            .to_string_lossy()
-            .into_owned();
-        assert!(FIGURES.iter().any(|(known, _)| *known == name), "{name}");
-    }
+    GOLDEN.has_only(|name| FIGURES.iter().any(|(known, _)| *known == name));
 }

@@ -1,14 +1,15 @@
 //! Vertex normals made visible: the contributing faces with their weights against closed forms, and the positions of needles in a
 //! picture.
 
-use glam::{DVec2, DVec3, Vec3};
+use crate::common::mesh;
+use glam::{DVec2, DVec3};
 use shading_lab::analysis::normals::{
     LitVertex, NeedleKind, Needles, NormalField, NormalsQuestion, VertexNormal,
 };
 use shading_lab::analysis::overlay::{OverlayLayer, OverlayOptions};
 use shading_lab::analysis::{Answer, Question, ReportContext, Subject, unwatched};
 use shading_lab::export::glsl_330;
-use shading_lab::geometry::{Corner, Mesh, NO_NORMAL, NormalOrigin, tessellate};
+use shading_lab::geometry::{Mesh, NormalOrigin, tessellate};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
     Choice, NormalSource, Object, ObjectKind, Projection, Scene, ShadingMode, View, Weighting,
@@ -16,22 +17,6 @@ use shading_lab::scene::{
 };
 use std::sync::Arc;
 use tiny_skia::Pixmap;
-
-fn mesh(positions: &[[f32; 3]], faces: &[&[u32]]) -> Mesh {
-    let mut mesh = Mesh {
-        starts: vec![0],
-        ..Mesh::default()
-    };
-    mesh.positions = positions.iter().copied().map(Vec3::from).collect();
-    for face in faces {
-        mesh.corners.extend(face.iter().map(|&position| Corner {
-            position,
-            normal: NO_NORMAL,
-        }));
-        mesh.starts.push(mesh.corners.len() as u32);
-    }
-    mesh
-}
 
 fn vertex(mesh: &Mesh, weighting: Weighting, number: u32) -> VertexNormal {
     let field = NormalField::of_mesh(Arc::new(mesh.clone()), NormalSource::Averaged, weighting);

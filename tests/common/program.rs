@@ -68,6 +68,18 @@ impl Folder {
         serde_json::from_str(&self.prints(arguments)).expect("JSON")
     }
 
+    /// Checks that a run whose output nobody reads ends quietly.
+    #[track_caller]
+    pub fn ends_quietly(&self, arguments: &[&str]) {
+        let mut command = self.command(arguments);
+        command.stdout(Stdio::piped()).stderr(Stdio::piped());
+        let mut child = command.spawn().expect("the program");
+        drop(child.stdout.take());
+        let output = child.wait_with_output().expect("an end");
+        assert_eq!(String::from_utf8_lossy(&output.stderr), "", "{arguments:?}");
+        assert_eq!(output.status.code(), Some(0), "{arguments:?}");
+    }
+
     /// Checks that a run ends with `status`, prints exactly `errors` to stderr, as errors, and nothing to stdout.
     #[track_caller]
     pub fn fails(&self, arguments: &[&str], status: i32, errors: &[&str]) {

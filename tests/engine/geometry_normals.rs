@@ -1,26 +1,10 @@
 //! Vertex normals: weightings by hand, and averages without a direction.
 
-use crate::common::properties;
+use crate::common::{mesh, properties};
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 use shading_lab::geometry::{Corner, Mesh, NO_NORMAL, VertexMesh};
 use shading_lab::scene::{NormalSource, Weighting};
-
-fn mesh(positions: &[[f32; 3]], faces: &[&[u32]]) -> Mesh {
-    let mut mesh = Mesh {
-        starts: vec![0],
-        ..Mesh::default()
-    };
-    mesh.positions = positions.iter().copied().map(Vec3::from).collect();
-    for face in faces {
-        mesh.corners.extend(face.iter().map(|&position| Corner {
-            position,
-            normal: NO_NORMAL,
-        }));
-        mesh.starts.push(mesh.corners.len() as u32);
-    }
-    mesh
-}
 
 fn averaged(mesh: &Mesh, weighting: Weighting) -> VertexMesh {
     mesh.with_vertex_normals(NormalSource::Averaged, weighting)

@@ -47,16 +47,7 @@ fn a_target_that_cannot_be_written_is_a_failure_and_leaves_nothing() {
 #[test]
 fn an_output_that_nobody_reads_is_no_failure() {
     let folder = Folder::new("pipe");
-    let mut child = folder
-        .command(&["probe", "sphere", "--pixel", "384,384", "--json"])
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("the program");
-    drop(child.stdout.take());
-    let output = child.wait_with_output().expect("an end");
-    assert_eq!(String::from_utf8_lossy(&output.stderr), "");
-    assert_eq!(output.status.code(), Some(0));
+    folder.ends_quietly(&["probe", "sphere", "--pixel", "384,384", "--json"]);
 }
 
 /// Checks output files that are the standard output; with a closed pipe the program ends quietly.
@@ -82,16 +73,7 @@ fn a_file_that_is_the_output_is_written_to_it() {
     let render = ["render", "cube", "--size", "8x8", "-o", "/dev/stdout"];
     assert!(folder.run(&render).stdout.starts_with(b"\x89PNG"));
     for arguments in [&explain[..], &render] {
-        let mut child = folder
-            .command(arguments)
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn()
-            .expect("the program");
-        drop(child.stdout.take());
-        let output = child.wait_with_output().expect("an end");
-        assert_eq!(String::from_utf8_lossy(&output.stderr), "");
-        assert_eq!(output.status.code(), Some(0));
+        folder.ends_quietly(arguments);
     }
     // Output redirected to a file keeps its contents and its position.
     folder.write("log", "before\n");
