@@ -109,6 +109,10 @@ pub struct OverlayOptions {
     pub side_view_where_needed: bool,
     /// True if the side view takes most of the picture.
     pub side_view_enlarged: bool,
+    /// Sides of the squares in the picture's corners that the side view may cover, as
+    /// [`free_corners`](crate::analysis::probe::free_corners) returns them; without
+    /// them, it may cover all.
+    pub free_corners: Option<[u32; 4]>,
     /// Halo that sets lines and letters off from the picture.
     pub halo: Halo,
     /// Areas covered by other drawings, pixels, which labels avoid.
@@ -126,6 +130,7 @@ impl Default for OverlayOptions {
             half_vector: false,
             side_view_where_needed: false,
             side_view_enlarged: false,
+            free_corners: None,
             halo: Halo::Light,
             covered: vec![],
             scale: 1.0,

@@ -12,7 +12,7 @@ use crate::analysis::comparison::{
 use crate::analysis::curves::Curves;
 use crate::analysis::normals::NormalField;
 use crate::analysis::overlay::OverlayOptions;
-use crate::analysis::probe::{Overlay, Probe};
+use crate::analysis::probe::{Overlay, Probe, free_corners};
 use crate::analysis::scan::{Scan, ScanError, scan_drawn};
 use crate::app::session::Session;
 use crate::app::session::appearance::{Overlays, ViewName};
@@ -342,12 +342,13 @@ impl Engine {
         {
             return;
         }
+        let (size, pane) = (self.size, self.active());
         let options = OverlayOptions {
             scale,
             covered: appearance.4.clone(),
+            free_corners: free_corners(pane.renderer().frame()),
             ..overlay_options(&appearance.0, session.light, scene)
         };
-        let (size, pane) = (self.size, self.active());
         let (Some((_, probe)), Some(scene)) = (&pane.probed, pane.drawn()) else {
             return;
         };

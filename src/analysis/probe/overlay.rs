@@ -9,6 +9,7 @@ mod vectors;
 
 pub use equation::{Angle, Arc, Arrow, ArrowHead};
 pub use lights::LightHandle;
+pub use side::free_corners;
 pub use vectors::{VectorsShown, draw_vectors};
 
 use super::Probe;

@@ -6,7 +6,8 @@ use crate::analysis::Watch;
 use crate::analysis::codec::Codec;
 use crate::analysis::comparison::{Captions, comparison_sheet, draw_panes, panes_on_sheet};
 use crate::analysis::normals::{NormalField, draw_normals};
-use crate::analysis::probe::{draw_overlay, probe};
+use crate::analysis::overlay::OverlayOptions;
+use crate::analysis::probe::{draw_overlay, free_corners, probe};
 use crate::analysis::profile::{ProfileQuestion, draw_profile, profile};
 use crate::animation::write_film;
 use crate::app::course::Course;
@@ -83,7 +84,10 @@ impl Over {
         let (width, height) = (frame.width, frame.height);
         let [x, y] = self.point.pixel([width, height]);
         let probe = probe(renderer, scene, x, y);
-        let options = overlay_options(&self.overlay, self.light, scene);
+        let options = OverlayOptions {
+            free_corners: free_corners(frame),
+            ..overlay_options(&self.overlay, self.light, scene)
+        };
         let taken = self.line.and_then(|line| {
             let own = scene.shading.mode;
             let request = ProfileQuestion {

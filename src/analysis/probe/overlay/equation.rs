@@ -149,15 +149,14 @@ impl<'a> Equation<'a> {
             && options.layers.contains(&OverlayLayer::Vectors)
             && *lit
             && side::is_needed(sketch, [*n, terms.l, terms.r]);
-        if !sound || !(needed || options.layers.contains(&OverlayLayer::SideView)) {
+        let asked = options.layers.contains(&OverlayLayer::SideView);
+        if !sound || !(needed || asked) {
             return None;
         }
-        let pane = side::pane(
-            picture,
-            sketch.origin,
-            &sketch.style,
-            options.side_view_enlarged,
-        )?;
+        let enlarged = options.side_view_enlarged;
+        let pane = |free| side::pane(picture, sketch.origin, &sketch.style, enlarged, free);
+        let free = options.free_corners.filter(|_| !enlarged);
+        let pane = pane(free).or_else(|| asked.then(|| pane(None)).flatten())?;
         let mut side = side::sketch(pane, [*n, terms.l, v], options)?;
         let mut layers = vec![OverlayLayer::Vectors, OverlayLayer::Angles];
         layers.extend(
