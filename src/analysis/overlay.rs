@@ -107,6 +107,8 @@ pub struct OverlayOptions {
     pub half_vector: bool,
     /// True to add the side view where vectors point at the viewer and hide one another.
     pub side_view_where_needed: bool,
+    /// True if the side view shows angles.
+    pub side_view_angles: bool,
     /// True if the side view takes most of the picture.
     pub side_view_enlarged: bool,
     /// Sides of the squares in the picture's corners that the side view may cover, as
@@ -129,6 +131,7 @@ impl Default for OverlayOptions {
             length: None,
             half_vector: false,
             side_view_where_needed: false,
+            side_view_angles: true,
             side_view_enlarged: false,
             free_corners: None,
             halo: Halo::Light,

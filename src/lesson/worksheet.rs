@@ -10,7 +10,7 @@ use super::{Budget, Lab, Lesson, LessonError, Question, Solution, Staged, Step};
 use crate::analysis::comparison::{Captions, comparison_sheet, draw_panes, panes_on_sheet};
 use crate::analysis::normals::{NormalField, VertexNormal, draw_normals};
 use crate::analysis::overlay::{OverlayLayer, OverlayOptions};
-use crate::analysis::probe::{draw_overlay, probe};
+use crate::analysis::probe::{draw_overlay, free_corners, probe};
 use crate::analysis::profile::{ProfileQuestion, draw_profile, profile};
 use crate::figure::{Drawing, Shape};
 use crate::render::{Frame, Renderer};
@@ -283,6 +283,7 @@ fn draw_over(
     let size = DVec2::from_array(scene.image.size.map(f64::from));
     let side = size.min_element();
     let at = |place: DVec2| size / 2.0 + place * side;
+    let free_corners = free_corners(frame);
     if stage.overlays.contains(&"edges") {
         draw_edges(frame, renderer, scene);
     }
@@ -294,6 +295,9 @@ fn draw_over(
     };
     let options = OverlayOptions {
         layers: stage.overlays.iter().filter_map(layer).collect(),
+        side_view_where_needed: true,
+        side_view_angles: !told,
+        free_corners,
         ..OverlayOptions::default()
     };
     let mut question = step.question.iter();

@@ -468,6 +468,45 @@ fn the_same_overlay_has_the_same_pixels() {
     assert_eq!(draw(), draw());
 }
 
+#[test]
+fn the_side_view_writes_angles_and_covers_the_picture_only_where_it_may() {
+    let mut scene = Scene::default();
+    scene.lights[0].position = scene.camera.eye + DVec3::new(0.6, 0.6, 0.0);
+    let probe = probe_at(&scene, [768, 768], [384, 384]);
+    let options = OverlayOptions {
+        layers: vec![OverlayLayer::Vectors, OverlayLayer::SideView],
+        ..OverlayOptions::default()
+    };
+    let angles = |options: &OverlayOptions| {
+        let overlay = Overlay::new([768, 768], &scene, &probe, options);
+        assert!(overlay.side_view.is_some());
+        let labels = overlay.labels.iter();
+        labels.filter(|label| label.text.contains('°')).count()
+    };
+    assert!(angles(&options) > 0);
+    let without = OverlayOptions {
+        side_view_angles: false,
+        ..options.clone()
+    };
+    assert_eq!(angles(&without), 0);
+
+    // Where it is not asked for but only needed, it keeps to free corners.
+    let pane = |free_corners| {
+        let options = OverlayOptions {
+            layers: vec![OverlayLayer::Vectors],
+            side_view_where_needed: true,
+            free_corners,
+            ..options.clone()
+        };
+        Overlay::new([768, 768], &scene, &probe, &options).side_view
+    };
+    let anywhere = pane(None).expect("N, L and R point at the viewer");
+    assert!(anywhere.max.x - anywhere.min.x > 200.0);
+    let kept = pane(Some([250, 0, 0, 0])).expect("room enough");
+    assert!(kept.max.max_element() <= 250.0);
+    assert_eq!(pane(Some([30; 4])), None);
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 200, ..properties::config(file!()) })]
 

@@ -288,6 +288,7 @@ pub fn overlay_options(appearance: &Overlays, light: usize, scene: &Scene) -> Ov
         light: (light < scene.lights.len()).then_some(light),
         half_vector: appearance.half_vector,
         side_view_where_needed: appearance.side_view_where_needed,
+        side_view_angles: appearance.angles,
         side_view_enlarged: appearance.side_view_enlarged,
         halo: if is_dark(scene) {
             Halo::Dark

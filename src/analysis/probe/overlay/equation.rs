@@ -158,13 +158,16 @@ impl<'a> Equation<'a> {
         let free = options.free_corners.filter(|_| !enlarged);
         let pane = pane(free).or_else(|| asked.then(|| pane(None)).flatten())?;
         let mut side = side::sketch(pane, [*n, terms.l, v], options)?;
-        let mut layers = vec![OverlayLayer::Vectors, OverlayLayer::Angles];
-        layers.extend(
-            options
-                .layers
-                .iter()
-                .filter(|layer| **layer == OverlayLayer::Construction),
-        );
+        let constructed = options.layers.contains(&OverlayLayer::Construction);
+        let layers = [
+            (true, OverlayLayer::Vectors),
+            (options.side_view_angles, OverlayLayer::Angles),
+            (constructed, OverlayLayer::Construction),
+        ];
+        let layers: Vec<_> = layers
+            .into_iter()
+            .filter_map(|(shown, layer)| shown.then_some(layer))
+            .collect();
         self.draw(&mut side, false, &layers);
         Some(side)
     }
