@@ -10,6 +10,7 @@ mod check;
 mod class;
 mod class_sheet;
 mod control;
+mod feedback;
 mod grade;
 mod hand_in;
 mod hint;

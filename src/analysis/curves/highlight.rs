@@ -294,28 +294,30 @@ impl Falling {
     /// Returns its parameter, the plotted quantity and the formula, in the letter of the angle between two vectors.
     fn words(self, letter: &str, [a, b]: [&str; 2]) -> (String, String, String) {
         let lobe = power(letter);
-        let (m, name, formula) = match self {
+        let (m, note) = match self {
             Self::Power(n) => {
                 let formula = format!("({a}·{b})ⁿ = {lobe}");
                 return (format!("n = {}", exponent(n)), lobe, formula);
             }
             Self::Beckmann(m) => (
                 m,
-                "Beckmann",
-                format!("D = exp(−tan²{letter}/m²)/(m² cos⁴{letter})"),
+                text!(
+                    "point-note-distribution",
+                    lobe = lobe,
+                    name = "Beckmann",
+                    formula = format!("D = exp(−tan²{letter}/m²)/(m² cos⁴{letter})")
+                ),
             ),
             Self::Ggx(m) => (
                 m,
-                "GGX",
-                format!("D = m²/(m² cos²{letter} + sin²{letter})²"),
+                text!(
+                    "point-note-distribution",
+                    lobe = lobe,
+                    name = "GGX",
+                    formula = format!("D = m²/(m² cos²{letter} + sin²{letter})²")
+                ),
             ),
         };
-        let note = text!(
-            "point-note-distribution",
-            lobe = lobe,
-            name = name,
-            formula = formula
-        );
         (
             format!("m = {}", short(m)),
             format!("D({letter})/D(0)"),

@@ -1,0 +1,102 @@
+//! What a wrong answer is told: the wrong model that it agrees with, or where it is off.
+
+use super::kinds::short_number;
+use super::{CurveFault, Grade, Hint, Kind, Question, Side, control_name, without_marks};
+use crate::text::text;
+
+impl Question {
+    /// Says which wrong model an answer agrees with, or where it is off; nothing of a right answer. `says` and `names` are the
+    /// question's with their numbers.
+    pub fn feedback(&self, grade: &Grade, says: &[String], names: &[String]) -> Option<String> {
+        let named = grade.model.and_then(|model| says.get(model));
+        match (named, grade.hint) {
+            (Some(says), _) => Some(says.clone()),
+            (None, Some(hint)) => Some(hint.words(&self.kind, names)),
+            _ => None,
+        }
+    }
+}
+
+impl Hint {
+    /// Returns it as a sentence.
+    fn words(&self, kind: &Kind, names: &[String]) -> String {
+        let too = |high: bool| {
+            if high {
+                "lesson-hint-high"
+            } else {
+                "lesson-hint-low"
+            }
+        };
+        match *self {
+            Self::Number { high } => text!(too(high)).to_owned(),
+            Self::Control { control, high } => {
+                let controls = kind.asks().controls();
+                let name = controls.get(control).map(|key| control_name(key));
+                let key = if high {
+                    "lesson-hint-control-high"
+                } else {
+                    "lesson-hint-control-low"
+                };
+                text!(key, name = name.unwrap_or_default())
+            }
+            Self::Curve { fault, from, to } => curve_words(kind, fault, [from, to]),
+            Self::Place { side, share } => {
+                let where_to = side_words(side);
+                match share {
+                    Some(share) => {
+                        let share = short_number(share);
+                        text!("lesson-hint-share", side = where_to, share = share)
+                    }
+                    None => where_to.to_owned(),
+                }
+            }
+            Self::Beside => text!("lesson-hint-beside").to_owned(),
+            Self::Item { item, places } => {
+                let name = names.get(item).map(|name| without_marks(name));
+                let key = if places < 0 {
+                    "lesson-hint-early"
+                } else {
+                    "lesson-hint-late"
+                };
+                let places = places.unsigned_abs();
+                text!(key, item = name.unwrap_or_default(), places = places)
+            }
+        }
+    }
+}
+
+/// Returns in which direction a place lies beside the right one.
+fn side_words(side: Side) -> &'static str {
+    text!(match side {
+        Side::Left => "lesson-hint-left",
+        Side::Right => "lesson-hint-right",
+        Side::Up => "lesson-hint-up",
+        Side::Down => "lesson-hint-down",
+        Side::Out => "lesson-hint-out",
+        Side::In => "lesson-hint-in",
+    })
+}
+
+/// Returns what is the matter with a curve, and where.
+fn curve_words(kind: &Kind, fault: CurveFault, [from, to]: [f64; 2]) -> String {
+    let Kind::Curve(curve) = kind else {
+        return String::new();
+    };
+    let fault = text!(match fault {
+        CurveFault::High => "lesson-hint-high-there",
+        CurveFault::Low => "lesson-hint-low-there",
+        CurveFault::NotZero => "lesson-hint-not-zero",
+        CurveFault::NotLevel => "lesson-hint-not-level",
+        CurveFault::Steep => "lesson-hint-steep",
+        CurveFault::Shallow => "lesson-hint-shallow",
+        CurveFault::Bent => "lesson-hint-bent",
+    });
+    let number = |x: f64| short_number(x) + &curve.unit;
+    let span = match (from <= curve.x[0], to >= curve.x[1]) {
+        (true, true) => text!("lesson-hint-everywhere").to_owned(),
+        (true, false) => text!("lesson-hint-up-to", to = number(to)),
+        (false, true) => text!("lesson-hint-beyond", from = number(from)),
+        (false, false) => text!("lesson-hint-between", from = number(from), to = number(to)),
+    };
+    text!("lesson-hint-curve", fault = fault, span = span)
+}
