@@ -125,7 +125,9 @@ export async function open(context, url, first) {
   await page.addInitScript(noteWork);
   if (first) await page.addInitScript(first);
   const problems = [];
-  page.on("console", (message) => message.type() === "error" && problems.push(message.text()));
+  // Chromium says so of a swipe that follows another one at once.
+  const follows = (text) => text.startsWith("Ignored attempt to cancel a touch");
+  page.on("console", (message) => message.type() === "error" && !follows(message.text()) && problems.push(message.text()));
   page.on("pageerror", (error) => problems.push(String(error)));
   await page.goto(url);
   await until(async () => (await state(page)) !== "loading", 120_000);

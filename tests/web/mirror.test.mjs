@@ -123,6 +123,8 @@ test("a lesson is done through the mirror alone, from the list to a hand-in that
   await hear(page, "Right");
 
   // The hand-in.
+  await use(page, "button", "Results");
+  await meet(page, "heading", "Results");
   await use(page, "button", "Hand in");
   await use(page, "textbox", "Your name", "");
   await page.keyboard.type("Ada");

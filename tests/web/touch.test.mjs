@@ -254,7 +254,9 @@ test("a lesson is done by touch alone, from the enlarged list to a hand-in that 
     await tap("Button", "Check");
     await says(/^Right/);
 
-    await tap("Button", "Hand in");
+    await tap("Button", "Results", false);
+    await heading("Results");
+    await tap("Button", "Hand in", false);
     await tap("TextInput", "Your name", false);
     await page.keyboard.type("Ada");
     const download = page.waitForEvent("download");
