@@ -72,9 +72,18 @@ fn shown_ui(ui: &mut Ui, cache: &mut CommonMarkCache, words: &str, live: bool) {
     ui.spacing_mut().interact_size.y = row;
 }
 
-/// Replaces the mouse's word by that of a finger. In Chinese both have the same.
+/// The mouse's words and those of a finger, the longer ones first. In Chinese both have the same.
+const TAPS: [(&str, &str); 4] = [
+    ("Clicked", "Tapped"),
+    ("clicked", "tapped"),
+    ("Click", "Tap"),
+    ("click", "tap"),
+];
+
+/// Replaces the mouse's words by those of a finger.
 fn for_fingers(words: String) -> String {
-    words.replace("Click", "Tap").replace("click", "tap")
+    let replaced = |words: String, (mouse, finger): (&str, &str)| words.replace(mouse, finger);
+    TAPS.into_iter().fold(words, replaced)
 }
 
 /// Moves closing punctuation, and the space after it, into the formula or the emphasis that it follows. Each
@@ -163,7 +172,14 @@ fn formula_ui(ui: &mut Ui, formula: &str, count: &Cell<usize>, live: bool) {
 
 #[cfg(test)]
 mod tests {
-    use super::joined;
+    use super::{for_fingers, joined};
+
+    #[test]
+    fn fingers_tap_where_a_mouse_clicks() {
+        let words = "Click the ball. You clicked the middle; click elsewhere.".to_owned();
+        let tapped = "Tap the ball. You tapped the middle; tap elsewhere.";
+        assert_eq!(for_fingers(words), tapped);
+    }
 
     #[test]
     fn no_line_begins_with_what_closes_the_one_before() {
