@@ -1,12 +1,14 @@
-//! The picture on a touch screen: one finger turns it, two zoom and shift it, a long press sets the probe.
+//! The picture on a touch screen: one finger turns it, two zoom and shift it, a long press sets the probe; a finger that goes up
+//! or down scrolls the panel.
 
 use crate::common::hands::{folded, named, picture_place, press, scene, window};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Event, Modifiers, PointerButton, Pos2, Rect, TouchDeviceId, TouchId, TouchPhase, vec2,
+    Event, Modifiers, PointerButton, Pos2, Rect, TouchDeviceId, TouchId, TouchPhase, Vec2, vec2,
 };
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
+use glam::DVec3;
 use shading_lab::app::App;
 
 /// Puts a finger down, moves or lifts it, reported as by a browser: the first finger is the pointer as well.
@@ -158,4 +160,44 @@ fn a_field_stays_in_sight_when_the_keyboard_takes_half_of_the_screen() {
         assert!(harness.output().platform_output.ime.is_some());
         assert!(seen.contains_rect(place(&harness).unwrap()));
     }
+}
+
+/// Moves a finger from the middle of the slider of Kd by `way`. Returns the new Kd, and how far the slider has moved.
+fn thumb(way: Vec2) -> (DVec3, f32) {
+    let mut harness = folded("sphere");
+    harness.set_size(vec2(390.0, 844.0));
+    harness.run();
+    let kd = named("material.kd");
+    if harness.query_by_role_and_label(Role::Slider, kd).is_none() {
+        press(&mut harness, "view-controls");
+    }
+    let place = |harness: &Harness<'_, App>| {
+        let slider = harness.get_by_role_and_label(Role::Slider, kd);
+        slider.rect()
+    };
+    // The first touch tells the window that there are fingers, and the rows make room for them.
+    touch(&mut harness, 0, TouchPhase::Start, Pos2::new(195.0, 5.0));
+    touch(&mut harness, 0, TouchPhase::End, Pos2::new(195.0, 5.0));
+    harness.run();
+    let before = place(&harness);
+    let at = before.center();
+    touch(&mut harness, 0, TouchPhase::Start, at);
+    for step in 1..=8u8 {
+        let moved = at + way * (f32::from(step) / 8.0);
+        touch(&mut harness, 0, TouchPhase::Move, moved);
+    }
+    let moved = place(&harness).min.y - before.min.y;
+    touch(&mut harness, 0, TouchPhase::End, at + way);
+    (scene(&harness).material.kd, moved)
+}
+
+#[test]
+fn a_finger_that_goes_up_over_a_slider_scrolls_and_one_that_goes_sideways_drags_it() {
+    let before = scene(&window("sphere")).material.kd;
+    let (kd, moved) = thumb(vec2(3.0, -90.0));
+    assert_eq!(kd, before, "scrolling changes nothing");
+    assert!(moved < -50.0, "the panel follows the finger: {moved}");
+    let (kd, moved) = thumb(vec2(90.0, 3.0));
+    assert_ne!(kd, before, "the slider follows the finger");
+    assert!(moved.abs() < 1.0, "the panel stays: {moved}");
 }
