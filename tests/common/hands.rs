@@ -216,6 +216,7 @@ pub fn press(harness: &mut Harness<'_, App>, key: &str) {
 /// Opens the menu of a right click.
 pub fn right_click(harness: &mut Harness<'_, App>, at: Pos2) {
     harness.hover_at(at);
+    harness.run_ok();
     for pressed in [true, false] {
         harness.event(Event::PointerButton {
             pos: at,
@@ -223,8 +224,10 @@ pub fn right_click(harness: &mut Harness<'_, App>, at: Pos2) {
             pressed,
             modifiers: Modifiers::NONE,
         });
-        harness.run_ok();
+        // One step, a quarter of a second: what is held down longer is no click.
+        harness.step();
     }
+    harness.run_ok();
 }
 
 /// Opens a section of the panel of controls.
