@@ -49,15 +49,15 @@ pub use hint::{CurveFault, Hint, Side};
 pub use inventory::{ItemStatistics, TestStatistics, normalised_gain};
 pub use kinds::kind::AnyKind;
 pub use kinds::{
-    Answer, CURVE_POINTS, Choice, ChoiceOption, Curve, CurveOf, Extreme, Find, Goal, Item, Kind,
-    Match, MatchValues, Order, Point, RightIf, Settings, Solution, Value, letter, picture_distance,
-    short_answer, short_number,
+    Answer, AnswerKey, CURVE_POINTS, Choice, ChoiceOption, Curve, CurveOf, Extreme, Find, Goal,
+    Item, Kind, Match, MatchValues, Order, Point, RightIf, Settings, Solution, Value, letter,
+    picture_distance, short_answer, short_number,
 };
 pub use lab::{Lab, LabPlace};
 pub use links::{may_open, without_closed_links};
 pub(crate) use page::blocks;
 pub use prose::Prose;
-pub use question::{AnswerKey, Question, Wrong};
+pub use question::{Question, Wrong};
 pub use read::keys::Term;
 pub use record::{Answered, Record, how_given};
 pub use stage::{OVERLAYS, Stage, Staged};

@@ -27,9 +27,18 @@ pub use value::Value;
 
 use super::html::Html;
 use super::read::keys::{KeyReader, Keys};
-use super::{AnswerKey, Grade, LabPlace};
+use super::{Grade, LabPlace};
 use kind::{AnyKind, Predictions, Printed, QuestionKind};
 use serde::{Deserialize, Serialize};
+
+/// The answers that a question's grades are taken from.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct AnswerKey {
+    /// The right answer.
+    pub right: Solution,
+    /// The answers of the wrong models, in their order.
+    pub wrong: Vec<Solution>,
+}
 
 /// Makes the enums of questions, answers and right answers of a table of kinds, and hands what is asked of them to the kind's
 /// own type. A row has the type's name, its word in lessons and hand-ins, and the name of its right answer in JSON.

@@ -1,9 +1,8 @@
 //! The questions of a lesson.
 
 use super::read::keys::Term;
-use super::{Answer, Grade, Kind, LabPlace, Prose, Solution};
+use super::{Answer, AnswerKey, Grade, Kind, LabPlace, Prose, Solution};
 use crate::text::text;
-use serde::{Deserialize, Serialize};
 
 /// A question, asked before its answer can be seen.
 #[derive(Clone, Debug, PartialEq)]
@@ -40,15 +39,6 @@ pub struct Wrong {
 impl Wrong {
     /// The most wrong models of a question.
     pub const MOST: usize = 8;
-}
-
-/// The answers that a question's grades are taken from.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct AnswerKey {
-    /// The right answer.
-    pub right: Solution,
-    /// The answers of the wrong models, in their order.
-    pub wrong: Vec<Solution>,
 }
 
 impl Question {

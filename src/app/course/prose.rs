@@ -72,18 +72,11 @@ fn shown_ui(ui: &mut Ui, cache: &mut CommonMarkCache, words: &str, live: bool) {
     ui.spacing_mut().interact_size.y = row;
 }
 
-/// The mouse's words and those of a finger, the longer ones first. In Chinese both have the same.
-const TAPS: [(&str, &str); 4] = [
-    ("Clicked", "Tapped"),
-    ("clicked", "tapped"),
-    ("Click", "Tap"),
-    ("click", "tap"),
-];
-
-/// Replaces the mouse's words by those of a finger.
+/// Replaces the mouse's words by those of a finger. In Chinese both have the same.
 fn for_fingers(words: String) -> String {
-    let replaced = |words: String, (mouse, finger): (&str, &str)| words.replace(mouse, finger);
-    TAPS.into_iter().fold(words, replaced)
+    let done = words.replace("Clicked", "Tapped");
+    let done = done.replace("clicked", "tapped");
+    done.replace("Click", "Tap").replace("click", "tap")
 }
 
 /// Moves closing punctuation, and the space after it, into the formula or the emphasis that it follows. Each

@@ -131,10 +131,18 @@ fn place(x: f64, y: f64) -> &'static str {
     text!(names[third(y)][third(x)])
 }
 
-/// Returns the place of the brightest pixel, of several their mean: the side of the middle that it lies on, or 0 about the middle. Returns `None` if
-/// all are black.
+/// Returns the place of the brightest pixel that differs from the first, which shows the background: the side of the middle
+/// that it lies on, or 0 about the middle. Of several it is their mean; `None` if all are black.
 fn brightest(frame: &Frame) -> Option<[f64; 2]> {
-    let sum = |pixel: &[u8; 4]| pixel[..3].iter().map(|&part| u32::from(part)).sum::<u32>();
+    let background = frame.pixels.first()?;
+    let sum = |pixel: &[u8; 4]| {
+        let parts = pixel[..3].iter().map(|&part| u32::from(part));
+        if pixel == background {
+            0
+        } else {
+            parts.sum::<u32>()
+        }
+    };
     let most = frame
         .pixels
         .iter()

@@ -11,7 +11,8 @@ use crate::app::widgets::theme::text_field;
 use crate::app::widgets::typeset::letters;
 use crate::lesson::{LESSONS, are_there};
 use crate::scene::parameter::Parameter;
-use crate::scene::presets;
+use crate::scene::{Symbol, presets};
+
 use crate::text::{Language, in_language, text};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Align, Button, Key, Layout, Modifiers, RichText, ScrollArea, Ui};
@@ -131,8 +132,11 @@ fn entries() -> Vec<Entry> {
         entries.push(Entry::new(action, text!("find-setting"), name, help));
     }
     // A letter whose setting has it in its name is there already.
-    let is_setting = |letter: &str| Parameter::all().any(|one| one.letter == letter);
-    for (letter, symbol) in letters().filter(|(letter, _)| !is_setting(letter)) {
+    let is_setting = |(letter, symbol): &(String, Symbol)| {
+        let mut settings = Parameter::all();
+        settings.any(|one| one.letter == letter && one.symbol == Some(*symbol))
+    };
+    for (letter, symbol) in letters().filter(|letter| !is_setting(letter)) {
         let name = || format!("{letter} {}", symbol.meaning());
         let action = Action::SeekSymbol(symbol);
         entries.push(Entry::new(action, text!("find-letter"), name, empty));

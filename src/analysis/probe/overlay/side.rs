@@ -9,7 +9,6 @@ use crate::figure::{Area, Shape};
 use crate::render;
 use crate::scene::{Projection, View};
 use glam::{BVec2, DVec2, DVec3};
-use std::cmp::Ordering;
 
 /// Side of the pane: its share of the picture's shorter side as an inset and when it is enlarged, and the minimum in
 /// text sizes.
@@ -81,11 +80,13 @@ pub(super) fn pane(
         let after = BVec2::new(index % 2 == 1, index / 2 == 1);
         let middle = inset + 0.5 * side;
         let middle = DVec2::select(after, picture.max - middle, picture.min + middle);
-        (side >= least).then(|| Area::about(middle, DVec2::splat(side)))
+        let pane = Area::about(middle, DVec2::splat(side));
+        (side >= least).then(|| (side, pane.centre().distance(point), pane))
     };
-    let worth = |pane: &Area| (pane.max.x - pane.min.x, pane.centre().distance(point));
-    let better = |a: &Area, b: &Area| worth(a).partial_cmp(&worth(b)).unwrap_or(Ordering::Equal);
-    (0..4).filter_map(corner).max_by(better)
+    let better =
+        |a: &(f64, f64, _), b: &(f64, f64, _)| a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1));
+    let corners = (0..4).filter_map(corner);
+    corners.max_by(better).map(|(.., pane)| pane)
 }
 
 /// Returns a sketch of the surface about the point, ready for the vectors of a light; all are unit vectors.
