@@ -55,6 +55,7 @@ pub use kinds::{
 };
 pub use lab::{Lab, LabPlace};
 pub use links::{may_open, without_closed_links};
+#[cfg(feature = "app")]
 pub(crate) use page::blocks;
 pub use prose::Prose;
 pub use question::{Question, Wrong};

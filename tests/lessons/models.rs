@@ -69,7 +69,7 @@ fn course<T: Send>(language: Language, look: impl Fn(&Asked) -> T + Sync) -> Vec
             steps.map(|(index, step)| (format!("{}/{}", built_in.name, index + 1), step))
         })
         .collect();
-    let looked = steps.into_par_iter().filter_map(|(what, step)| {
+    let looked = |(what, step): (String, Step)| {
         let question = step.question?;
         let staged = step.stage.load(None).expect("a scene");
         let lab = Lab::new(&staged);
@@ -82,8 +82,10 @@ fn course<T: Send>(language: Language, look: impl Fn(&Asked) -> T + Sync) -> Vec
             lab,
             key,
         }))
-    });
-    looked.collect()
+    };
+    // In threads of their own, or the other tests of this program would wait for those.
+    let threads = rayon::ThreadPoolBuilder::new().build().expect("threads");
+    threads.install(|| steps.into_par_iter().filter_map(looked).collect())
 }
 
 #[test]
