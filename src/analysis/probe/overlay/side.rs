@@ -215,7 +215,7 @@ mod tests {
         };
         let far = pane(600.0, false, None).expect("room enough");
         let large = pane(600.0, true, None).expect("room enough");
-        assert!(large.holds(&far) && far.min.x > 400.0 && far.min.y > 300.0);
+        assert!(large.min.cmplt(far.min).all() && far.min.x > 400.0 && far.min.y > 300.0);
         assert_eq!(pane(60.0, false, None), None);
         // Where corners are not free enough, another is taken, or none.
         let above = pane(600.0, false, Some([190, 210, 190, 150])).expect("room enough");

@@ -570,7 +570,7 @@ mod tests {
         assert!(!start.in_picture);
         drag_light(&mut scene, 0, &view(), &start, start.pixel);
         assert!((scene.lights[0].position - from).length() < 0.02, "no jump");
-        for by in [[-113.0, 33.0], [30.0, -10.0], [-200.0, 120.0]].map(DVec2::from_array) {
+        for by in [[-113.0, 33.0], [12.0, -4.0], [-200.0, 120.0]].map(DVec2::from_array) {
             drag_light(&mut scene, 0, &view(), &start, start.pixel + by);
             let moved = handle(&scene) - start.pixel;
             assert!((moved - by).length() < 2.0, "{by} moved it {moved}");
