@@ -258,7 +258,7 @@ mod tests {
             ("fogg", "Seek(\"depth_cueing.by\")"),
             ("exponent", "Seek(\"material.n\")"),
             ("normal", "SeekSymbol(Normal)"),
-            ("法向量", "SeekSymbol(Normal)"),
+            ("單位法向量", "SeekSymbol(Normal)"),
             ("teapot", "OpenBuiltIn(\"teapot\")"),
             ("茶壺", "OpenBuiltIn(\"teapot\")"),
             ("reset scene", "ResetScene"),
