@@ -24,7 +24,7 @@ use crate::app::widgets::letter::letter;
 use crate::figure::Area;
 use crate::scene::{Camera, Choice as _, View};
 use crate::text;
-use description::{describe, probed};
+use description::{Described, described};
 use eframe::egui::accesskit::{Live, Role};
 use eframe::egui::{
     Align2, Color32, CursorIcon, EventFilter, InputState, PointerButton, Pos2, Rect, Response,
@@ -112,11 +112,9 @@ pub fn picture_ui(
     );
     course::watch_edges(window, course, engine);
     if ui.ctx().has_accesskit_node(response.id) {
-        let frame = engine.frame();
-        let told = describe(&session.shown.scene, frame);
-        let probe = probed(frame, window.probe.pixel([frame.width, frame.height]));
+        let Described { picture, probe, .. } = described(session, window, engine);
         ui.ctx().accesskit_node_builder(response.id, |node| {
-            node.set_description(told);
+            node.set_description(picture);
             node.set_value(probe);
             node.set_live(Live::Polite);
         });

@@ -1,8 +1,11 @@
 //! The picture in words, for those who do not see it: what is shown, where its light comes from, and where it is brightest.
 
+use crate::app::engine::Engine;
+use crate::app::session::Session;
+use crate::app::session::window::WindowState;
 use crate::render::Frame;
 use crate::scene::{Choice as _, Light, LightKind, Scene, View};
-use crate::text;
+use crate::text::{Language, language, text};
 use glam::DVec3;
 
 /// The specular coefficient below which a surface is called matt.
@@ -29,8 +32,36 @@ const HUES: [&str; 6] = [
 /// Maximum number of lights whose direction is told.
 const MOST: usize = 3;
 
+/// What is told of a picture.
+#[derive(Clone)]
+pub struct Described {
+    /// The picture and the language that it is about.
+    of: (u64, Language),
+    /// A sentence about the picture.
+    pub picture: String,
+    /// A sentence about the pixel at the probe.
+    pub probe: String,
+}
+
+/// Returns what is told of the active pane's picture, which is looked through only after it was drawn anew.
+pub fn described(session: &Session, window: &mut WindowState, engine: &Engine) -> Described {
+    let of = (engine.revision, language());
+    let known = window.own.get().filter(|known: &&Described| known.of == of);
+    if let Some(known) = known {
+        return known.clone();
+    }
+    let frame = engine.frame();
+    let new = Described {
+        of,
+        picture: describe(&session.shown.scene, frame),
+        probe: probed(frame, window.probe.pixel([frame.width, frame.height])),
+    };
+    window.own.put(new.clone());
+    new
+}
+
 /// Returns a sentence about the picture of `scene`.
-pub fn describe(scene: &Scene, frame: &Frame) -> String {
+fn describe(scene: &Scene, frame: &Frame) -> String {
     let size = [frame.width, frame.height];
     let view = View::new(&scene.camera, size);
     let soloing = scene.soloing();
@@ -173,7 +204,7 @@ fn brightest(frame: &Frame) -> Option<[f64; 2]> {
 }
 
 /// Returns a sentence about the pixel at the probe.
-pub fn probed(frame: &Frame, [x, y]: [u32; 2]) -> String {
+fn probed(frame: &Frame, [x, y]: [u32; 2]) -> String {
     let [red, green, blue] = frame.pixel(x, y).unwrap_or_default();
     text!(
         "picture-probed",

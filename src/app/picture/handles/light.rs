@@ -576,6 +576,11 @@ mod tests {
             assert!((moved - by).length() < 2.0, "{by} moved it {moved}");
             assert!((scene.lights[0].position.length() - from.length()).abs() < 0.02);
         }
+        // Past the rim it moves to the other side, as a light in the picture does.
+        let past = start.pixel + DVec2::new(60.0, -20.0);
+        drag_light(&mut scene, 0, &view(), &start, past);
+        assert!(scene.lights[0].position.z < 0.0);
+        assert!((scene.lights[0].position.length() - from.length()).abs() < 0.02);
         drag_light(&mut scene, 0, &view(), &start, DVec2::new(400.0, 300.0));
         let at = scene.lights[0].position.normalize();
         assert!(at.z > 0.99, "the middle is towards the viewer: {at}");
