@@ -196,9 +196,10 @@ fn a_right_click_offers_what_can_be_done_there() {
     assert_eq!(state.session.document().scene, before, "nothing is turned");
     let [from, to] = state.window.line.0;
     assert!(from.y == to.y && to.x - from.x > 0.5, "{from} to {to}");
-    // Where no light has its handle.
-    let place = picture_place(&harness);
-    right_click(&mut harness, place.lerp_inside(vec2(0.1, 0.1)));
+    let at = picture_place(&harness).center() + vec2(30.0, -30.0);
+    // A second click on the right, elsewhere, opens the menu there.
+    right_click(&mut harness, at - vec2(60.0, 0.0));
+    right_click(&mut harness, at);
     press(&mut harness, "picture-menu-light");
     let lights = &harness.state().state().session.document().scene.lights;
     assert_eq!(lights.len(), before.lights.len() + 1);

@@ -72,11 +72,11 @@ fn shown_ui(ui: &mut Ui, cache: &mut CommonMarkCache, words: &str, live: bool) {
     ui.spacing_mut().interact_size.y = row;
 }
 
-/// Replaces the mouse's words by those of a finger. In Chinese both have the same.
+/// Replaces the mouse's words by those of a finger.
 fn for_fingers(words: String) -> String {
-    let done = words.replace("Clicked", "Tapped");
-    let done = done.replace("clicked", "tapped");
-    done.replace("Click", "Tap").replace("click", "tap")
+    let [mouse, finger] = [text!("course-mouse-words"), text!("course-finger-words")];
+    let pairs = mouse.split(' ').zip(finger.split(' '));
+    pairs.fold(words, |words, (mouse, finger)| words.replace(mouse, finger))
 }
 
 /// Moves closing punctuation, and the space after it, into the formula or the emphasis that it follows. Each

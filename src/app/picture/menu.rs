@@ -13,7 +13,7 @@ use crate::app::views::report::export;
 use crate::app::widgets::symbol::{self, Sought, Symbol};
 use crate::scene::{Choice as _, Light, Scene, View};
 use crate::text::text;
-use eframe::egui::{Button, Popup, Pos2, Response, Ui};
+use eframe::egui::{Popup, PopupCloseBehavior, Pos2, Response, Ui};
 use glam::DVec2;
 
 /// The place of the last right click, and the handle there.
@@ -42,7 +42,14 @@ pub fn menu_ui(
     };
     let chosen = session.light;
     let locked = session.lock.is_some();
-    Popup::context_menu(response).show(|ui| {
+    // A click closes the menu, but for one on the right, which opens it at another place.
+    let close = if response.secondary_clicked() {
+        PopupCloseBehavior::IgnoreClicks
+    } else {
+        PopupCloseBehavior::CloseOnClick
+    };
+    let popup = Popup::context_menu(response).close_behavior(close);
+    popup.show(|ui| {
         if locked {
             ui.weak(text!("course-after-answer"));
         }
@@ -59,11 +66,20 @@ pub fn menu_ui(
             (text!("controls-command-export"), Action::Export),
         ] {
             let free = !(locked && action.waits());
-            if ui.add_enabled(free, Button::new(name)).clicked() {
+            if ui.add_enabled_ui(free, |ui| item(ui, name)).inner {
                 requests.ask(action);
             }
         }
     });
+}
+
+/// Shows an item, and returns whether it was chosen, by whatever means: the menu then closes.
+fn item(ui: &mut Ui, name: &str) -> bool {
+    let chosen = ui.button(name).clicked();
+    if chosen {
+        ui.close();
+    }
+    chosen
 }
 
 /// Shows what can be done at a place of the picture.
@@ -75,14 +91,14 @@ fn place_ui(
     Clicked { at, place, .. }: Clicked,
 ) {
     let mut probed = |name: &str, view: ViewName| {
-        if ui.button(name).clicked() {
+        if item(ui, name) {
             put_probe(window, place, at);
             requests.ask(Action::View(view));
         }
     };
     probed(text!("picture-menu-point"), ViewName::Equation);
     probed(text!("picture-menu-scan"), ViewName::ScanLine);
-    if ui.button(text!("picture-menu-line")).clicked() {
+    if item(ui, text!("picture-menu-line")) {
         let y = place.pixel(at).y;
         for (end, x) in [0.08, 0.92].into_iter().enumerate() {
             let pixel = DVec2::new(x * f64::from(place.size[0]), y);
@@ -92,7 +108,7 @@ fn place_ui(
     }
     let full = session.shown.scene.lights.len() >= Scene::MAX_LIGHTS;
     ui.add_enabled_ui(!full, |ui| {
-        if ui.button(text!("picture-menu-light")).clicked() {
+        if item(ui, text!("picture-menu-light")) {
             let scene = &mut session.shown.scene;
             let view = View::new(&scene.camera, place.size);
             let light = handles::put_light(Light::default(), scene, &view, place.pixel(at));
@@ -121,7 +137,7 @@ fn side_view_ui(
     let needed = text!("controls-command-side-view-where-needed");
     ui.checkbox(&mut overlay.side_view_where_needed, needed);
     for format in [Format::Png, Format::Svg] {
-        if ui.button(format!("{}…", format.label())).clicked()
+        if item(ui, &format!("{}…", format.label()))
             && let (Some(probe), Some(scene)) = (engine.probed(), engine.drawn())
         {
             let answer = Box::new(Probed::of(probe.clone(), session.light));
@@ -144,19 +160,16 @@ fn light_ui(ui: &mut Ui, session: &mut Session, requests: &mut Requests, index: 
         return;
     };
     ui.weak(text!("lights-number", number = index + 1));
-    if ui.button(text!("picture-menu-settings")).clicked() {
+    if item(ui, text!("picture-menu-settings")) {
         session.light = index;
         symbol::seek(ui.ctx(), Sought::Symbol(Symbol::Light));
     }
     ui.checkbox(&mut light.mute, text!("lights-mute"));
     ui.checkbox(&mut light.solo, text!("lights-solo"));
-    if ui.button(text!("lights-duplicate")).clicked() {
+    if item(ui, text!("lights-duplicate")) {
         requests.ask(Action::AddLight(light.clone()));
     }
-    if ui
-        .button(text!("lights-remove", number = index + 1))
-        .clicked()
-    {
+    if item(ui, &text!("lights-remove", number = index + 1)) {
         session.remove_light(index);
     }
 }

@@ -13,6 +13,8 @@ pub struct Notice {
     /// True once the change that the notice speaks of is a step of the history. After a further step, undo would take back
     /// something else.
     pub recorded: bool,
+    /// The time at which it was first shown, in seconds; `None` before.
+    pub since: Option<f64>,
 }
 
 impl Notice {

@@ -2,7 +2,6 @@
 
 use crate::app::session::Session;
 use crate::app::session::action::{Action, Requests};
-use crate::app::session::window::WindowState;
 use crate::app::widgets::focus::live;
 use crate::app::widgets::sign::{Sign, sign_button};
 use crate::text::text;
@@ -12,32 +11,20 @@ use std::time::Duration;
 /// The duration of a notice, in seconds.
 const SECONDS: f64 = 4.0;
 
-/// The current notice, and the time since which it is shown.
-#[derive(Debug, Default)]
-struct ShownNotice {
-    text: Option<String>,
-    since: f64,
-}
-
-/// Removes an expired notice; requests a repaint for the frame in which it expires, and none after it.
-pub fn expire(ctx: &Context, session: &mut Session, window: &mut WindowState) {
+/// Removes an expired notice; requests a repaint for the frame in which it expires, and none after it. One that is given
+/// again starts again.
+pub fn expire(ctx: &Context, session: &mut Session) {
+    let Some(notice) = &mut session.notice else {
+        return;
+    };
     let now = ctx.input(|input| input.time);
-    let mut shown: ShownNotice = window.own.take();
-    let text = session.notice.as_ref().map(|notice| &notice.text);
-    if shown.text.as_ref() != text {
-        shown.text = text.cloned();
-        shown.since = now;
+    let left = *notice.since.get_or_insert(now) + SECONDS - now;
+    if left > 0.0 {
+        ctx.request_repaint_after(Duration::from_secs_f64(left));
+    } else {
+        session.notice = None;
+        ctx.request_repaint();
     }
-    if shown.text.is_some() {
-        let left = shown.since + SECONDS - now;
-        if left > 0.0 {
-            ctx.request_repaint_after(Duration::from_secs_f64(left));
-        } else {
-            (session.notice, shown.text) = (None, None);
-            ctx.request_repaint();
-        }
-    }
-    window.own.put(shown);
 }
 
 /// Shows the notice or the warning, wrapped or on one line. A notice may offer an action; a warning can be dismissed.

@@ -19,7 +19,7 @@ pub fn toast_ui(ctx: &Context, state: &mut AppState, picture: Option<Rect>) {
         requests,
         ..
     } = state;
-    expire(ctx, session, window);
+    expire(ctx, session);
     let screen = ctx.content_rect();
     let alone = window.picture_alone || window.enlarged || window.embedded.is_some();
     let barred = !alone && window.appearance.stages && screen.width() >= NARROW;
