@@ -196,10 +196,11 @@ fn a_right_click_offers_what_can_be_done_there() {
     assert_eq!(state.session.document().scene, before, "nothing is turned");
     let [from, to] = state.window.line.0;
     assert!(from.y == to.y && to.x - from.x > 0.5, "{from} to {to}");
-    let at = picture_place(&harness).center() + vec2(30.0, -30.0);
-    // A second click on the right, elsewhere, opens the menu there.
-    right_click(&mut harness, at - vec2(60.0, 0.0));
-    right_click(&mut harness, at);
+    // While the menu is open, a click on the right beside it opens it there.
+    let middle = picture_place(&harness).center();
+    for beside in [vec2(30.0, -30.0), vec2(-30.0, -50.0)] {
+        right_click(&mut harness, middle + beside);
+    }
     press(&mut harness, "picture-menu-light");
     let lights = &harness.state().state().session.document().scene.lights;
     assert_eq!(lights.len(), before.lights.len() + 1);

@@ -577,7 +577,7 @@ mod tests {
             assert!((scene.lights[0].position.length() - from.length()).abs() < 0.02);
         }
         // Past the rim it moves to the other side, as a light in the picture does.
-        let past = start.pixel + DVec2::new(60.0, -20.0);
+        let past = start.pixel + DVec2::new(150.0, -50.0);
         drag_light(&mut scene, 0, &view(), &start, past);
         assert!(scene.lights[0].position.z < 0.0);
         assert!((scene.lights[0].position.length() - from.length()).abs() < 0.02);
