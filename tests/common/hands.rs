@@ -12,6 +12,7 @@ use shading_lab::scene::{Choice, Scene};
 use shading_lab::text::{Language, has, in_language, interned};
 use std::collections::BTreeMap;
 use std::path::Path;
+use std::time::{Duration, Instant};
 
 pub fn built_in(scene: &str) -> Loaded {
     load_scene(Path::new(scene)).expect("a scene")
@@ -124,8 +125,17 @@ fn built(
         .with_max_steps(40)
         .renderer(card);
     let mut harness = builder.build_eframe(|cc| set_up(App::new(cc, loaded)));
-    harness.run();
+    settle(&mut harness);
     harness
+}
+
+/// Runs frames until nothing asks for another. What other threads work out may take its time: a lesson shows a spinner meanwhile.
+pub fn settle(harness: &mut Harness<'_, App>) {
+    let begun = Instant::now();
+    while let Err(unsettled) = harness.try_run() {
+        assert!(begun.elapsed().as_secs() < 60, "{unsettled}");
+        std::thread::sleep(Duration::from_millis(10));
+    }
 }
 
 /// A graphics card that takes textures and discards them, like one that has copied them.
@@ -169,11 +179,11 @@ pub fn choose(harness: &mut Harness<'_, App>, list: &str, entry: &str) {
     harness
         .get_by_role_and_label(Role::ComboBox, list)
         .scroll_to_me();
-    harness.run();
+    settle(harness);
     harness
         .get_by_role_and_label(Role::ComboBox, list)
         .click_accesskit();
-    harness.run();
+    settle(harness);
     press(harness, entry);
 }
 
@@ -195,7 +205,7 @@ pub fn open_view(harness: &mut Harness<'_, App>, name: &str) {
     harness
         .get_by_role_and_label(Role::Tab, name)
         .click_accesskit();
-    harness.run();
+    settle(harness);
 }
 
 /// Returns the rectangle of the picture.
@@ -210,7 +220,7 @@ pub fn press(harness: &mut Harness<'_, App>, key: &str) {
     harness
         .get_by_role_and_label(Role::Button, named(key))
         .click_accesskit();
-    harness.run();
+    settle(harness);
 }
 
 /// Opens the menu of a right click.
@@ -235,7 +245,7 @@ pub fn unfold(harness: &mut Harness<'_, App>, title: &str) {
     let section = harness.get_by_role_and_label(Role::DisclosureTriangle, named(title));
     if section.accesskit_node().data().is_expanded() != Some(true) {
         section.click_accesskit();
-        harness.run();
+        settle(harness);
     }
 }
 
@@ -266,12 +276,12 @@ pub fn enter(harness: &mut Harness<'_, App>, key: &str, value: f64) {
     harness
         .get_by_role_and_label(Role::SpinButton, named(key))
         .set_value_accesskit(value);
-    harness.run();
+    settle(harness);
 }
 
 pub fn undo(harness: &mut Harness<'_, App>) {
     harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
-    harness.run();
+    settle(harness);
 }
 
 /// Runs the window until `condition` holds; returns `false` after 3000 attempts.
@@ -289,9 +299,9 @@ pub fn wait(harness: &mut Harness<'_, App>, condition: impl Fn(&Harness<'_, App>
 /// Drags from one position in the window to another.
 pub fn drag(harness: &mut Harness<'_, App>, from: Pos2, to: Pos2) {
     harness.drag_at(from);
-    harness.run();
+    settle(harness);
     harness.hover_at(to);
-    harness.run();
+    settle(harness);
     harness.drop_at(to);
-    harness.run();
+    settle(harness);
 }

@@ -20,8 +20,12 @@ test("no frame is drawn while nothing changes, on the page or in a figure", asyn
     const { page } = await open(here.browser.context, here.server.url + path, countFrames);
     const asked = () => page.evaluate(() => window.frames_asked);
     // The picture is refined, the lessons arrive, and the mirror is made.
-    await page.waitForTimeout(6000);
-    const before = await asked();
+    let before = 0;
+    await until(async () => {
+      before = await asked();
+      await page.waitForTimeout(3000);
+      return before === await asked();
+    });
     assert.ok(before > 2, "frames are counted");
     await page.waitForTimeout(10_000);
     assert.equal(await asked(), before, path);

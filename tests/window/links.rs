@@ -300,8 +300,7 @@ fn a_notice_is_told_for_a_while_where_there_is_no_bar_for_it() {
 
 #[test]
 fn a_link_leads_to_a_step_of_a_lesson_and_back() {
-    let mut harness = window("?lesson=mach-bands&step=3");
-    harness.run();
+    let harness = window("?lesson=mach-bands&step=3");
     let course = |harness: &Harness<'_, App>| {
         let open = harness.state().state().course.open.as_ref();
         open.map(|open| (open.lesson.name.clone(), open.step))

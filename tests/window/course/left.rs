@@ -112,7 +112,7 @@ fn every_way_to_another_scene_leaves_the_lesson_and_undo_returns_to_it() {
         hands::undo(&mut harness);
         assert!(hides(&mut harness), "undo of {way}");
         harness.key_press_modifiers(Modifiers::COMMAND, Key::Y);
-        harness.run();
+        hands::settle(&mut harness);
         assert!(!hides(&mut harness), "redo of {way}");
         // The lesson goes on.
         harness.key_press(Key::PageDown);
@@ -147,7 +147,7 @@ fn what_a_step_draws_and_locks_stays_with_its_scene() {
     );
     let eye = scene(&harness).camera.eye;
     harness.key_press(Key::D);
-    harness.run();
+    hands::settle(&mut harness);
     assert_ne!(scene(&harness).camera.eye, eye, "the camera is free");
     let link = harness.state().state().link().expect("a link").link;
     assert!(!link.contains("lesson="), "{link}");
