@@ -123,27 +123,17 @@ function update(element, node, [tag, role]) {
   }
 }
 
-/** Whether the middle of a node is in another one. */
-const within = (node, outer) => {
-  const [x, y] = [node.x + node.width / 2, node.y + node.height / 2];
-  return node !== outer && x >= outer.x && y >= outer.y && x <= outer.x + outer.width && y <= outer.y + outer.height;
-};
-
 function show(nodes, focus) {
-  const articles = nodes.filter(({ html }) => html);
   const inMirror = mirror.contains(document.activeElement) || hasFocus;
   const before = hasFocus ?? document.activeElement;
   hasFocus = undefined;
   const seen = new Set();
   let next = mirror.firstElementChild;
   const said = new Map();
-  for (let node of nodes) {
-    // A text of a lesson takes the place of its parts.
-    node = articles.find((article) => within(node, article)) ?? node;
+  for (const node of nodes) {
     const kind = shape(node);
-    if (!kind || seen.has(node.id)) continue;
+    if (!kind) continue;
     seen.add(node.id);
-    if (node.live) said.set(node.id, node.value || node.name);
     let one = known.get(node.id);
     if (one?.kind !== kind.join()) {
       one?.element.remove();
@@ -151,6 +141,7 @@ function show(nodes, focus) {
       known.set(node.id, one = { element: make(node, kind), kind: kind.join() });
     }
     update(one.element, node, kind);
+    if (node.live) said.set(node.id, node.html ? one.element.textContent : node.value || node.name);
     if (next === one.element) next = next.nextElementSibling;
     else mirror.insertBefore(one.element, next);
   }

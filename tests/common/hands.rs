@@ -291,7 +291,7 @@ pub fn wait(harness: &mut Harness<'_, App>, condition: impl Fn(&Harness<'_, App>
         if condition(harness) {
             return true;
         }
-        std::thread::sleep(std::time::Duration::from_millis(20));
+        std::thread::sleep(Duration::from_millis(20));
     }
     false
 }

@@ -169,8 +169,8 @@ test("a lesson is done by touch alone, from the enlarged list to a hand-in that 
     /** The top and the bottom of what the panel shows: it ends above its row of buttons. */
     const panel = (all) => {
       const picture = all.find(({ role }) => role === "Image");
-      const next = all.find(({ role, name }) => role === "Button" && name === "Next");
-      return [picture ? picture.y + picture.height + 50 : 100, (next?.y ?? 780) - 4];
+      const back = all.find(({ role, name }) => role === "Button" && name === "Back");
+      return [picture ? picture.y + picture.height + 50 : 100, (back?.y ?? 780) - 4];
     };
     /** Scrolls with a finger on the panel's edge until a control is in sight, and returns it. */
     const find = async (role, name, above = true) => {

@@ -1,5 +1,8 @@
 language-system = System
+    .tip = The system's language
 language = Language
+language-english = The texts in English
+language-chinese = The texts in Chinese, as written in Taiwan
 close = Close
 modes = Shading mode
 scenes = Scenes

@@ -1,5 +1,8 @@
 language-system = 系統
+    .tip = 系統的語言
 language = 語言（Language）
+language-english = 以英文顯示
+language-chinese = 以繁體中文顯示
 close = 關閉
 modes = 著色法
 scenes = 場景

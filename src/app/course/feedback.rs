@@ -76,7 +76,10 @@ fn named_ui(ui: &mut Ui, open: &mut Open, grade: Grade) {
         _ => None,
     };
     if let Some(words) = words {
-        ui.push_id("named", |ui| prose_ui(ui, &mut open.markdown, &words));
+        live(
+            &ui.push_id("named", |ui| prose_ui(ui, &mut open.markdown, &words))
+                .inner,
+        );
     }
 }
 

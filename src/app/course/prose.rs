@@ -8,7 +8,7 @@ use crate::app::widgets::typeset::{Place, Run, spoken};
 use crate::lesson::{blocks, without_closed_links};
 use crate::text::text;
 use eframe::egui::accesskit::{self, Role};
-use eframe::egui::{Sense, TextStyle, Ui, WidgetInfo, vec2};
+use eframe::egui::{Response, Sense, TextStyle, Ui, UiBuilder, WidgetInfo, vec2};
 use egui_commonmark::{CommonMarkCache, CommonMarkViewer};
 use std::cell::Cell;
 
@@ -31,22 +31,23 @@ const CLOSING: &[char] = &[
 const BRACKETS: &[char] = &[')', '）', '」'];
 
 /// Shows a text. Pointing at a letter of its formulas highlights the letter's meaning.
-pub fn prose_ui(ui: &mut Ui, cache: &mut CommonMarkCache, words: &str) {
-    let top = ui.cursor().min;
-    shown_ui(ui, cache, words, true);
-    let rect = ui.min_rect().with_min_y(top.y);
-    one_stop(ui, rect);
+pub fn prose_ui(ui: &mut Ui, cache: &mut CommonMarkCache, words: &str) -> Response {
+    let builder = UiBuilder::new().id_salt(("prose", words));
+    let prose = ui.scope_builder(builder, |ui| shown_ui(ui, cache, words, true));
+    let prose = prose.response;
+    one_stop(ui, prose.rect);
     if !system::PAGE {
-        return;
+        return prose;
     }
-    // A browser's screen readers get the whole text, with its lists, tables and formulas.
-    let id = ui.scope_id().with(("prose", words));
-    ui.ctx().accesskit_node_builder(id, |node| {
-        let [min, max] = [rect.min, rect.max].map(|corner| [corner.x, corner.y].map(f64::from));
+    // A browser's screen readers get the whole text, with its lists, tables and formulas, in place of its parts.
+    ui.ctx().accesskit_node_builder(prose.id, |node| {
+        let [min, max] =
+            [prose.rect.min, prose.rect.max].map(|corner| [corner.x, corner.y].map(f64::from));
         node.set_role(Role::Article);
         node.set_bounds(accesskit::Rect::new(min[0], min[1], max[0], max[1]));
         node.set_inner_html(blocks(words).to_string());
     });
+    prose
 }
 
 /// Shows a text on a button; its letters do not react themselves.

@@ -167,7 +167,12 @@ fn list(nodes: &HashMap<NodeId, &Node>, id: NodeId, scale: f64, listed: &mut Vec
             "height": place.height() * scale,
         }));
     }
-    if node.role() != Role::TextInput && node.role() != Role::MultilineTextInput {
+    // A text of a lesson is shown whole, a field by its value.
+    let whole = matches!(
+        node.role(),
+        Role::Article | Role::TextInput | Role::MultilineTextInput
+    );
+    if !whole {
         for child in node.children() {
             list(nodes, *child, scale, listed);
         }

@@ -3,7 +3,7 @@
 
 use super::commands::{MENUS, SECTIONS};
 use super::equation;
-use super::menu::{commands_ui, scrolled};
+use super::menu::{commands_ui, looks_ui, scrolled};
 use super::notice::said_ui;
 use super::terms;
 use crate::analysis::plan_words::stage_words;
@@ -18,10 +18,9 @@ use crate::app::system;
 use crate::app::views::compare::VIEWS;
 use crate::app::views::plan::left_out;
 use crate::app::widgets::focus::{named, one_stop};
-use crate::app::widgets::theme::ThemeChoice;
 use crate::render::StageRun;
 use crate::scene::{Choice, ShadingMode};
-use crate::text::{Language, text};
+use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Align, Button, ComboBox, EventFilter, Key, Label, Layout, MenuBar, Modifiers, Popup,
@@ -134,27 +133,8 @@ fn menu_ui(
         ui.separator();
         commands_ui(ui, session, window, requests, "compare");
     });
-    ui.menu_button(text!("controls-theme"), |ui| {
-        let themes = [
-            (text!("theme-system"), ThemeChoice::System),
-            (text!("theme-dark"), ThemeChoice::Dark),
-            (text!("theme-light"), ThemeChoice::Light),
-        ];
-        for (text, theme) in themes {
-            ui.radio_value(&mut window.appearance.theme, theme, text);
-        }
-    });
-    ui.menu_button(text!("language"), |ui| {
-        ui.radio_value(
-            &mut window.appearance.language,
-            None,
-            text!("language-system"),
-        );
-        for language in Language::ALL {
-            let chosen = Some(language);
-            ui.radio_value(&mut window.appearance.language, chosen, language.name());
-        }
-    });
+    looks_ui(ui, window, requests, "controls-theme");
+    looks_ui(ui, window, requests, "language");
 }
 
 /// Shows the equation, and a switch for each of its terms.

@@ -398,7 +398,7 @@ fn manual_ui(ui: &mut Ui, window: &mut WindowState) -> Choice {
         .show(ui, |ui| {
             window
                 .own
-                .change(|manual: &mut Manual| prose_ui(ui, &mut manual.0, &text.join("\n")));
+                .change(|manual: &mut Manual| _ = prose_ui(ui, &mut manual.0, &text.join("\n")));
         });
     ui.add_space(12.0);
     if ui.button(text!("close")).clicked() {

@@ -1,10 +1,12 @@
 //! *Find a command*: whatever the window can do or show, found by its name in any language, typing errors forgiven.
 
 use super::commands::{Command, SECTIONS};
+use super::menu::LOOKS;
 use crate::app::controls::has_row;
 use crate::app::session::action::{Action, Requests, Turn};
 use crate::app::session::window::WindowState;
 use crate::app::views::GROUPS;
+use crate::app::views::compare::VIEWS;
 use crate::app::widgets::dialog::Choice;
 use crate::app::widgets::focus::named;
 use crate::app::widgets::theme::text_field;
@@ -12,7 +14,6 @@ use crate::app::widgets::typeset::letters;
 use crate::lesson::{LESSONS, are_there};
 use crate::scene::parameter::Parameter;
 use crate::scene::{Symbol, presets};
-
 use crate::text::{Language, in_language, text};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Align, Button, Key, Layout, Modifiers, RichText, ScrollArea, Ui};
@@ -117,6 +118,17 @@ fn entries() -> Vec<Entry> {
         let help = || command.does().unwrap_or_default().to_owned();
         let name = || command.name().trim_end_matches('…').to_owned();
         entries.push(Entry::new(action, keys, name, help));
+    }
+    for look in &LOOKS {
+        let name = || format!("{}: {}", text!(look.setting), (look.name)());
+        let help = || text!(look.tip).to_owned();
+        let action = Action::ChangeLook(look.choose);
+        entries.push(Entry::new(action, text!("find-setting"), name, help));
+    }
+    for (view, name, help) in VIEWS {
+        let name = || format!("{}: {}", text!("controls-group-compare"), text!(name));
+        let help = || text!(help).to_owned();
+        entries.push(Entry::new(Action::Compare(view), "", name, help));
     }
     for view in GROUPS.iter().flat_map(|group| group.views) {
         let (action, name) = (Action::View(view.key), || view.title().to_owned());
@@ -262,11 +274,34 @@ mod tests {
             ("teapot", "OpenBuiltIn(\"teapot\")"),
             ("茶壺", "OpenBuiltIn(\"teapot\")"),
             ("reset scene", "ResetScene"),
+            ("flat", "mode: Flat"),
+            ("gouraud", "mode: Gouraud"),
+            ("wipe", "Compare(Wipe)"),
         ] {
             let actions = first(sought);
             let is_there = actions.iter().any(|action| action.contains(found));
             assert!(is_there, "{sought}: {actions:?}");
         }
+    }
+
+    #[test]
+    fn themes_and_languages_are_found_by_the_words_of_either_language() {
+        let entries = entries();
+        let name = |sought: &str| {
+            let found = ranked(&entries, sought);
+            found.first().map(|entry| entry.name.clone())
+        };
+        for (sought, wanted) in [
+            ("dark", "Theme: Dark"),
+            ("light theme", "Theme: Light"),
+            ("深色", "Theme: Dark"),
+            ("chinese", "Language: 繁體中文"),
+            ("中文", "Language: 繁體中文"),
+            ("english", "Language: English"),
+        ] {
+            assert_eq!(name(sought).as_deref(), Some(wanted), "{sought}");
+        }
+        assert!(name("language").is_some_and(|name| name.starts_with("Language")));
     }
 
     #[test]

@@ -2,14 +2,15 @@
 
 use super::commands::{Command, SECTIONS};
 use crate::app::session::Session;
-use crate::app::session::action::Action;
-use crate::app::session::action::Requests;
+use crate::app::session::action::{Action, Requests};
+use crate::app::session::appearance::Appearance;
 use crate::app::session::window::WindowState;
 use crate::app::system;
 use crate::app::widgets::focus::{named, switch_named};
 use crate::app::widgets::sign::tick;
+use crate::app::widgets::theme::ThemeChoice;
 use crate::scene::ShadingMode;
-use crate::text::text;
+use crate::text::{Language, text};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Atom, Button, IdSalt, Rect, ScrollArea, Ui, vec2};
 
@@ -30,6 +31,96 @@ const FOR_KEYS: [&str; 6] = [
     "projector",
     "keys",
 ];
+
+/// A value of a setting of the appearance that is one of several.
+pub struct Look {
+    /// The key of the setting's name.
+    pub setting: &'static str,
+    pub name: fn() -> &'static str,
+    /// The key of its description.
+    pub tip: &'static str,
+    pub choose: fn(&mut Appearance),
+}
+
+impl Look {
+    const fn theme(
+        name: fn() -> &'static str,
+        tip: &'static str,
+        choose: fn(&mut Appearance),
+    ) -> Self {
+        Self {
+            setting: "controls-theme",
+            name,
+            tip,
+            choose,
+        }
+    }
+
+    const fn language(
+        name: fn() -> &'static str,
+        tip: &'static str,
+        choose: fn(&mut Appearance),
+    ) -> Self {
+        Self {
+            setting: "language",
+            ..Self::theme(name, tip, choose)
+        }
+    }
+
+    /// Returns whether choosing it would change nothing.
+    fn is_chosen(&self, appearance: &Appearance) -> bool {
+        let mut chosen = appearance.clone();
+        (self.choose)(&mut chosen);
+        chosen == *appearance
+    }
+}
+
+/// The themes and the languages.
+pub const LOOKS: [Look; 6] = [
+    Look::theme(
+        || text!("theme-system"),
+        "theme-system.tip",
+        |look| look.theme = ThemeChoice::System,
+    ),
+    Look::theme(
+        || text!("theme-dark"),
+        "theme-dark.tip",
+        |look| look.theme = ThemeChoice::Dark,
+    ),
+    Look::theme(
+        || text!("theme-light"),
+        "theme-light.tip",
+        |look| look.theme = ThemeChoice::Light,
+    ),
+    Look::language(
+        || text!("language-system"),
+        "language-system.tip",
+        |look| look.language = None,
+    ),
+    Look::language(
+        || Language::English.name(),
+        "language-english",
+        |look| look.language = Some(Language::English),
+    ),
+    Look::language(
+        || Language::TraditionalChinese.name(),
+        "language-chinese",
+        |look| look.language = Some(Language::TraditionalChinese),
+    ),
+];
+
+/// Shows a menu of the values of a setting of [`LOOKS`].
+pub fn looks_ui(ui: &mut Ui, window: &WindowState, requests: &mut Requests, setting: &'static str) {
+    ui.menu_button(text!(setting), |ui| {
+        for look in LOOKS.iter().filter(|look| look.setting == setting) {
+            let chosen = look.is_chosen(&window.appearance);
+            let radio = ui.radio(chosen, (look.name)());
+            if radio.on_hover_text(text!(look.tip)).clicked() {
+                requests.ask(Action::ChangeLook(look.choose));
+            }
+        }
+    });
+}
 
 /// Shows the items of the menu named `menu`.
 pub fn commands_ui(
