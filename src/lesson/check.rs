@@ -5,6 +5,7 @@ use super::{
 };
 use crate::scene::parameter::Parameter;
 use crate::text::{excerpt, fixed, text};
+use glam::DVec2;
 
 /// The least distance of a wrong model from the right answer, in tolerances: below it a right answer that is rounded would be
 /// taken for the wrong one.
@@ -69,6 +70,13 @@ fn check_step(
             Ok(found) => remarks = found,
             Err((line, words)) => take(line, text!("lesson-question", words = words)),
         }
+    }
+    let is_outside = |probe: DVec2| place.pixel(probe).is_none();
+    if problems.is_empty() && staged.shown.probe.is_some_and(is_outside) {
+        problems.push(LessonProblem {
+            line: step.stage.line_number,
+            words: text!("lesson-probe-outside").to_owned(),
+        });
     }
     if problems.is_empty() {
         Ok(remarks)

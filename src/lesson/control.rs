@@ -80,10 +80,10 @@ pub fn control_name(key: &str) -> String {
     slider(key).map_or_else(|| key.to_owned(), named)
 }
 
-/// Returns a control's name for those who do not see its row: with its letter.
+/// Returns a control's name for those who do not see its row: with its letter, unless that is its name.
 pub(super) fn long_control_name(key: &str) -> String {
     match Parameter::of_key(key).map(|(parameter, _)| parameter) {
-        Some(parameter) if !parameter.letter.is_empty() => {
+        Some(parameter) if !["", parameter.name()].contains(&parameter.letter) => {
             format!("{} ({})", parameter.name(), parameter.letter)
         }
         Some(parameter) => parameter.name().to_owned(),

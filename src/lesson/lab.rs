@@ -267,7 +267,7 @@ impl LabPlace<'_> {
     }
 
     /// Returns the pixel of a place; none outside the picture.
-    fn pixel(&self, place: DVec2) -> Option<[u32; 2]> {
+    pub(super) fn pixel(&self, place: DVec2) -> Option<[u32; 2]> {
         let (at, size) = (self.in_pixels(place).floor(), self.size());
         let inside = at.cmpge(DVec2::ZERO).all() && at.cmplt(size).all();
         inside.then_some([at.x as u32, at.y as u32])

@@ -7,7 +7,7 @@ mod stage;
 
 use super::stage::Stage;
 use super::{Lesson, LessonError, Prose, Step};
-use crate::text::text;
+use crate::text::{excerpt, text};
 use pulldown_cmark::{CodeBlockKind, Event, HeadingLevel, Options, Parser, Tag, TagEnd};
 use reader::{Block, Reader};
 use serde::Deserialize;
@@ -92,7 +92,12 @@ impl<'s> Reader<'s> {
         let mut before = Stage::default();
         let mut read = Vec::new();
         for step in steps {
+            let problems = self.problems.len();
             let step = self.step(step, &before);
+            // A block that cannot be read may have the scene.
+            if read.is_empty() && step.stage.scene.is_empty() && self.problems.len() == problems {
+                self.wrong_at(step.line, text!("lesson-no-scene"));
+            }
             before.clone_from(&step.stage);
             read.push(step);
         }
@@ -204,15 +209,24 @@ impl<'s> Reader<'s> {
         (start, end): (usize, usize),
         inside: Option<(usize, usize)>,
     ) {
-        if info != "step" && info != "question" {
-            return;
-        }
         let (from, to) = inside.unwrap_or((end, end));
         let to = to.min(self.source.len());
         let block = Block {
             text: self.source.get(from..to).unwrap_or_default(),
             at: from,
         };
+        if info != "step" && info != "question" {
+            // Other blocks are code to show, but not those that have our keys.
+            let table = block.text.parse::<toml::Table>().unwrap_or_default();
+            if info != "toml"
+                && ["kind", "ask", "scene"]
+                    .iter()
+                    .any(|key| table.contains_key(*key))
+            {
+                self.wrong(start, text!("lesson-unknown-block", name = excerpt(info)));
+            }
+            return;
+        }
         let Some(step) = steps.last_mut() else {
             self.wrong(start, text!("lesson-block-outside"));
             return;
@@ -263,9 +277,6 @@ impl<'s> Reader<'s> {
         };
         if let Some(block) = &raw.stage {
             self.stage(block, &mut stage);
-        }
-        if stage.scene.is_empty() {
-            self.wrong(raw.at, text!("lesson-no-scene"));
         }
         let question = raw.question.as_ref().and_then(|block| self.question(block));
         Step {

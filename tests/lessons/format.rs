@@ -5,7 +5,7 @@ use crate::common::lessons::EVERY_KIND;
 use shading_lab::expression::{self, Expression, Part, Quantities, Todo, arithmetic};
 use shading_lab::lesson::{
     Choice, Curve, CurveOf, Extreme, Find, Goal, Kind, Lesson, LessonError, Match, MatchValues,
-    Order, Point, Settings, Term, Value,
+    Order, Point, Settings, Term, Value, check,
 };
 use shading_lab::scene::ShadingMode;
 use std::env;
@@ -225,6 +225,38 @@ fn every_error_has_its_line() {
             "{from} → {to}: {error}"
         );
     }
+}
+
+#[test]
+fn a_mistake_is_one_line_and_none_is_silent() {
+    for (from, to, words) in [
+        // What a block that is not read would have had is not missing as well.
+        ("[0,0,4]\", \"image", "[0,0,4]\" \"image", "missing comma"),
+        (
+            "control = \"material.n\"",
+            "control = \"light.0.position\"",
+            "slider",
+        ),
+        ("```question", "```quiz", "“quiz”"),
+    ] {
+        let error = problems(from, to);
+        assert_eq!(error.problems.len(), 1, "{from} → {to}: {error}");
+        let told = &error.problems[0].words;
+        assert!(told.contains(words), "{from} → {to}: {error}");
+        // A key without a slider is no way out.
+        assert!(!told.contains("light.N.position"), "{error}");
+    }
+    // What is to be shown is no mistake.
+    let shown = EVERY_KIND.replacen("```question", "```toml", 1);
+    assert!(Lesson::read(&shown, None).is_ok());
+    let outside = EVERY_KIND.replacen("probe = [0.1, 0.1]", "probe = [0.9, 0.1]", 1);
+    let outside = Lesson::read(&outside, None).expect("a lesson");
+    let error = check(&outside).expect_err("a problem");
+    let told = &error.problems[0];
+    assert_eq!(
+        (told.line, &*told.words),
+        (18, english!("lesson-probe-outside"))
+    );
 }
 
 #[test]

@@ -22,7 +22,7 @@ export-limit-phong = Phong 著色：只在頂點計算方程式，再內插亮�
 export-limit-exact = 精確著色：繪製的是多邊形（輪廓也是），且只在頂點計算方程式。
 export-limit-exact-pixels = 精確著色：多邊形的每個像素以內插的 N 著色（Phong 著色），輪廓是多邊形的輪廓。
 export-limit-pattern = 表面的圖樣：Od 處處為材質的顏色。
-export-limit-two-side = backfacing = "flip" 在 N.L < 0 處將 N 轉向各光源；GL_LIGHT_MODEL_TWO_SIDE 則在看到背面的多邊形上翻轉 N，與光源無關。光源與眼睛在同一側時兩者相同。
+export-limit-two-side = backfacing = "flip" 在 N.L < 0 處將 N 轉向各光源；GL_LIGHT_MODEL_TWO_SIDE 則在看到背面的多邊形上反轉 N，與光源無關。光源與眼睛在同一側時兩者相同。
 export-limit-lights = 第八個以後的光源：共有 { $shining } 個光源發光，OpenGL 只有 { $most } 個。
 export-limit-hatching = I > 1 處的斜線標示：I 截為 1。
 export-limit-srgb = sRGB 編碼：儲存值為 255*I。

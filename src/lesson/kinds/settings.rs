@@ -177,10 +177,11 @@ impl QuestionKind for Settings {
     }
 
     fn solution_words(&self, right: &f64, _: &[String]) -> String {
+        let decimals = slider(&self.control).map_or(2, |(.., slider)| slider.decimals.min(2));
         format!(
             "{} = {}",
             long_control_name(&self.control),
-            fixed(*right, 2)
+            fixed(*right, decimals)
         )
     }
 

@@ -311,7 +311,8 @@ impl KeyReader<'_, '_> {
     pub fn slides(&mut self, at: usize, key: &str) -> bool {
         let known = slider(key).is_some();
         if !known {
-            let near = nearest(key, Parameter::all().map(|parameter| parameter.key));
+            let sliding = Parameter::all().filter(|parameter| parameter.slider().is_some());
+            let near = nearest(key, sliding.map(|parameter| parameter.key));
             let words = text!(
                 "lesson-no-slider",
                 name = excerpt(key),
