@@ -255,7 +255,7 @@ fn a_mistake_is_one_line_and_none_is_silent() {
     let told = &error.problems[0];
     assert_eq!(
         (told.line, &*told.words),
-        (18, english!("lesson-probe-outside"))
+        (15, english!("lesson-probe-outside"))
     );
 }
 
