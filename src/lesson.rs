@@ -102,6 +102,8 @@ pub struct Lesson {
     pub minutes: u32,
     /// A sentence about it; may be empty.
     pub about: String,
+    /// True of a test: answers are kept without a word about them, and the last one counts.
+    pub test: bool,
     /// Its steps, at least one.
     pub steps: Vec<Step>,
     /// The folder of the files that it names; none for a built-in lesson.

@@ -16,22 +16,21 @@ pub fn compare(
     json: bool,
 ) -> Result<(), Failure> {
     let mut unreadable = Vec::new();
-    let tests = [
-        statistics(pre, &mut unreadable)?,
-        statistics(post, &mut unreadable)?,
-    ];
+    let (before, titles) = statistics(pre, &mut unreadable)?;
+    let (after, _) = statistics(post, &mut unreadable)?;
+    let tests = [before, after];
     let [pre, post] = tests.each_ref().map(|test| test.items.len());
     if pre != post {
         let words = text!("inventory-items", pre = pre, post = post);
         return Err(Failure::Input(words));
     }
     if let Some(target) = csv {
-        write_text(target, &table(&tests).to_csv())?;
+        write_text(target, &table(&tests, &titles).to_csv())?;
     }
     if json {
-        print_json(&format!("{:#}\n", object(&tests)))?;
+        print_json(&format!("{:#}\n", object(&tests, &titles)))?;
     } else if csv.is_none() {
-        print(&words(&tests))?;
+        print(&words(&tests, &titles))?;
     }
     if unreadable.is_empty() {
         Ok(())
@@ -40,15 +39,20 @@ pub fn compare(
     }
 }
 
-/// Grades the answers to one test. Files that cannot be read are noted.
-fn statistics(files: &[PathBuf], unreadable: &mut Vec<String>) -> Result<TestStatistics, Failure> {
+/// Grades the answers to one test, and returns the titles of its items with it. Files that cannot be read are noted.
+fn statistics(
+    files: &[PathBuf],
+    unreadable: &mut Vec<String>,
+) -> Result<(TestStatistics, Vec<String>), Failure> {
     let handed: Result<Vec<_>, _> = files.iter().map(|path| handed(path)).collect();
     let class = read(&handed?, None, false);
     note_set_aside(&class);
     let told = |file: &Unreadable| format!("{}: {}", file.file, file.why);
     unreadable.extend(class.unreadable.iter().map(told));
     if let [group] = &class.groups[..] {
-        return Ok(TestStatistics::of_group(group));
+        let steps = group.questions.iter().map(|asked| asked.step);
+        let titles = steps.map(|step| group.lesson.steps[step].title.clone());
+        return Ok((TestStatistics::of_group(group), titles.collect()));
     }
     let groups = class.groups.iter();
     let names: Vec<&str> = groups.map(|group| &*group.lesson.name).collect();
@@ -57,11 +61,12 @@ fn statistics(files: &[PathBuf], unreadable: &mut Vec<String>) -> Result<TestSta
 }
 
 /// Returns the table of the items of a test, before and after, with their gain.
-fn table(tests: &[TestStatistics; 2]) -> Table {
+fn table(tests: &[TestStatistics; 2], titles: &[String]) -> Table {
     let [pre, post] = tests;
     let share = fixed::<2>;
     let mut table = Table::new([
         Column::both("item", text!("inventory-item"), as_it_is),
+        Column::both("title", text!("inventory-title"), as_it_is),
         Column::both("pre_difficulty", text!("inventory-pre"), share),
         Column::both("post_difficulty", text!("inventory-post"), share),
         Column::both("gain", text!("inventory-gain"), share),
@@ -71,6 +76,7 @@ fn table(tests: &[TestStatistics; 2]) -> Table {
     for (index, (a, b)) in pre.items.iter().zip(&post.items).enumerate() {
         table.rows.push(vec![
             (index + 1).into(),
+            titles[index].as_str().into(),
             a.difficulty.into(),
             b.difficulty.into(),
             normalised_gain(a.difficulty, b.difficulty).into(),
@@ -81,7 +87,7 @@ fn table(tests: &[TestStatistics; 2]) -> Table {
     table
 }
 
-fn words(tests: &[TestStatistics; 2]) -> String {
+fn words(tests: &[TestStatistics; 2], titles: &[String]) -> String {
     let number = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), fixed::<2>);
     let line = |key: &str, test: &TestStatistics| {
         let words = text!(
@@ -97,16 +103,17 @@ fn words(tests: &[TestStatistics; 2]) -> String {
     let gain = number(normalised_gain(pre.mean, post.mean));
     let gain = text!("inventory-class-gain", gain = gain);
     let summary = [line("inventory-before", pre), line("inventory-after", post)].concat();
-    format!("{summary}{gain}\n\n{}", table(tests).text())
+    format!("{summary}{gain}\n\n{}", table(tests, titles).text())
 }
 
-fn object(tests: &[TestStatistics; 2]) -> Value {
+fn object(tests: &[TestStatistics; 2], titles: &[String]) -> Value {
     let one = |test: &TestStatistics| {
         let items = test.items.iter().enumerate();
         let items: Vec<Value> = items
             .map(|(index, item)| {
                 json!({
                     "item": index + 1,
+                    "title": titles[index],
                     "difficulty": item.difficulty,
                     "discrimination": item.discrimination,
                 })

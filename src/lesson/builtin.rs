@@ -4,7 +4,7 @@ use super::Lesson;
 use crate::text::{Language, language, text};
 
 /// The chapters of the course, in their order.
-pub const TOPICS: [&str; 4] = ["light", "reflection", "shading", "engine"];
+pub const TOPICS: [&str; 5] = ["light", "reflection", "shading", "engine", "test"];
 
 /// Returns the name of a chapter for people; a lecturer's own word is as it is.
 pub fn topic_name(topic: &str) -> &str {
@@ -13,6 +13,7 @@ pub fn topic_name(topic: &str) -> &str {
         "reflection" => text!("class-topic-reflection"),
         "shading" => text!("class-topic-shading"),
         "engine" => text!("class-topic-engine"),
+        "test" => text!("class-topic-test"),
         other => other,
     }
 }
@@ -67,8 +68,8 @@ macro_rules! lessons {
     };
 }
 
-/// Every lesson, in the order of the course.
-pub static LESSONS: [BuiltIn; 33] = lessons! {
+/// Every lesson, in the order of the course, then the tests before and after it.
+pub static LESSONS: [BuiltIn; 35] = lessons! {
     "what-is-shading"
     "light-sources"
     "ambient"
@@ -102,6 +103,8 @@ pub static LESSONS: [BuiltIn; 33] = lessons! {
     "depth-cueing"
     "cost-and-error"
     "opengl"
+    "inventory-a"
+    "inventory-b"
 };
 
 /// Finds the lesson of that name.

@@ -154,6 +154,29 @@ mod tests {
         assert_eq!(printed(10.0 * found.mean, 1), "6.6");
     }
 
+    /// C. Zaiontz, "Kuder and Richardson Formula 20", example 1 (real-statistics.com/reliability): twelve students, eleven
+    /// questions, with the variance over all students; 0.738 is printed.
+    #[test]
+    fn reliability_is_that_of_a_published_example() {
+        let rows = [
+            "11111111111",
+            "11111111010",
+            "10111111100",
+            "11101101100",
+            "11111000100",
+            "01101111000",
+            "11110010000",
+            "11111000000",
+            "01011000010",
+            "10010100000",
+            "11100000000",
+            "10010000000",
+        ];
+        let found = TestStatistics::of(&rows.map(row));
+        let kr20 = found.kr20.expect("a reliability");
+        assert_eq!(printed(kr20, 3), "0.738");
+    }
+
     #[test]
     fn reliability_is_cronbachs_alpha_by_covariances() {
         // α = k/(k − 1)·(1 − Σσᵢᵢ/Σσᵢⱼ), with the covariances of all pairs of items.
@@ -190,6 +213,16 @@ mod tests {
         let found = TestStatistics::of(&with_scores(&row("0001111"), &[0, 1, 2, 3, 4, 5, 6]));
         let r = found.items[0].discrimination.expect("a correlation");
         assert_eq!(printed(r, 15), "0.866025403784439");
+    }
+
+    /// Z. Bobbitt, "How to calculate point-biserial correlation in Python"
+    /// (statology.org/point-biserial-correlation-python): 0.21816 is printed.
+    #[test]
+    fn discrimination_is_that_of_a_published_example() {
+        let scores = [12, 14, 17, 17, 11, 22, 23, 11, 19, 8, 12];
+        let found = TestStatistics::of(&with_scores(&row("01100010110"), &scores));
+        let r = found.items[0].discrimination.expect("a correlation");
+        assert_eq!(printed(r, 5), "0.21816");
     }
 
     /// J. D. Brown, "Point-biserial correlation coefficients", Shiken: JALT Testing & Evaluation SIG Newsletter 5(3), 2001,

@@ -29,6 +29,8 @@ struct Head {
     minutes: u32,
     #[serde(default)]
     about: String,
+    #[serde(default)]
+    test: bool,
 }
 
 impl Lesson {
@@ -107,6 +109,7 @@ impl<'s> Reader<'s> {
             topic: head.topic,
             minutes: if head.minutes == 0 { 10 } else { head.minutes },
             about: head.about,
+            test: head.test,
             steps: read,
             folder: folder.map(Path::to_owned),
             source: self.source.to_owned(),

@@ -278,8 +278,9 @@ fn both_languages_have_the_same_steps_and_questions() {
 
 #[test]
 fn every_lesson_asks_before_it_tells() {
-    for lesson in &LESSONS {
-        let lesson = lesson.lesson_in(Language::English);
+    let lessons = LESSONS.iter();
+    let lessons = lessons.map(|lesson| lesson.lesson_in(Language::English));
+    for lesson in lessons.filter(|lesson| !lesson.test) {
         let questions: Vec<&Question> = lesson
             .steps
             .iter()
@@ -365,9 +366,12 @@ fn the_course_covers_every_slide_and_section_by_steps_that_there_are() {
             .count()
             >= 1
     );
-    let all: BTreeSet<String> = LESSONS
-        .iter()
-        .map(|lesson| lesson.name.to_owned())
+    let lessons = LESSONS.iter();
+    let lessons = lessons.map(|lesson| lesson.lesson_in(Language::English));
+    let all: BTreeSet<String> = lessons
+        .filter(|lesson| !lesson.test)
+        .map(|lesson| lesson.name)
         .collect();
     assert_eq!(met, all, "every lesson is in the table");
+    assert_eq!(all.len(), 33);
 }

@@ -10,5 +10,6 @@ mod course;
 mod format;
 mod fuzz;
 mod hand_in;
+mod inventory;
 mod models;
 mod worksheet;

@@ -1,6 +1,7 @@
 //! The course in the window: a lesson with each kind of question, completed by mouse and by keyboard alone.
 
 mod handed_in;
+mod kept;
 mod left;
 
 use crate::common::hands;

@@ -89,6 +89,11 @@ course-results = Results
 course-results-none = You have not answered a question yet.
 course-results-count = { $answered } of { $count } answered. Right: { $right }, of these at the first try: { $first }. Looked up: { $looked }.
 course-results-again = Look at these again:
+course-kept = Your answer is kept. You can change it until you hand in.
+course-not-kept = No answer yet.
+course-test-count = { $answered } of { $count } answered
+course-test-missing = Still without an answer:
+course-test-end = End of the test
 
 course-hand-in = Hand in your answers
     .verb = Write

@@ -81,6 +81,11 @@ course-results = 結果
 course-results-none = 你還沒有回答任何問題。
 course-results-count = { $count } 題中已作答 { $answered } 題。答對 { $right } 題，其中第一次就答對 { $first } 題；看過答案 { $looked } 題。
 course-results-again = 再看一次這些步驟：
+course-kept = 答案已保存，繳交之前都可以修改。
+course-not-kept = 尚未作答。
+course-test-count = 已作答 { $answered } 題，共 { $count } 題
+course-test-missing = 尚未作答的題目：
+course-test-end = 測驗結束
 
 course-hand-in = 繳交答案
     .verb = 寫入

@@ -83,6 +83,8 @@ pub struct Listed {
     pub about: String,
     /// The number of questions.
     pub questions: usize,
+    /// True of a test, whose answers are not marked.
+    pub test: bool,
 }
 
 impl Listed {
@@ -98,6 +100,7 @@ impl Listed {
                 .iter()
                 .filter(|step| step.question.is_some())
                 .count(),
+            test: lesson.test,
         }
     }
 }
@@ -140,6 +143,8 @@ pub struct Held {
 pub struct Draft {
     /// The question's widget, with the answer; `None` if the step has no question.
     pub widget: Option<Box<dyn Widget>>,
+    /// True if the student has touched the widget or the picture; until then a test keeps nothing.
+    pub touched: bool,
     /// The grade of the last check; cleared when the answer changes.
     pub grade: Option<Grade>,
     /// The time when the question was first seen, in seconds.
@@ -298,20 +303,49 @@ impl Course {
         self.kept.record(&open.lesson.name)?.answer(open.step)
     }
 
-    /// Returns whether the right answer is shown.
-    pub fn revealed(&self) -> bool {
-        self.answered()
-            .is_some_and(|answered| answered.grade.right || answered.looked_up > 0)
+    /// Returns whether the open lesson is a test.
+    pub fn is_test(&self) -> bool {
+        self.open.as_ref().is_some_and(|open| open.lesson.test)
     }
 
-    /// Records an answer with its grade; `now` is in seconds.
+    /// Returns whether the right answer is shown: in a test never.
+    pub fn revealed(&self) -> bool {
+        let shown = |answered: &Answered| answered.grade.right || answered.looked_up > 0;
+        !self.is_test() && self.answered().is_some_and(shown)
+    }
+
+    /// Keeps the answer of a test once the student has given one, without a grade: what the file on this computer does not
+    /// hold cannot be read there.
+    pub fn keep(&mut self, scene: &Scene, now: f64) {
+        let Some(open) = self.open.as_ref().filter(|open| open.lesson.test) else {
+            return;
+        };
+        let answer = open.answer(scene);
+        // Of a control the answer is in the scene.
+        let moved = open
+            .staged
+            .as_ref()
+            .is_some_and(|staged| open.answer(&staged.scene) != answer);
+        let known = self.answered().map(|answered| &answered.answer);
+        if let Some(answer) = answer
+            && (open.draft.touched || moved)
+            && known != Some(&answer)
+        {
+            self.put(answer, Grade::default(), now);
+        }
+    }
+
+    /// Records an answer with its grade; `now` is in seconds. In a test, where nothing is said of an answer, the last one is still
+    /// a prediction and replaces the one before.
     pub fn put(&mut self, answer: Answer, grade: Grade, now: f64) {
         let before = self.answered().cloned();
+        let test = self.is_test();
         let seed = self.seed;
         let Some(open) = &mut self.open else { return };
         (open.draft.grade, open.draft.told) = (Some(grade), true);
         let since = open.draft.seen.replace(now).unwrap_or(now);
         let (prediction, tries, looked_up, seconds) = match before {
+            Some(before) if test => (answer.clone(), 0, 0, before.seconds),
             Some(before) => (
                 before.prediction,
                 before.tries,
@@ -424,7 +458,7 @@ impl Course {
             && let Some(widget) = &mut open.draft.widget
         {
             widget.put_mark(place);
-            open.draft.grade = None;
+            (open.draft.grade, open.draft.touched) = (None, true);
         }
     }
 

@@ -81,7 +81,8 @@ fn card_ui(ui: &mut Ui, lesson: &Listed, course: &Course) -> bool {
         .iter()
         .filter(|answered| answered.grade.right)
         .count();
-    // A lesson with questions is done once all are answered rightly.
+    let right = if lesson.test { answers.len() } else { right };
+    // A lesson with questions is done once all are answered rightly, a test once all are answered.
     let done = right == lesson.questions && (right > 0 || course.kept.done.contains(&lesson.name));
     let begun = course
         .kept
@@ -110,7 +111,11 @@ fn card_ui(ui: &mut Ui, lesson: &Listed, course: &Course) -> bool {
                 ui.painter().add(tick(room, ui.visuals().hyperlink_color));
             } else if !answers.is_empty() {
                 let count = lesson.questions;
-                let words = text!("course-answers-right", right = right, count = count);
+                let words = if lesson.test {
+                    text!("course-test-count", answered = right, count = count)
+                } else {
+                    text!("course-answers-right", right = right, count = count)
+                };
                 ui.label(RichText::new(words).color(ui.visuals().hyperlink_color));
             } else if begun {
                 ui.label(RichText::new(text!("course-begun")).color(ui.visuals().hyperlink_color));

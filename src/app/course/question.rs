@@ -9,10 +9,11 @@ use super::work::Prepared;
 use crate::app::session::Session;
 use crate::app::session::action::{Action, Requests};
 use crate::app::session::window::WindowState;
+use crate::app::widgets::focus::live;
 use crate::app::widgets::symbol::{self, Symbol};
 use crate::lesson::Term;
 use crate::text::text;
-use eframe::egui::{Align, Button, Frame, Margin, RichText, Stroke, Ui};
+use eframe::egui::{Align, Button, Frame, Label, Margin, RichText, Stroke, Ui};
 
 /// Shows the step's question with its current answer, and the right one once it may be seen.
 pub fn question_ui(
@@ -98,13 +99,26 @@ fn contents_ui(
     };
     let entered = widget.ui(ui, &mut asked);
     if asked.changed {
-        open.draft.grade = None;
+        (open.draft.grade, open.draft.touched) = (None, true);
     }
     ui.add_space(6.0);
+    if open.lesson.test {
+        course.keep(&session.document().scene, now);
+        return kept_ui(ui, course);
+    }
     if !revealed {
         check_ui(ui, course, session, requests, entered);
     }
     feedback_ui(ui, course, session);
+}
+
+/// Shows whether a test has the answer.
+fn kept_ui(ui: &mut Ui, course: &Course) {
+    let words = match course.answered() {
+        Some(_) => text!("course-kept"),
+        None => text!("course-not-kept"),
+    };
+    live(&ui.add(Label::new(RichText::new(words).weak()).wrap()));
 }
 
 /// Shows the buttons that grade the answer and show the right one.

@@ -25,9 +25,10 @@ pub fn results_ui(ui: &mut Ui, course: &mut Course, requests: &mut Requests) {
         .show(ui, |ui| {
             // Keeps clear of the scroll bar.
             ui.set_max_width(ui.available_width() - 4.0);
-            heading(ui, text!("course-results"));
+            heading(ui, title(&lesson));
             let questions = asking(&lesson).map(answer);
-            ui.add(Label::new(RichText::new(summary(questions)).strong()).wrap());
+            let words = summary(questions, lesson.test);
+            ui.add(Label::new(RichText::new(words).strong()).wrap());
             if can_hand_in {
                 ui.add_space(6.0);
                 let words = RichText::new(text!("controls-command-hand-in")).strong();
@@ -42,13 +43,24 @@ pub fn results_ui(ui: &mut Ui, course: &mut Course, requests: &mut Requests) {
             }
             again_ui(ui, &lesson, answer, requests);
             ui.add_space(8.0);
-            if let Ok(answers) = &*Arc::clone(&results.answers) {
+            if !lesson.test
+                && let Ok(answers) = &*Arc::clone(&results.answers)
+            {
                 mark(ui, results, answers, Some(&*lesson));
                 cards_ui(ui, results, true);
             }
             ui.add_space(8.0);
             keep_in_sight(ui);
         });
+}
+
+/// Returns the title of the page.
+pub fn title(lesson: &Lesson) -> &'static str {
+    text!(if lesson.test {
+        "course-test-end"
+    } else {
+        "course-results"
+    })
 }
 
 /// Returns the steps with a question.
@@ -62,8 +74,8 @@ fn at_once(answered: &Answered) -> bool {
     answered.grade.right && answered.tries == 1
 }
 
-/// Counts the answers in words.
-fn summary<'a>(questions: impl Iterator<Item = Option<&'a Answered>>) -> String {
+/// Counts the answers in words; of a `test` without saying how many are right.
+fn summary<'a>(questions: impl Iterator<Item = Option<&'a Answered>>, test: bool) -> String {
     let questions: Vec<Option<&Answered>> = questions.collect();
     let count = |holds: fn(&Answered) -> bool| {
         let answered = questions.iter().flatten();
@@ -72,6 +84,13 @@ fn summary<'a>(questions: impl Iterator<Item = Option<&'a Answered>>) -> String 
     let answered = count(|_| true);
     if answered == 0 {
         return text!("course-results-none").to_owned();
+    }
+    if test {
+        return text!(
+            "course-test-count",
+            answered = answered,
+            count = questions.len()
+        );
     }
     text!(
         "course-results-count",
@@ -83,7 +102,7 @@ fn summary<'a>(questions: impl Iterator<Item = Option<&'a Answered>>) -> String 
     )
 }
 
-/// Shows links to the steps whose first answer was not right, and to those without an answer.
+/// Shows links to the steps whose first answer was not right, and to those without an answer; in a test to the latter alone.
 fn again_ui<'a>(
     ui: &mut Ui,
     lesson: &Lesson,
@@ -91,13 +110,17 @@ fn again_ui<'a>(
     requests: &mut Requests,
 ) {
     let steps: Vec<usize> = asking(lesson)
-        .filter(|step| !answer(*step).is_some_and(at_once))
+        .filter(|step| !answer(*step).is_some_and(|answered| lesson.test || at_once(answered)))
         .collect();
     if steps.is_empty() {
         return;
     }
     ui.add_space(6.0);
-    ui.label(text!("course-results-again"));
+    ui.label(text!(if lesson.test {
+        "course-test-missing"
+    } else {
+        "course-results-again"
+    }));
     for step in steps {
         let title = format!("{}. {}", step + 1, lesson.steps[step].title);
         if ui.link(title).clicked() {
@@ -139,9 +162,15 @@ mod tests {
             first = 1,
             looked = 1
         );
-        assert_eq!(summary(sheet), words);
+        assert_eq!(summary(sheet.clone(), false), words);
+        let words = text!("course-test-count", answered = 3, count = 5);
         assert_eq!(
-            summary([None, None].into_iter()),
+            summary(sheet, true),
+            words,
+            "a test does not say what is right"
+        );
+        assert_eq!(
+            summary([None, None].into_iter(), false),
             text!("course-results-none")
         );
     }

@@ -4,7 +4,7 @@ use super::data::{Course, Open};
 use super::parts::{error_ui, waiting_ui};
 use super::prose::prose_ui;
 use super::question::question_ui;
-use super::results::results_ui;
+use super::results::{self, results_ui};
 use super::work::{Prepare, Prepared};
 use crate::app::controls::named::{Named, rows_ui};
 use crate::app::session::Session;
@@ -127,6 +127,7 @@ fn ways_ui(ui: &mut Ui, course: &mut Course, requests: &mut Requests) {
     // The page of the results follows the last step.
     let step = if ended { count } else { open.step };
     let asks = open.lesson.steps.iter().any(|step| step.question.is_some());
+    let results = results::title(&open.lesson);
     let high = ui.spacing().interact_size.y;
     let below = |top| top + high >= ui.max_rect().min.y;
     let hidden = !ended && open.draft.top.is_some_and(below);
@@ -140,7 +141,7 @@ fn ways_ui(ui: &mut Ui, course: &mut Course, requests: &mut Requests) {
             let next = if step + 1 < count {
                 text!("course-next")
             } else if asks && !ended {
-                text!("course-results")
+                results
             } else {
                 text!("course-finish")
             };
@@ -161,15 +162,16 @@ fn ways_ui(ui: &mut Ui, course: &mut Course, requests: &mut Requests) {
     ui.add_space(2.0);
 }
 
-/// Shows a dot for each step, filled for the current step and for those answered rightly; in a narrow panel,
-/// the step's number instead.
+/// Shows a dot for each step, filled for the current step and for those answered rightly, in a test for those answered; in a
+/// narrow panel, the step's number instead.
 fn dots_ui(ui: &mut Ui, course: &Course, requests: &mut Requests, step: usize, count: usize) {
     let room = ui.available_width();
     let each = (room / count as f32).min(16.0);
+    let Some(open) = &course.open else { return };
     let words = if step < count {
         text!("course-step", number = step + 1, count = count)
     } else {
-        text!("course-results").to_owned()
+        results::title(&open.lesson).to_owned()
     };
     if each < 9.0 {
         ui.label(words);
@@ -181,7 +183,6 @@ fn dots_ui(ui: &mut Ui, course: &Course, requests: &mut Requests, step: usize, c
     aside(&response);
     let response = switch_named(response, Role::Label, false, &words).on_hover_text(&words);
     let left = rect.center().x - 0.5 * each * count as f32;
-    let Some(open) = &course.open else { return };
     let record = course.kept.record(&open.lesson.name);
     for index in 0..count {
         let at = eframe::egui::pos2(left + each * (index as f32 + 0.5), rect.center().y);
@@ -193,7 +194,7 @@ fn dots_ui(ui: &mut Ui, course: &Course, requests: &mut Requests, step: usize, c
         };
         let right = record
             .and_then(|record| record.answer(index))
-            .is_some_and(|answered| answered.grade.right);
+            .is_some_and(|answered| answered.grade.right || open.lesson.test);
         let radius = if index == step { DOT + 1.5 } else { DOT };
         if right || index == step {
             ui.painter().circle_filled(at, radius, colour);

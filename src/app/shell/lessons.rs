@@ -393,17 +393,18 @@ mod tests {
         let mut questions = 0;
         let scenes: Vec<Scene> = presets::ALL.iter().map(|preset| preset.scene()).collect();
         for lesson in &LESSONS {
-            let steps = lesson.lesson().steps;
+            let Lesson { steps, test, .. } = lesson.lesson();
             let asks = |step: &usize| steps[*step].question.is_some();
             for step in (0..steps.len()).filter(asks) {
                 questions += 1;
-                try_everything(lesson.name, step, &scenes);
+                let mut state = try_everything(lesson.name, step, &scenes);
+                answer(&mut state, test, &format!("{}/{}", lesson.name, step + 1));
             }
         }
-        assert!(questions >= 157, "{questions} questions");
+        assert!(questions >= 205, "{questions} questions");
     }
 
-    fn try_everything(lesson: &str, step: usize, scenes: &[Scene]) {
+    fn try_everything(lesson: &str, step: usize, scenes: &[Scene]) -> AppState {
         let mut state = at(lesson, step);
         let name = |tried: &str| format!("{lesson}/{}: {tried}", step + 1);
         let open = state.course.open.as_ref().expect("a lesson");
@@ -533,25 +534,26 @@ mod tests {
         state.follow_lock();
         state.course.gliding = None;
         assert!(state.session.lock.is_some(), "{}", name("back"));
+        state
+    }
 
-        // After the answer everything is open to play.
+    /// Answers rightly. Then everything is open to play, but in a test, which keeps its scene and says nothing.
+    fn answer(state: &mut AppState, test: bool, name: &str) {
+        let before = state.session.document().scene.clone();
         let right = Grade {
             right: true,
             ..Grade::default()
         };
         state.course.put(Answer::Choice(0), right, 0.0);
         state.follow_lock();
-        assert!(
-            state.session.lock.is_none() && !state.window.hidden,
-            "{}",
-            name("answered")
-        );
-        edit(&mut state, |scene| scene.camera.roll += 1.0);
-        assert_ne!(
-            state.session.document().scene,
-            before.0,
-            "{}",
-            name("played with")
-        );
+        assert_eq!(state.session.lock.is_some(), test, "{name}: answered");
+        assert_eq!(state.window.hidden, test, "{name}: answered");
+        assert_eq!(state.course.revealed(), !test, "{name}: answered");
+        edit(state, |scene| scene.camera.roll += 1.0);
+        let same = state.session.document().scene == before;
+        let open = state.course.open.as_ref();
+        let controls = open.and_then(|open| open.question());
+        let camera = controls.is_some_and(|question| !question.kind.asks().controls().is_empty());
+        assert!(same == (test && !camera), "{name}: played with");
     }
 }
