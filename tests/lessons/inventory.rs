@@ -72,19 +72,36 @@ fn both_forms_ask_for_the_same_concepts_and_teach_nothing_on_the_way() {
 #[test]
 fn the_table_says_which_lesson_teaches_which_item() {
     let table = include_str!("../../docs/course.md");
-    let (_, table) = table.split_once("## The concept inventory").expect("a table");
+    let (_, table) = table
+        .split_once("## The concept inventory")
+        .expect("a table");
     let form = form(FORMS[0], Language::English);
-    let rows = table.lines().filter(|line| line.starts_with("| ") && !line.starts_with("| item"));
+    let rows = table
+        .lines()
+        .filter(|line| line.starts_with("| ") && !line.starts_with("| item"));
     let rows: Vec<Vec<&str>> = rows
         .map(|row| row.trim_matches('|').split('|').map(str::trim).collect())
         .collect();
     assert_eq!(rows.len(), ITEMS);
     for (index, (row, step)) in rows.iter().zip(&form.steps).enumerate() {
         assert_eq!((row[0], row[1]), (&*(index + 1).to_string(), &*step.title));
-        let name = row[3].trim_start_matches('[').split(']').next().expect("a name");
-        let count = find(name).expect(name).lesson_in(Language::English).steps.len();
-        let steps = row[4].split([',', '–']).map(|step| step.trim().parse::<usize>());
-        assert!(steps.flatten().all(|step| (1..=count).contains(&step)), "{row:?}");
+        let name = row[3]
+            .trim_start_matches('[')
+            .split(']')
+            .next()
+            .expect("a name");
+        let count = find(name)
+            .expect(name)
+            .lesson_in(Language::English)
+            .steps
+            .len();
+        let steps = row[4]
+            .split([',', '–'])
+            .map(|step| step.trim().parse::<usize>());
+        assert!(
+            steps.flatten().all(|step| (1..=count).contains(&step)),
+            "{row:?}"
+        );
     }
 }
 

@@ -22,12 +22,12 @@ course-no-step = The lesson has no such step.
 course-numbers = Show the numbers: { $view }
 course-again = Back to the step’s scene
     .tip = Put everything back as the step shows it
-course-hidden = Numbers are hidden until you have answered the question.
+course-hidden = Numbers are hidden while the question is open.
 course-to-question = To the question
 course-left = Another scene is open. The lesson waits where you left it.
 course-return = Back to the lesson
     .tip = Show the scene of the lesson’s step again
-course-locked = The scene waits until you have answered the question.
+course-locked = The scene waits while the question is open.
 course-after-answer = after your answer
 
 course-question = Question

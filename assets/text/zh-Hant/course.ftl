@@ -22,12 +22,12 @@ course-no-step = 單元中沒有這一步。
 course-numbers = 顯示數值：{ $view }
 course-again = 回到這一步的場景
     .tip = 全部恢復成這一步顯示的樣子
-course-hidden = 回答問題之前，數值會先隱藏。
+course-hidden = 題目作答期間，數值會先隱藏。
 course-to-question = 前往問題
 course-left = 目前開啟的是另一個場景。單元停在你離開的地方。
 course-return = 回到單元
     .tip = 重新顯示單元這一步的場景
-course-locked = 回答問題之前，場景保持不變。
+course-locked = 題目作答期間，場景保持不變。
 course-after-answer = 作答後開放
 
 course-question = 問題
