@@ -416,10 +416,15 @@ fn want_lessons(ctx: &Context) {
     });
 }
 
-/// Fetches a file beside the page.
+/// Fetches a file beside the page, in the version that belongs to it.
 async fn fetch(name: &str) -> Result<Vec<u8>, JsValue> {
     let window = web_sys::window().ok_or(JsValue::NULL)?;
-    let response: Response = JsFuture::from(window.fetch_with_str(name)).await?.into();
+    let page = document().and_then(|document| document.document_element());
+    let version = page.and_then(|page| page.get_attribute("data-version"));
+    let address = format!("{name}?{}", version.unwrap_or_default());
+    let response: Response = JsFuture::from(window.fetch_with_str(&address))
+        .await?
+        .into();
     if !response.ok() {
         return Err(response.status().into());
     }
