@@ -11,7 +11,14 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// The names of what may be drawn over the picture.
-pub const OVERLAYS: [&str; 5] = ["vectors", "profile", "normals", "vertices", "edges"];
+pub const OVERLAYS: [&str; 6] = [
+    "vectors",
+    "side-view",
+    "profile",
+    "normals",
+    "vertices",
+    "edges",
+];
 
 /// The scene of a step and its view. What it leaves open it takes over from the step before.
 #[derive(Clone, Debug, Default, PartialEq)]

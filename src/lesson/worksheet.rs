@@ -283,15 +283,13 @@ fn draw_over(
     let size = DVec2::from_array(scene.image.size.map(f64::from));
     let side = size.min_element();
     let at = |place: DVec2| size / 2.0 + place * side;
-    // Where a place is to be marked, the side view leaves the object free; elsewhere it matters more than a part of the object.
-    let mut asked = step.question.iter();
-    let marks_place = asked.any(|question| question.kind.asks().asks_place());
-    let free_corners = marks_place.then(|| free_corners(frame)).flatten();
+    let free_corners = free_corners(frame);
     if stage.overlays.contains(&"edges") {
         draw_edges(frame, renderer, scene);
     }
     let layer = |name: &&str| match *name {
         "vectors" => Some(OverlayLayer::Vectors),
+        "side-view" => Some(OverlayLayer::SideView),
         "normals" => Some(OverlayLayer::FaceNormals),
         "vertices" => Some(OverlayLayer::VertexNormals),
         _ => None,

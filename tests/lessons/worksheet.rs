@@ -490,6 +490,11 @@ fn edges_lines_and_the_probe_are_drawn_on_paper() {
     for (name, with, without) in [
         ("shadows", "[\"vectors\", \"edges\"]", "[\"vectors\"]"),
         ("tessellation", "[\"edges\"]", "[]"),
+        (
+            "reflection-vector",
+            "[\"vectors\", \"side-view\"]",
+            "[\"vectors\"]",
+        ),
     ] {
         let source = find(name).expect("a lesson").source(Language::English);
         assert!(source.contains(with), "{name}");

@@ -177,6 +177,7 @@ impl AppState {
         };
         let overlay = &mut self.window.appearance.overlay;
         overlay.vectors = shown("vectors");
+        overlay.side_view = shown("side-view");
         overlay.angles = open.overlay.angles && !self.course.hides();
         overlay.face_normals = shown("normals");
         overlay.vertex_normals = shown("vertices");
