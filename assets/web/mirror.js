@@ -17,7 +17,9 @@ export function showMirror(program) {
 }
 
 /** What a node is shown as: the name of an element, and its role if that is not the element's own; nothing for what only groups others. */
-function shape({ role, name, value, html, clickable }) {
+function shape({ role, name, value, html, part, clickable }) {
+  // A lesson's text is shown whole.
+  if (part) return undefined;
   if (html) return ["article"];
   if (role === "Slider") return ["input", "range"];
   if (role === "SpinButton" || role === "TextInput") return ["input", "text"];

@@ -15,7 +15,6 @@ use js_sys::{Array, ArrayBuffer, Function, Promise, Reflect, Uint8Array};
 use std::cell::{Cell, RefCell};
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::time::Duration;
 use wasm_bindgen::closure::Closure;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::{JsFuture, spawn_local};
@@ -35,8 +34,6 @@ const OWN: &str = "shadingLab";
 const PICTURE: &str = "picture";
 /// The function of [`OWN`] that copies a text without a clipboard for scripts.
 const COPY: &str = "copy";
-/// Minimum time between updates of the address to the current view, seconds.
-const ADDRESS_PAUSE: f64 = 0.5;
 
 thread_local! {
     /// The files that have arrived since the last frame.
@@ -49,8 +46,6 @@ thread_local! {
     static SHOWN: RefCell<Option<(String, String)>> = const { RefCell::new(None) };
     /// The entry of its history to which the browser went, a link and a place.
     static WENT: RefCell<Option<(String, String)>> = const { RefCell::new(None) };
-    /// The time when the link was last checked, seconds.
-    static LOOKED_AT: Cell<f64> = const { Cell::new(f64::NEG_INFINITY) };
     static UNSAVED: Cell<bool> = const { Cell::new(false) };
     /// The time when the lessons were last requested, seconds.
     static LESSONS_ASKED: Cell<f64> = const { Cell::new(f64::NEG_INFINITY) };
@@ -288,8 +283,8 @@ pub fn set_fullscreen(_: &Context, on: bool) {
     }
 }
 
-/// Finishes a frame: updates whether the browser asks before it leaves, the address to the link of the current view, and the
-/// browser's history to its place, and answers requests for the picture.
+/// Finishes a frame: updates whether the browser asks before it leaves and answers requests for the picture; when the window has
+/// come to rest, updates the address to the link of the current view, and the browser's history to its place.
 pub fn end_frame(
     ctx: &Context,
     unsaved: bool,
@@ -302,13 +297,11 @@ pub fn end_frame(
     }
     UNSAVED.set(unsaved);
     want_lessons(ctx);
-    let (held, now) = ctx.input(|input| (input.pointer.any_down(), input.time));
-    let wait = ADDRESS_PAUSE - (now - LOOKED_AT.get());
-    if wait > 0.0 && !held {
-        ctx.request_repaint_after(Duration::from_secs_f64(wait));
-    } else if !held {
-        LOOKED_AT.set(now);
-        link().iter().for_each(|link| follow(link, place.clone()));
+    if mirror::is_at_rest()
+        && !ctx.input(|input| input.pointer.any_down())
+        && let Some(link) = link()
+    {
+        follow(&link, place);
     }
     let asked = ASKED.take();
     if !asked.is_empty() {

@@ -15,7 +15,7 @@ function countFrames() {
   };
 }
 
-test("no frame is drawn while nothing changes, on the page or in a figure", { todo: "a figure and a lesson draw some frames a second after they have come to rest" }, async () => {
+test("no frame is drawn while nothing changes, on the page or in a figure", async () => {
   for (const path of ["?scene=sphere", "?scene=sphere&embed&controls=n,ks", "?lesson=diffuse&step=3"]) {
     const { page } = await open(here.browser.context, here.server.url + path, countFrames);
     const asked = () => page.evaluate(() => window.frames_asked);

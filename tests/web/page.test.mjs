@@ -96,7 +96,7 @@ test("it opens without a network", async () => {
   });
 });
 
-test("a link of a lesson opens pages alone, each in a tab of its own", { todo: "the list of controls does not name the links within a text" }, async () => {
+test("a link of a lesson opens pages alone, each in a tab of its own", async () => {
   const lesson = `+++
 lesson = 1
 name = "links"

@@ -79,6 +79,11 @@ fn wake(seconds: f64) {
     });
 }
 
+/// Returns whether this frame is drawn because the window has come to rest.
+pub fn is_at_rest() -> bool {
+    RESTING.get()
+}
+
 /// Reads a request of an element: the node's number, the action's name, and its number or text.
 fn request(node: &str, action: &str, data: &JsValue) -> Option<ActionRequest> {
     let value = || {
@@ -126,7 +131,8 @@ impl Plugin for Mirror {
             told.nodes.iter().map(|(id, node)| (*id, node)).collect();
         let mut listed = Vec::new();
         if let Some(tree) = &told.tree {
-            list(&nodes, tree.root, ctx.zoom_factor().into(), &mut listed);
+            let scale = ctx.zoom_factor().into();
+            list(&nodes, tree.root, scale, false, &mut listed);
         }
         let listed = Value::Array(listed).to_string();
         let parsed = || JSON::parse(&listed).unwrap_or(JsValue::NULL);
@@ -141,8 +147,14 @@ impl Plugin for Mirror {
     }
 }
 
-/// Appends a node and those below it, in the order in which they were drawn.
-fn list(nodes: &HashMap<NodeId, &Node>, id: NodeId, scale: f64, listed: &mut Vec<Value>) {
+/// Appends a node and those below it, in the order in which they were drawn. Those of a lesson's text are marked as its parts.
+fn list(
+    nodes: &HashMap<NodeId, &Node>,
+    id: NodeId,
+    scale: f64,
+    part: bool,
+    listed: &mut Vec<Value>,
+) {
     let Some(node) = nodes.get(&id) else {
         return;
     };
@@ -158,6 +170,7 @@ fn list(nodes: &HashMap<NodeId, &Node>, id: NodeId, scale: f64, listed: &mut Vec
             "on": node.toggled().map(|toggled| toggled == Toggled::True),
             "about": node.description(),
             "html": node.inner_html(),
+            "part": part,
             "live": node.live().is_some(),
             "disabled": node.is_disabled(),
             "clickable": node.supports_action(Action::Click),
@@ -167,14 +180,10 @@ fn list(nodes: &HashMap<NodeId, &Node>, id: NodeId, scale: f64, listed: &mut Vec
             "height": place.height() * scale,
         }));
     }
-    // A text of a lesson is shown whole, a field by its value.
-    let whole = matches!(
-        node.role(),
-        Role::Article | Role::TextInput | Role::MultilineTextInput
-    );
-    if !whole {
+    if node.role() != Role::TextInput && node.role() != Role::MultilineTextInput {
+        let part = part || node.role() == Role::Article;
         for child in node.children() {
-            list(nodes, *child, scale, listed);
+            list(nodes, *child, scale, part, listed);
         }
     }
 }
