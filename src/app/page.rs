@@ -283,8 +283,8 @@ pub fn set_fullscreen(_: &Context, on: bool) {
     }
 }
 
-/// Finishes a frame: updates whether the browser asks before it leaves and answers requests for the picture; when the window has
-/// come to rest, updates the address to the link of the current view, and the browser's history to its place.
+/// Finishes a frame: updates whether the browser asks before it leaves and answers requests for the picture; in another place, and
+/// when the window has come to rest, updates the address to the link of the current view, and the browser's history to its place.
 pub fn end_frame(
     ctx: &Context,
     unsaved: bool,
@@ -297,7 +297,12 @@ pub fn end_frame(
     }
     UNSAVED.set(unsaved);
     want_lessons(ctx);
-    if mirror::is_at_rest()
+    // A lesson that the address names opens once its text has arrived.
+    let opened = are_there() || !address_has("lesson=");
+    let is_in = |(_, known): &(String, String)| *known == place;
+    let moved = SHOWN.with_borrow(|shown| !shown.as_ref().is_some_and(is_in));
+    if (moved || mirror::is_at_rest())
+        && opened
         && !ctx.input(|input| input.pointer.any_down())
         && let Some(link) = link()
     {
@@ -318,10 +323,6 @@ pub fn end_frame(
 /// Another lesson, step or drawer is an entry of its own in the browser's history, so that its button goes back to the one
 /// before.
 fn follow(link: &str, place: String) {
-    // A lesson that the address names opens once its text has arrived.
-    if !are_there() && address_has("lesson=") {
-        return;
-    }
     let now = (link.to_owned(), place);
     let before = SHOWN.with_borrow_mut(|known| known.replace(now.clone()));
     if before.as_ref() == Some(&now) || has_mark("data-embed") {

@@ -219,7 +219,7 @@ impl<'s> Reader<'s> {
             at: from,
         };
         if info != "step" && info != "question" {
-            // Other blocks are code to show, but not those that have our keys.
+            // Other blocks are code to show, but not those that have a lesson's keys.
             let table = block.text.parse::<toml::Table>().unwrap_or_default();
             if info != "toml"
                 && ["kind", "ask", "scene"]

@@ -314,8 +314,8 @@ impl Course {
         !self.is_test() && self.answered().is_some_and(shown)
     }
 
-    /// Keeps the answer of a test once the student has given one, without a grade: what the file on this computer does not
-    /// hold cannot be read there.
+    /// Keeps the answer of a test once the student has given one. It has no grade, so that the file in which it is kept does not
+    /// tell whether it is right.
     pub fn keep(&mut self, scene: &Scene, now: f64) {
         let Some(open) = self.open.as_ref().filter(|open| open.lesson.test) else {
             return;
@@ -335,8 +335,8 @@ impl Course {
         }
     }
 
-    /// Records an answer with its grade; `now` is in seconds. In a test, where nothing is said of an answer, the last one is still
-    /// a prediction and replaces the one before.
+    /// Records an answer with its grade; `now` is in seconds. A test says nothing about an answer, so the next one is a prediction,
+    /// too, and replaces it.
     pub fn put(&mut self, answer: Answer, grade: Grade, now: f64) {
         let before = self.answered().cloned();
         let test = self.is_test();

@@ -49,6 +49,11 @@ impl Glide {
         }
     }
 
+    /// Returns the scene at the start, if it is valid.
+    pub fn start(&self) -> Option<Scene> {
+        Some(self.at(0.0)).filter(|scene| scene.validate().is_ok())
+    }
+
     /// Returns the scene at a fraction of the transition. Everything that does not move is as at the end.
     fn at(&self, share: f64) -> Scene {
         let mut scene = self.to.clone();

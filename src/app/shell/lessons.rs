@@ -9,6 +9,7 @@ use crate::app::session::document::{CoursePart, Document, Origin};
 use crate::app::session::place::{ProbePoint, ProfileLine};
 use crate::jobs::Background;
 use crate::lesson::{LESSONS, Lesson, OVERLAYS, Staged, are_there, find};
+use crate::scene::Scene;
 use crate::text::text;
 use eframe::egui::Context;
 use std::sync::Arc;
@@ -163,7 +164,17 @@ impl AppState {
         if answered && self.course.revealed() {
             self.show_answer();
         }
-        self.course.gliding = Glide::between(&before, &self.session.document().scene);
+        self.glide_from(&before);
+    }
+
+    /// Animates the change from a scene to the one shown now.
+    fn glide_from(&mut self, before: &Scene) {
+        self.course.gliding = Glide::between(before, &self.session.document().scene);
+        // The end is not seen before the way there.
+        let start = self.course.gliding.as_ref().and_then(Glide::start);
+        if let Some(start) = start {
+            self.session.show_scene(start);
+        }
     }
 
     /// Shows the overlays that the step names.
@@ -265,8 +276,9 @@ impl AppState {
             return;
         }
         if let Ok(scene) = staged.scene.with_overrides(&question.set) {
-            self.course.gliding = Glide::between(&self.session.document().scene, &scene);
+            let before = self.session.document().scene.clone();
             self.session.show_scene(scene);
+            self.glide_from(&before);
         }
     }
 
@@ -553,8 +565,9 @@ mod tests {
         edit(state, |scene| scene.camera.roll += 1.0);
         let same = state.session.document().scene == before;
         let open = state.course.open.as_ref();
-        let controls = open.and_then(|open| open.question());
-        let camera = controls.is_some_and(|question| !question.kind.asks().controls().is_empty());
-        assert!(same == (test && !camera), "{name}: played with");
+        let question = open.and_then(|open| open.question());
+        let has_controls =
+            question.is_some_and(|question| !question.kind.asks().controls().is_empty());
+        assert_eq!(same, test && !has_controls, "{name}: played with");
     }
 }

@@ -43,30 +43,6 @@ pub struct Look {
 }
 
 impl Look {
-    const fn theme(
-        name: fn() -> &'static str,
-        tip: &'static str,
-        choose: fn(&mut Appearance),
-    ) -> Self {
-        Self {
-            setting: "controls-theme",
-            name,
-            tip,
-            choose,
-        }
-    }
-
-    const fn language(
-        name: fn() -> &'static str,
-        tip: &'static str,
-        choose: fn(&mut Appearance),
-    ) -> Self {
-        Self {
-            setting: "language",
-            ..Self::theme(name, tip, choose)
-        }
-    }
-
     /// Returns whether choosing it would change nothing.
     fn is_chosen(&self, appearance: &Appearance) -> bool {
         let mut chosen = appearance.clone();
@@ -77,36 +53,42 @@ impl Look {
 
 /// The themes and the languages.
 pub const LOOKS: [Look; 6] = [
-    Look::theme(
-        || text!("theme-system"),
-        "theme-system.tip",
-        |look| look.theme = ThemeChoice::System,
-    ),
-    Look::theme(
-        || text!("theme-dark"),
-        "theme-dark.tip",
-        |look| look.theme = ThemeChoice::Dark,
-    ),
-    Look::theme(
-        || text!("theme-light"),
-        "theme-light.tip",
-        |look| look.theme = ThemeChoice::Light,
-    ),
-    Look::language(
-        || text!("language-system"),
-        "language-system.tip",
-        |look| look.language = None,
-    ),
-    Look::language(
-        || Language::English.name(),
-        "language-english",
-        |look| look.language = Some(Language::English),
-    ),
-    Look::language(
-        || Language::TraditionalChinese.name(),
-        "language-chinese",
-        |look| look.language = Some(Language::TraditionalChinese),
-    ),
+    Look {
+        setting: "controls-theme",
+        name: || text!("theme-system"),
+        tip: "theme-system.tip",
+        choose: |look| look.theme = ThemeChoice::System,
+    },
+    Look {
+        setting: "controls-theme",
+        name: || text!("theme-dark"),
+        tip: "theme-dark.tip",
+        choose: |look| look.theme = ThemeChoice::Dark,
+    },
+    Look {
+        setting: "controls-theme",
+        name: || text!("theme-light"),
+        tip: "theme-light.tip",
+        choose: |look| look.theme = ThemeChoice::Light,
+    },
+    Look {
+        setting: "language",
+        name: || text!("language-system"),
+        tip: "language-system.tip",
+        choose: |look| look.language = None,
+    },
+    Look {
+        setting: "language",
+        name: || Language::English.name(),
+        tip: "language-english",
+        choose: |look| look.language = Some(Language::English),
+    },
+    Look {
+        setting: "language",
+        name: || Language::TraditionalChinese.name(),
+        tip: "language-chinese",
+        choose: |look| look.language = Some(Language::TraditionalChinese),
+    },
 ];
 
 /// Shows a menu of the values of a setting of [`LOOKS`].
