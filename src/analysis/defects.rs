@@ -10,7 +10,7 @@ mod inside;
 
 pub use drawing::{DefectMark, defect_marks, defect_plots, draw_defects};
 pub use edges::{SharedVertices, Silhouette};
-pub use inside::{Orientation, PerspectiveDistortion, VertexNormals};
+pub use inside::{DeepEdge, Orientation, PerspectiveDistortion, VertexNormals};
 
 use super::codec::Codec;
 use super::probe::clearest_pixel;

@@ -3,10 +3,13 @@
 //! leans.
 
 mod fine;
+mod lit;
 mod needles;
 mod report;
+mod sphere;
 
-pub use needles::{LitVertex, Needle, NeedleKind, Needles, draw_normals};
+pub use lit::LitVertex;
+pub use needles::{Needle, NeedleKind, Needles, draw_normals};
 pub use report::{FoundNormal, NormalsQuestion};
 
 use crate::geometry::{Mesh, NormalOrigin, VertexMesh, angle};

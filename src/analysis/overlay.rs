@@ -1,5 +1,9 @@
 //! Drawings over a picture: their layers, and the sizes, colours and labels that they share.
 
+pub(in crate::analysis) mod inset;
+
+pub use inset::free_corners;
+
 use crate::figure::palette::{Rgb8, Vector, readable};
 use crate::figure::{Area, Drawing, Label, Placer, Shape, Wish, inked_size};
 use crate::scene::{Projection, View};
@@ -111,9 +115,8 @@ pub struct OverlayOptions {
     pub side_view_angles: bool,
     /// True if the side view takes most of the picture.
     pub side_view_enlarged: bool,
-    /// Sides of the squares in the picture's corners that the side view may cover, as
-    /// [`free_corners`](crate::analysis::probe::free_corners) returns them; without
-    /// them, it may cover all.
+    /// Sides of the squares in the picture's corners that a pane with a drawing of its own may cover, as
+    /// [`free_corners`] returns them; without them, it may cover all.
     pub free_corners: Option<[u32; 4]>,
     /// Halo that sets lines and letters off from the picture.
     pub halo: Halo,

@@ -16,7 +16,6 @@ pub use letters::{Letters, Tone, equation_letters, plain_formula, specular_vecto
 pub(super) use letters::{attenuation_law, exponent};
 pub use overlay::{
     Angle, Arc, Arrow, ArrowHead, LightHandle, Overlay, VectorsShown, draw_overlay, draw_vectors,
-    free_corners,
 };
 pub use products::{Here, LightHere, Product, TermColumn};
 pub use report::{ProbeQuestion, Probed, channels};

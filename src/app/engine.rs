@@ -11,8 +11,8 @@ use crate::analysis::comparison::{
 };
 use crate::analysis::curves::Curves;
 use crate::analysis::normals::NormalField;
-use crate::analysis::overlay::OverlayOptions;
-use crate::analysis::probe::{Overlay, Probe, free_corners};
+use crate::analysis::overlay::{OverlayOptions, free_corners};
+use crate::analysis::probe::{Overlay, Probe};
 use crate::analysis::scan::{Scan, ScanError, scan_drawn};
 use crate::app::session::Session;
 use crate::app::session::appearance::{Overlays, ViewName};

@@ -189,6 +189,7 @@ impl Render {
             draw_defects(
                 &mut pixmap,
                 &defects(renderer, scene, probed.pixel, &unwatched),
+                None,
                 &options,
             );
         }

@@ -51,6 +51,7 @@ th { background: #f0f0f0; }
 code { font-family: 'DejaVu Sans Mono', Menlo, Consolas, monospace; font-size: 0.9em; }
 sub, sup { font-size: 0.72em; line-height: 0; }
 .formula { white-space: nowrap; font-family: 'Noto Serif', 'Times New Roman', Georgia, 'Noto Serif CJK TC', serif; font-size: 1.06em; }
+:lang(zh) em { font-style: normal; font-weight: bold; }
 figure { margin: 0; break-inside: avoid; }
 figcaption { font-size: 9pt; color: #555; }
 svg { display: block; max-width: 100%; height: auto; }

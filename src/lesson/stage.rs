@@ -11,12 +11,14 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// The names of what may be drawn over the picture.
-pub const OVERLAYS: [&str; 6] = [
+pub const OVERLAYS: [&str; 8] = [
     "vectors",
     "side-view",
+    "lobe",
     "profile",
     "normals",
     "vertices",
+    "vertex",
     "edges",
 ];
 

@@ -8,10 +8,12 @@ use super::kinds::kind::Printed;
 use super::page::{blank_picture, blocks, inline, page, picture};
 use super::{Budget, Lab, Lesson, LessonError, Question, Solution, Staged, Step};
 use crate::analysis::comparison::{Captions, comparison_sheet, draw_panes, panes_on_sheet};
-use crate::analysis::normals::{NormalField, VertexNormal, draw_normals};
-use crate::analysis::overlay::{OverlayLayer, OverlayOptions};
-use crate::analysis::probe::{draw_overlay, free_corners, probe};
+use crate::analysis::defects::{defects, draw_defects};
+use crate::analysis::normals::{NormalField, draw_normals};
+use crate::analysis::overlay::{OverlayLayer, OverlayOptions, free_corners};
+use crate::analysis::probe::{draw_overlay, probe};
 use crate::analysis::profile::{ProfileQuestion, draw_profile, profile};
+use crate::analysis::unwatched;
 use crate::figure::{Drawing, Shape};
 use crate::render::{Frame, Renderer};
 use crate::scene::{Scene, View};
@@ -36,7 +38,7 @@ header { border-bottom: 0.5mm solid #1a1a1a; margin-bottom: 5mm; padding-bottom:
 .name { display: flex; gap: 8mm; margin: 4mm 0 1mm; }
 .name span { flex: 2; border-bottom: 0.3mm solid #777; min-height: 6mm; }
 .name span:last-child { flex: 1; }
-.step { margin-bottom: 6mm; }
+.step { margin-bottom: 6mm; break-inside: avoid; }
 .step::after { content: ''; display: block; clear: both; }
 figure.picture { float: right; width: 64mm; margin: 1mm 0 3mm 6mm; }
 figure.wide { float: none; width: 100%; max-width: 150mm; margin: 1mm 0 3mm; }
@@ -168,10 +170,12 @@ impl StepPart {
         let mut solved = None;
         if let Some(asks) = &step.question {
             let asked = ClassQuestion::filled(index, asks, place).map_err(wrong)?;
-            let target = asks.kind.asks().shows_target();
-            let wanted = sheet.answers || target && sheet.samples > 0;
+            // Solved for a sheet without answers too, since a probe that only the answer needs is marked.
+            let wanted = sheet.answers || sheet.samples > 0;
             let right = wanted.then(|| asks.solve(place, sheet.seed));
-            solved = Some((asks, asked, right.transpose().map_err(question)?));
+            let right = right.transpose().map_err(question)?;
+            let told = sheet.answers || asks.kind.asks().shows_target();
+            solved = Some((asks, asked, right.filter(|_| told)));
         }
         let places = |question: &Question| question.kind.asks().asks_place();
         let probed = lab.probe_measured() && !step.question.as_ref().is_some_and(places);
@@ -248,18 +252,30 @@ fn stage_picture(
         return Ok(blank_picture());
     }
     lab.with_renderer(samples, |renderer, scene| {
-        let told = step.stage.hide
-            || matches!(&step.question, Some(question) if question.kind.asks().is_drawn());
+        let told = matches!(
+            &step.question,
+            Some(question) if step.stage.hide || question.kind.asks().is_drawn()
+        );
+        let over = |frame: &mut Frame, renderer: &mut Renderer, scene: &Scene| {
+            draw_over(frame, renderer, scene, step, staged, told);
+            if probed && let Some(probe) = staged.shown.probe {
+                draw_probe(frame, scene, probe);
+            }
+        };
         if scene.shown_panes().len() == 1 {
             let mut frame = renderer.render_supersampled(scene, samples, &mut |_| true);
-            draw_over(&mut frame, renderer, scene, step, staged, told);
-            if probed && let Some(probe) = staged.shown.probe {
-                draw_probe(&mut frame, scene, probe);
-            }
+            over(&mut frame, renderer, scene);
             return frame;
         }
         let which = panes_on_sheet(scene);
-        let over = |_: &mut Frame, _: &mut Renderer, _: &Scene| Ok::<(), Infallible>(());
+        // As in the window, the first pane is the active one.
+        let mut active = Some(over);
+        let over = |frame: &mut Frame, renderer: &mut Renderer, scene: &Scene| {
+            if let Some(over) = active.take() {
+                over(frame, renderer, scene);
+            }
+            Ok::<(), Infallible>(())
+        };
         let captions = if step.stage.hide {
             Captions::Names
         } else {
@@ -290,6 +306,7 @@ fn draw_over(
     let layer = |name: &&str| match *name {
         "vectors" => Some(OverlayLayer::Vectors),
         "side-view" => Some(OverlayLayer::SideView),
+        "lobe" => Some(OverlayLayer::Lobe),
         "normals" => Some(OverlayLayer::FaceNormals),
         "vertices" => Some(OverlayLayer::VertexNormals),
         _ => None,
@@ -342,9 +359,22 @@ fn draw_over(
     let Some(mut pixmap) = pixmap(frame) else {
         return;
     };
-    let none = |_: &NormalField| Ok::<Option<VertexNormal>, Infallible>(None);
-    match draw_normals(&mut pixmap, scene, renderer, &options, none) {
-        Ok(()) => {}
+    let lit = staged
+        .shown
+        .probe
+        .filter(|_| stage.overlays.contains(&"vertex"));
+    if lit.is_some() || options.layers.iter().any(|layer| layer.of_needles()) {
+        let vertex = |field: &NormalField| {
+            Ok(lit.and_then(|place| {
+                field.vertex(field.vertex_next_to(renderer, scene, at(place))?)
+            }))
+        };
+        let Ok(()) = draw_normals::<Infallible>(&mut pixmap, scene, renderer, &options, vertex);
+    }
+    if stage.view == Some("defects") && !told {
+        let middle = scene.image.size.map(|side| side / 2);
+        let found = defects(renderer, scene, middle, &unwatched);
+        draw_defects(&mut pixmap, &found, Some(&staged.name), &options);
     }
     if options.layers.contains(&OverlayLayer::Vectors)
         && let Some(probed) = probed.filter(|probed| probed.hit.is_some())

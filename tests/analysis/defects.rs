@@ -1,7 +1,8 @@
 //! The five defects of interpolated shading: the figures against geometry.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use shading_lab::analysis::defects::{Defects, defect_plots, defects};
+use shading_lab::analysis::probe::probe;
 use shading_lab::analysis::unwatched;
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
@@ -236,6 +237,43 @@ fn perspective_distortion_vanishes_with_the_polygons_size_and_in_a_parallel_proj
         measured(&scene).perspective.expect("perspective").error.rms
     };
     assert!(at(32) < 0.25 * at(4), "{} {}", at(4), at(32));
+}
+
+#[test]
+fn the_tenths_of_the_deepest_edge_are_equal_in_space() {
+    let scene = preset("perspective-distortion", [300, 300]);
+    let found = measured(&scene).perspective.expect("perspective");
+    let edge = found.edge.expect("an edge");
+    let mut renderer = Renderer::default();
+    renderer.render(&scene);
+    let mut z_at = |place: DVec2| {
+        // Beside an edge that is drawn, the floor is seen on either side of it.
+        let [x, y] = (place - DVec2::new(0.0, 0.5)).as_uvec2().to_array();
+        let hit = probe(&mut renderer, &scene, x, y).hit.expect("the floor");
+        hit.position.z
+    };
+    let [near, far] = [0.02, 0.98].map(|t| z_at(edge.in_space(t)));
+    assert!(near > 0.0 && far < -9.0, "{near} {far}");
+    for tenth in 1..10 {
+        let t = f64::from(tenth) / 10.0;
+        let expected = 1.0 - 12.0 * t;
+        let z = z_at(edge.in_space(t));
+        assert!((z - expected).abs() < 0.25, "{t}: {z}");
+        // What is equal in the picture is not equal in space.
+        let other = z_at(edge.ends[0].lerp(edge.ends[1], t));
+        assert!(other - expected > 0.5, "{t}: {other}");
+    }
+    let mut parallel = scene.clone();
+    parallel.camera.projection = Projection::Orthographic;
+    assert!(measured(&parallel).perspective.is_err());
+    let shallow = measured(&preset("shared-vertices", [300, 300]));
+    assert_eq!(shallow.perspective.expect("perspective").edge, None);
+    // Nor has a single level polygon an edge that runs away.
+    let mut level = preset("plane", [200, 200]);
+    level.shading.mode = ShadingMode::Gouraud;
+    level.camera.eye = DVec3::new(0.0, 0.0, 4.0);
+    let found = measured(&level).perspective.expect("perspective");
+    assert_eq!(found.edge, None);
 }
 
 #[test]

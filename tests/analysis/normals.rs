@@ -6,7 +6,7 @@ use glam::{DVec2, DVec3};
 use shading_lab::analysis::normals::{
     LitVertex, NeedleKind, Needles, NormalField, NormalsQuestion, VertexNormal,
 };
-use shading_lab::analysis::overlay::{OverlayLayer, OverlayOptions};
+use shading_lab::analysis::overlay::{OverlayLayer, OverlayOptions, free_corners};
 use shading_lab::analysis::{Answer, Question, ReportContext, Subject, unwatched};
 use shading_lab::export::glsl_330;
 use shading_lab::geometry::{Mesh, NormalOrigin, tessellate};
@@ -450,6 +450,7 @@ fn a_lit_vertex_is_lettered_with_its_shares() {
     shares.sort();
     shares.push("N".to_owned());
     assert_eq!(texts, shares);
+    assert_eq!(lit.sphere, None, "the vectors have a side view");
     let mut pixmap = Pixmap::new(500, 400).expect("not empty");
     lit.draw(&mut pixmap.as_mut());
     let inked = pixmap
@@ -479,6 +480,56 @@ fn a_lit_vertex_is_lettered_with_its_shares() {
         "{:?}",
         lit.labels
     );
+}
+
+#[test]
+fn a_lit_vertex_has_its_sphere_of_normals_in_a_free_corner() {
+    let mut scene = sphere(12, 6);
+    scene.object.normals = NormalSource::Averaged;
+    let size = scene.image.size;
+    let lit = |scene: &Scene, options: &OverlayOptions| {
+        let mut renderer = Renderer::default();
+        renderer.render(scene);
+        let field = NormalField::new(&renderer, &scene.object);
+        let place = DVec2::new(250.0, 150.0);
+        let number = field.vertex_next_to(&renderer, scene, place);
+        let vertex = field.vertex(number?)?;
+        let options = OverlayOptions {
+            free_corners: free_corners(renderer.frame()),
+            ..options.clone()
+        };
+        LitVertex::new(size, scene, &field, &vertex, &options)
+    };
+    let options = OverlayOptions {
+        layers: BOTH.to_vec(),
+        ..OverlayOptions::default()
+    };
+    let shown = lit(&scene, &options).expect("a vertex");
+    let pane = shown.sphere.expect("a free corner");
+    let corner = pane.min.cmple(DVec2::splat(60.0)) | pane.max.cmpge(DVec2::new(440.0, 340.0));
+    assert!(corner.all(), "{pane:?}");
+    let inside = |text: &str| {
+        let mut named = shown.labels.iter().filter(|label| label.text == text);
+        named.any(|label| pane.holds(&label.area))
+    };
+    assert!(inside("N") && inside(english!("picture-lit-mean")));
+    let share = shown
+        .labels
+        .iter()
+        .find(|label| label.text.starts_with("0."));
+    assert!(!pane.holds(&share.expect("a share").area));
+    let mut drawn = Pixmap::new(size[0], size[1]).expect("not empty");
+    shown.draw(&mut drawn.as_mut());
+    // Nothing is averaged: there is no mean.
+    scene.object.normals = NormalSource::Exact;
+    assert_eq!(lit(&scene, &options).expect("a vertex").sphere, None);
+    // No corner is free: nothing is covered.
+    scene.object.normals = NormalSource::Averaged;
+    let narrow = OverlayOptions {
+        scale: 4.0,
+        ..options
+    };
+    assert_eq!(lit(&scene, &narrow).expect("a vertex").sphere, None);
 }
 
 #[test]

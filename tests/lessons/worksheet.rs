@@ -327,7 +327,7 @@ fn a_lecturers_text_stays_text() {
         "<i>K</i><sub><i>d</i></sub>",
         "number 20.0",
         "<td>2 &amp; 3</td>",
-        "A Yes &lt;u&gt;",
+        "A. Yes &lt;u&gt;",
         "0.50 &lt;em&gt;m",
         "<p>B &lt; C &lt; A</p>",
         "specular exponent (n) = 30.00",
@@ -491,6 +491,11 @@ fn edges_lines_and_the_probe_are_drawn_on_paper() {
         ("shadows", "[\"vectors\", \"edges\"]", "[\"vectors\"]"),
         ("tessellation", "[\"edges\"]", "[]"),
         (
+            "vertex-normals",
+            "[\"vertices\", \"vertex\"]",
+            "[\"vertices\"]",
+        ),
+        (
             "reflection-vector",
             "[\"vectors\", \"side-view\"]",
             "[\"vectors\"]",
@@ -506,7 +511,7 @@ fn edges_lines_and_the_probe_are_drawn_on_paper() {
     }
     // The line that a curve is drawn along, too.
     let source = find("shadows").expect("a lesson").source(Language::English);
-    let other = source.replace("line = [-0.27, 0.07,", "line = [-0.27, -0.1,");
+    let other = source.replace("line = [-0.27, 0.07,", "line = [-0.27, 0.06,");
     assert_ne!(source, other);
     let [source, other] = [source, &other].map(|source| Lesson::read(source, None));
     let [one, other] = [source, other].map(|lesson| written(&lesson.expect("a lesson"), WITHOUT));
@@ -521,6 +526,13 @@ fn edges_lines_and_the_probe_are_drawn_on_paper() {
     let page = |source: &str| written(&Lesson::read(source, None).expect("a lesson"), WITHOUT);
     assert!(page(&plain).contains(&printed(&scene)));
     assert!(!page(marked).contains(&printed(&scene)));
+    // Where the answer alone is taken at it, too, although it is not printed.
+    let asked = format!(
+        "{plain}\n```question\nkind = \"value\"\nask = \"N·L?\"\nanswer = \"probe.lights[0].n_dot_l\"\nfrom = 0\nto = 1\ntolerance = 0.1\n```\n"
+    );
+    assert!(!page(&asked).contains(&printed(&scene)));
+    let elsewhere = asked.replace("answer = \"probe.lights[0].n_dot_l\"", "answer = \"0.5\"");
+    assert!(page(&elsewhere).contains(&printed(&scene)));
 }
 
 fn run(folder: &Path, arguments: &[&str]) -> Output {

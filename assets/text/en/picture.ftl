@@ -103,6 +103,7 @@ picture-needles-both = { $vertices }, { $faces }
 picture-lit-faces = { $count } faces
 picture-lit-faces-each = { $count } faces, { $share } each
 picture-lit-faces-range = { $count } faces, { $least } to { $greatest }
+picture-lit-mean = mean
 picture-lit-n-file = N of the file
 picture-lit-n-surface = N of the surface
 
@@ -161,6 +162,8 @@ picture-missing-outline = no outline of the object is in the picture
 picture-missing-borders = the object has too many open edges to search for unshared vertices
 picture-missing-unshared = both sides of each edge share its vertices
 picture-missing-edge = no such edge is visible
+picture-mark-in-picture = in the picture
+picture-mark-in-space = in space
 picture-mark-jump = jump { $size }
 picture-plot-orientation = One point while the picture turns
 picture-curve-scanline = along the scan line

@@ -97,6 +97,7 @@ picture-needles-both = { $vertices }，{ $faces }
 picture-lit-faces = { $count } 個面
 picture-lit-faces-each = { $count } 個面，各 { $share }
 picture-lit-faces-range = { $count } 個面，{ $least } 到 { $greatest }
+picture-lit-mean = 平均
 picture-lit-n-file = 檔案的 N
 picture-lit-n-surface = 表面的 N
 
@@ -152,6 +153,8 @@ picture-missing-outline = 圖片中沒有物體的輪廓
 picture-missing-borders = 物體的開放邊太多，無法尋找未共用的頂點
 picture-missing-unshared = 每條邊的兩側都共用頂點
 picture-missing-edge = 看不到這樣的邊
+picture-mark-in-picture = 圖片中
+picture-mark-in-space = 空間中
 picture-mark-jump = 跳變 { $size }
 picture-plot-orientation = 圖片轉動時的同一點
 picture-curve-scanline = 沿掃描線

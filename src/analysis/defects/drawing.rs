@@ -1,10 +1,11 @@
 //! Drawings of the defects: marks over the picture for those that have a place, plots for those that are a curve.
 
-use super::{Defects, Orientation, SharedVertices};
+use super::{DeepEdge, Defects, Orientation, SharedVertices};
 use crate::analysis::overlay::{OverlayOptions, Style};
 use crate::figure::{Axis, Curve, Dash, Ink, Mark, Plot, PlotKind, Shape, Text};
 use crate::text;
 use glam::DVec2;
+use std::iter;
 use tiny_skia::PixmapMut;
 
 /// Smallest visible distance, pixels.
@@ -13,6 +14,9 @@ const LEAST: f64 = 0.05;
 const LEAST_JUMP: f64 = 1e-3;
 /// Distance, in letters, below which an arrow points at it.
 const SHORT: f64 = 0.3;
+/// Length of the tick at a tenth of an edge, and the distance of the words' middle from the edge, in letters.
+const TENTH: f64 = 0.5;
+const WORDS: f64 = 4.0;
 
 /// The mark of a defect that has a place in the picture, for letters of some size; pixels.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,8 +31,8 @@ pub struct DefectMark {
     pub label_at: DVec2,
 }
 
-/// Returns the marks, for letters of `em` pixels: the outline's largest distance, the largest jump at an unshared
-/// vertex.
+/// Returns the marks, for letters of `em` pixels: the outline's largest distance, the tenths of an edge that runs away from the eye, the
+/// largest jump at an unshared vertex.
 pub fn defect_marks(defects: &Defects, em: f64) -> Vec<DefectMark> {
     // Words are wider than tall.
     let beside = |end: DVec2, way: DVec2| end + DVec2::new(1.9 * em, 1.6 * em) * way;
@@ -64,7 +68,41 @@ pub fn defect_marks(defects: &Defects, em: f64) -> Vec<DefectMark> {
                 label_at: beside(found.at, DVec2::NEG_Y),
             }
         });
-    outline.into_iter().chain(jump).collect()
+    let edge = defects
+        .perspective
+        .as_ref()
+        .ok()
+        .and_then(|found| found.edge);
+    let tenths = edge.iter().flat_map(|edge| tenths(edge, em));
+    outline.into_iter().chain(tenths).chain(jump).collect()
+}
+
+/// Marks the tenths of an edge, on its left those in the picture, on its right those in space.
+fn tenths(edge: &DeepEdge, em: f64) -> [DefectMark; 2] {
+    let [near, far] = edge.ends;
+    let across = (far - near).normalize_or_zero().perp();
+    let left = if across.x > 0.0 { -across } else { across };
+    let side = |way: DVec2, words: &str, at: &dyn Fn(f64) -> DVec2| {
+        let tick = |tenth: u32| {
+            let [place, length] = [at(f64::from(tenth) / 10.0), DVec2::splat(TENTH * em)];
+            let longer = if tenth == 5 { 2.0 } else { 1.0 };
+            vec![place, place + longer * length * way]
+        };
+        DefectMark {
+            scene: "perspective-distortion",
+            lines: iter::once(vec![near, far])
+                .chain((1..10).map(tick))
+                .collect(),
+            label: words.to_owned(),
+            label_at: near.midpoint(at(0.5)) + WORDS * em * way,
+        }
+    };
+    let in_picture = |s: f64| near.lerp(far, s);
+    let in_space = |t: f64| edge.in_space(t);
+    [
+        side(left, text!("picture-mark-in-picture"), &in_picture),
+        side(-left, text!("picture-mark-in-space"), &in_space),
+    ]
 }
 
 /// Marks a distance between two ticks, or a short one with an arrow; `way` is the unit vector along it.
@@ -86,10 +124,16 @@ fn distance([a, b]: [DVec2; 2], way: DVec2, em: f64) -> Vec<Vec<DVec2>> {
     ]
 }
 
-/// Draws the marks of `defects` over the picture in which they were measured.
-pub fn draw_defects(pixmap: &mut PixmapMut<'_>, defects: &Defects, options: &OverlayOptions) {
+/// Draws the marks of `defects` over the picture in which they were measured; those of one built-in scene's defect, or all.
+pub fn draw_defects(
+    pixmap: &mut PixmapMut<'_>,
+    defects: &Defects,
+    scene: Option<&str>,
+    options: &OverlayOptions,
+) {
     let style = Style::new(f64::from(pixmap.width().min(pixmap.height())), options);
-    for mark in defect_marks(defects, style.text) {
+    let drawn = |mark: &DefectMark| scene.is_none_or(|scene| mark.scene == scene);
+    for mark in defect_marks(defects, style.text).into_iter().filter(drawn) {
         let lines = mark
             .lines
             .into_iter()

@@ -5,17 +5,25 @@ use super::{Measurement, interpolates};
 use crate::analysis::comparison::{ErrorFigures, LinearPicture, error_figures};
 use crate::analysis::perception::{luminance, pixel_luminance};
 use crate::analysis::probe::probe;
+use crate::figure::Area;
 use crate::illumination::Equation;
 use crate::render::Renderer;
 use crate::scene::{Interpolation, NormalSource, Projection, Rgb, Scene, ShadingMode, View};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
+use std::mem;
 
 /// Degrees between two samples of a rotated picture.
 const STEP: u32 = 3;
 /// Side of the rotated pictures: places in them differ by at least 1/256 of a pixel.
 const SIDE: u32 = 256;
+/// Ratio of the depths of an edge's ends from which it runs away from the eye, and the smallest displacement of its middle that is seen,
+/// pixels.
+const LEAST_RATIO: f64 = 1.5;
+const LEAST_DISPLACEMENT: f64 = 4.0;
+/// Share of a depth within which two are the same.
+const SAME_DEPTH: f64 = 0.01;
 /// Number of faces per task.
 const CHUNK: usize = 4096;
 
@@ -26,6 +34,78 @@ pub struct PerspectiveDistortion {
     pub interpolation: Interpolation,
     /// Difference over the picture.
     pub error: ErrorFigures,
+    /// The visible edge whose middle in the picture is farthest from its middle in space.
+    pub edge: Option<DeepEdge>,
+}
+
+/// An edge that runs away from the eye.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct DeepEdge {
+    /// Its near end and its far one in the picture, pixels.
+    pub ends: [DVec2; 2],
+    /// Their depths, world units.
+    pub depths: [f64; 2],
+}
+
+impl DeepEdge {
+    /// Returns the place in the picture at a fraction of the edge in space.
+    pub fn in_space(&self, t: f64) -> DVec2 {
+        let [near, far] = self.depths;
+        let [a, b] = self.ends;
+        a.lerp(b, t * far / (near + t * (far - near)))
+    }
+
+    /// Returns the distance between both middles, pixels.
+    fn displacement(&self) -> f64 {
+        self.in_space(0.5)
+            .distance(self.ends[0].midpoint(self.ends[1]))
+    }
+
+    /// Finds the visible edge of the largest displacement in the picture of `scene` that `renderer` last drew.
+    fn find(renderer: &Renderer, scene: &Scene) -> Option<Self> {
+        let size = scene.image.size;
+        let picture = Area {
+            min: DVec2::ZERO,
+            max: DVec2::from_array(size.map(f64::from)),
+        };
+        let view = View::new(&scene.camera, size);
+        let mesh = renderer.mesh_shown();
+        let mut found: Option<Self> = None;
+        for face in 0..mesh.face_count() {
+            if mesh
+                .face_normal(face)
+                .dot(view.eye - mesh.face_centre(face))
+                <= 0.0
+            {
+                continue;
+            }
+            let points: Vec<DVec3> = mesh.face_points(face).collect();
+            for (a, b) in points.iter().zip(points.iter().cycle().skip(1)) {
+                let (Some(mut a), Some(mut b)) = (view.project(*a), view.project(*b)) else {
+                    continue;
+                };
+                if a.1 > b.1 {
+                    mem::swap(&mut a, &mut b);
+                }
+                let edge = Self {
+                    ends: [a.0, b.0],
+                    depths: [a.1, b.1],
+                };
+                let least = found.map_or(LEAST_DISPLACEMENT, |found| found.displacement());
+                let inside = edge.ends.iter().all(|end| picture.nearest(*end) == *end);
+                let middle = 0.5 * (a.1 + b.1);
+                let hidden = || {
+                    let seen = renderer.evaluation_seen(edge.in_space(0.5));
+                    seen.is_some_and(|seen| seen.depth < (1.0 - SAME_DEPTH) * middle)
+                };
+                let deep = b.1 > LEAST_RATIO * a.1;
+                if inside && deep && edge.displacement() > least && !hidden() {
+                    found = Some(edge);
+                }
+            }
+        }
+        found
+    }
 }
 
 pub fn perspective(renderer: &mut Renderer, scene: &Scene) -> Measurement<PerspectiveDistortion> {
@@ -50,6 +130,7 @@ pub fn perspective(renderer: &mut Renderer, scene: &Scene) -> Measurement<Perspe
     Ok(PerspectiveDistortion {
         interpolation,
         error: error_figures(picture(&own), picture(&correct)),
+        edge: DeepEdge::find(renderer, scene),
     })
 }
 

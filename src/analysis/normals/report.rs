@@ -6,7 +6,8 @@ use crate::analysis::report::{
 };
 use crate::analysis::{Question, Subject, Watch};
 use crate::geometry::NormalOrigin;
-use crate::scene::{NormalSource, View, Weighting};
+use crate::render::Renderer;
+use crate::scene::{NormalSource, Scene, View, Weighting};
 use crate::text;
 use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};
@@ -49,15 +50,9 @@ impl Question for NormalsQuestion {
         let place = self.pixel.map_or(middle, |pixel| {
             DVec2::from_array(pixel.map(f64::from)) + 0.5
         });
-        let seen = || field.facing(&View::new(&scene.camera, size), size);
-        let near = || {
-            Some(
-                field
-                    .vertex_near(&renderer, &seen(), place, f64::INFINITY)?
-                    .index,
-            )
-        };
-        let number = self.vertex.or_else(near);
+        let number = self
+            .vertex
+            .or_else(|| field.vertex_next_to(&renderer, scene, place));
         let number = number.ok_or_else(|| text!("picture-no-vertex-seen").to_owned())?;
         Ok(FoundNormal {
             vertex: field.vertex_of(number)?,
@@ -70,6 +65,14 @@ impl Question for NormalsQuestion {
 }
 
 impl NormalField {
+    /// Returns the number of the vertex nearest to a place in the picture of `scene` that `renderer` last drew.
+    pub fn vertex_next_to(&self, renderer: &Renderer, scene: &Scene, place: DVec2) -> Option<u32> {
+        let size = scene.image.size;
+        let seen = self.facing(&View::new(&scene.camera, size), size);
+        let near = self.vertex_near(renderer, &seen, place, f64::INFINITY)?;
+        Some(near.index)
+    }
+
     /// Returns the vertex with that number, or an error that names the valid numbers.
     pub fn vertex_of(&self, number: u32) -> Result<VertexNormal, String> {
         self.vertex(number)

@@ -9,7 +9,6 @@ mod vectors;
 
 pub use equation::{Angle, Arc, Arrow, ArrowHead};
 pub use lights::LightHandle;
-pub use side::free_corners;
 pub use vectors::{VectorsShown, draw_vectors};
 
 use super::Probe;
@@ -94,7 +93,7 @@ impl Overlay {
         }
         let mut corner = equation
             .as_ref()
-            .and_then(|equation| equation.side_view(picture, &sketch, options));
+            .and_then(|equation| equation.side_view(picture, scene, &sketch, options));
         if let Some(equation) = equation {
             // Below everything else, and no obstacle to letters, since the lobe fills the middle of the drawing.
             overlay

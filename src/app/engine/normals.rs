@@ -2,7 +2,7 @@
 
 use super::pane::{PaneEngine, drawing, lettering, overlay_options, upload};
 use crate::analysis::normals::{LitVertex, Needles, NormalField, SeenNormals};
-use crate::analysis::overlay::OverlayOptions;
+use crate::analysis::overlay::{OverlayLayer, OverlayOptions, free_corners};
 use crate::app::session::Session;
 use crate::app::session::window::WindowState;
 use crate::scene::{Camera, Scene, ShadingMode, View};
@@ -115,18 +115,30 @@ impl NormalsDrawing {
         };
         let vertex =
             |(pixel, reach)| field.vertex_near(engine.renderer(), &self.seen, pixel, reach);
+        let probe = (window.probe.centre(scene.image.size), f64::INFINITY);
         let hovered = near.and_then(vertex).map(|vertex| vertex.index);
         if clicked {
             window.pointed.kept = hovered.and_then(|vertex| field.point_of(vertex));
         }
-        let wanted = hovered.or_else(|| field.vertex_at(window.pointed.kept?));
+        let wanted = hovered
+            .or_else(|| field.vertex_at(window.pointed.kept?))
+            .or_else(|| {
+                Some(
+                    vertex(probe)
+                        .filter(|_| window.appearance.overlay.vertex)?
+                        .index,
+                )
+            });
         window.pointed.lit = wanted;
         if self.lit.as_ref().map(|(vertex, _)| *vertex) == wanted {
             return;
         }
         let known = wanted.and_then(|number| field.vertex(number));
         let size = scene.image.size;
-        let options = options(ctx, session, window, scene, engine.coarser);
+        let options = OverlayOptions {
+            free_corners: free_corners(engine.renderer().frame()),
+            ..options(ctx, session, window, scene, engine.coarser)
+        };
         let laid = known.and_then(|vertex| LitVertex::new(size, scene, field, &vertex, &options));
         let mut texture = self.lit.take().map(|(_, texture)| texture);
         if let Some(image) = laid.and_then(|laid| drawing(size, |pixmap| laid.draw(pixmap))) {
@@ -159,7 +171,10 @@ fn options(
     coarser: u32,
 ) -> OverlayOptions {
     let mut options = overlay_options(&window.appearance.overlay, session.light, scene);
-    options.layers.retain(|layer| layer.of_needles());
+    let vectors = OverlayLayer::Vectors;
+    options
+        .layers
+        .retain(|layer| layer.of_needles() || *layer == vectors);
     OverlayOptions {
         light: None,
         scale: lettering(ctx, &window.appearance, scene.image.size, coarser),

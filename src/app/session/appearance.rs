@@ -225,6 +225,8 @@ pub struct Overlays {
     pub face_normals: bool,
     /// A needle at each vertex.
     pub vertex_normals: bool,
+    /// The faces of the vertex nearest to the probe are highlighted.
+    pub vertex: bool,
 }
 
 impl Default for Overlays {
@@ -241,6 +243,7 @@ impl Default for Overlays {
             handles: false,
             face_normals: false,
             vertex_normals: false,
+            vertex: false,
         }
     }
 }
@@ -248,6 +251,6 @@ impl Default for Overlays {
 impl Overlays {
     /// Returns whether normals of polygons or of vertices are shown.
     pub fn normals(&self) -> bool {
-        self.face_normals || self.vertex_normals
+        self.face_normals || self.vertex_normals || self.vertex
     }
 }

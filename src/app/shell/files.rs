@@ -2,13 +2,14 @@
 
 use super::dialog::{Dialog, ExportForm, FileTask};
 use super::film::FilmForm;
-use crate::analysis::Watch;
 use crate::analysis::codec::Codec;
 use crate::analysis::comparison::{Captions, comparison_sheet, draw_panes, panes_on_sheet};
+use crate::analysis::defects::{defects, draw_defects};
 use crate::analysis::normals::{NormalField, draw_normals};
-use crate::analysis::overlay::OverlayOptions;
-use crate::analysis::probe::{draw_overlay, free_corners, probe};
+use crate::analysis::overlay::{OverlayOptions, free_corners};
+use crate::analysis::probe::{draw_overlay, probe};
 use crate::analysis::profile::{ProfileQuestion, draw_profile, profile};
+use crate::analysis::{Watch, unwatched};
 use crate::animation::write_film;
 use crate::app::course::Course;
 use crate::app::engine::overlay_options;
@@ -23,6 +24,7 @@ use crate::app::session::recovery;
 use crate::app::session::window::WindowState;
 use crate::app::shell::state::AppState;
 use crate::app::system;
+use crate::app::views;
 use crate::app::widgets::background::{Task, wake};
 use crate::app::widgets::dialog::Picked;
 use crate::document::{load_with, save_film, save_picture, write_whole};
@@ -66,6 +68,8 @@ pub struct Over {
     point: ProbePoint,
     vertex: Option<u32>,
     line: Option<ProfileLine>,
+    /// The built-in scene of the defect that is marked.
+    defect: Option<String>,
 }
 
 impl Over {
@@ -77,6 +81,7 @@ impl Over {
             point: window.probe,
             vertex: window.pointed.kept,
             line: window.shows(ViewName::Profile).then_some(window.line),
+            defect: views::defects::marked(session, window).map(str::to_owned),
         }
     }
 
@@ -99,12 +104,22 @@ impl Over {
         if let Some(mut map) =
             tiny_skia::PixmapMut::from_bytes(frame.pixels.as_flattened_mut(), width, height)
         {
-            let lit = |field: &NormalField| {
-                Ok(self
-                    .vertex
-                    .and_then(|point| field.vertex(field.vertex_at(point)?)))
-            };
-            let Ok(()) = draw_normals::<Infallible>(&mut map, scene, renderer, &options, lit);
+            if self.overlay.normals() {
+                let lit = |field: &NormalField| {
+                    let next = || {
+                        let place = self.point.centre(scene.image.size);
+                        field.vertex_next_to(renderer, scene, place)
+                    };
+                    let kept = self.vertex.and_then(|point| field.vertex_at(point));
+                    let number = kept.or_else(|| self.overlay.vertex.then(next).flatten());
+                    Ok(number.and_then(|number| field.vertex(number)))
+                };
+                let Ok(()) = draw_normals::<Infallible>(&mut map, scene, renderer, &options, lit);
+            }
+            if self.defect.is_some() {
+                let found = defects(renderer, scene, probe.pixel, &unwatched);
+                draw_defects(&mut map, &found, self.defect.as_deref(), &options);
+            }
             if let Some(taken) = &taken {
                 taken
                     .traces

@@ -189,9 +189,11 @@ impl AppState {
         let overlay = &mut self.window.appearance.overlay;
         overlay.vectors = shown("vectors");
         overlay.side_view = shown("side-view");
+        overlay.lobe = shown("lobe");
         overlay.angles = open.overlay.angles && !self.course.hides();
         overlay.face_normals = shown("normals");
         overlay.vertex_normals = shown("vertices");
+        overlay.vertex = shown("vertex");
     }
 
     /// Follows a change of the document into the lesson or out of it: everything that a lesson hides, locks and
@@ -348,9 +350,11 @@ mod tests {
         state.turn(Turn::OpenAt(lesson.to_owned(), 0));
         state.session.begin();
         state.turn(Turn::To(step));
+        let still = Context::default();
+        still.all_styles_mut(|style| style.animation_time = 0.0);
+        state.glide(&still);
         state.session.observe(false, 0.0);
         state.follow_lock();
-        state.course.gliding = None;
         state
     }
 

@@ -16,7 +16,6 @@ use crate::app::widgets::background::progress_ui;
 use crate::app::widgets::letter::letter;
 use crate::app::widgets::palette::vector_text;
 use crate::app::widgets::{focus, lines};
-use crate::figure::PlotKind;
 use crate::figure::palette::Vector;
 use crate::scene::{
     Light, LightKind, NormalSource, Object, ObjectKind, Projection, Scene, ShadingMode, Viewer,
@@ -150,7 +149,12 @@ fn card_ui(
 }
 
 /// Scenes of the defects that have a place in the picture.
-const MARKED: [&str; 3] = ["silhouette", "orientation", "shared-vertices"];
+const MARKED: [&str; 4] = [
+    "silhouette",
+    "perspective-distortion",
+    "orientation",
+    "shared-vertices",
+];
 
 /// Returns whether a defect is marked in the picture: the chosen one, or else the one that the scene is about.
 fn is_marked(view: Option<&DefectsView>, session: &Session, defect: &Defect) -> bool {
@@ -161,13 +165,17 @@ fn is_marked(view: Option<&DefectsView>, session: &Session, defect: &Defect) -> 
     }
 }
 
+/// Returns the built-in scene of the defect that is marked in the picture.
+pub fn marked(session: &Session, window: &WindowState) -> Option<&'static str> {
+    let view = window.own.get::<DefectsView>();
+    let mut defects = DEFECTS.iter().filter(|_| window.shows(ViewName::Defects));
+    let marked = defects.find(|defect| is_marked(view, session, defect));
+    marked.map(|defect| defect.scene)
+}
+
 /// Returns whether the ring that turns the picture is shown.
 pub fn shows_ring(session: &Session, window: &WindowState) -> bool {
-    let orientation = DEFECTS
-        .iter()
-        .find(|defect| defect.plot == Some(PlotKind::Orientation));
-    window.shows(ViewName::Defects)
-        && orientation.is_some_and(|defect| is_marked(window.own.get(), session, defect))
+    marked(session, window) == Some("orientation")
 }
 
 /// Shows the three conditions under which flat shading is exact, each with its figures and a button that meets or breaks it.
@@ -376,11 +384,9 @@ pub fn paint(
         return;
     };
     let em = f64::from(font.size * place.pixels_per_point);
-    let marked = |mark: &DefectMark| {
-        let defect = DEFECTS.iter().find(|defect| defect.scene == mark.scene);
-        defect.is_some_and(|defect| is_marked(measured, session, defect))
-    };
-    for mark in defect_marks(&found.defects, em).into_iter().filter(marked) {
+    let scene = marked(session, window);
+    let drawn = |mark: &DefectMark| scene == Some(mark.scene);
+    for mark in defect_marks(&found.defects, em).into_iter().filter(drawn) {
         for stroke in [
             Stroke::new(4.0, Color32::from_black_alpha(160)),
             Stroke::new(1.8, Color32::WHITE),

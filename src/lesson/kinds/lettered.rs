@@ -11,12 +11,12 @@ pub fn letter(index: usize) -> char {
 /// Returns an option or an item with its letter.
 pub fn lettered(index: usize, options: &[String]) -> String {
     let words = options.get(index).map_or("", |words| &**words);
-    format!("{} {words}", letter(index))
+    format!("{}. {words}", letter(index))
 }
 
 /// Returns the HTML of an option or an item with its letter.
 pub fn lettered_html(index: usize, words: &str) -> Html {
-    Html::from(format!("{} ", letter(index))).with(inline(words))
+    Html::from(format!("{}. ", letter(index))).with(inline(words))
 }
 
 /// The bars of a table, which say how often each answer was given.

@@ -3,7 +3,7 @@
 use super::lights::LETTERED;
 use super::{lobe, side};
 use crate::analysis::lobe::ReflectionLobe;
-use crate::analysis::overlay::{OverlayLayer, OverlayOptions, Sketch, Style};
+use crate::analysis::overlay::{OverlayLayer, OverlayOptions, Sketch, Style, inset};
 use crate::analysis::probe::{LightTerms, ProbeHit};
 use crate::figure::palette::Vector;
 use crate::figure::{Area, Shape, lowered};
@@ -126,19 +126,22 @@ impl<'a> Equation<'a> {
 
     /// Returns the lobe of the chosen light, if requested.
     pub fn lobe(&self, sketch: &Sketch, scene: &Scene, layers: &[OverlayLayer]) -> Vec<Shape> {
-        let focus = self
-            .focus
-            .as_ref()
-            .filter(|_| layers.contains(&OverlayLayer::Lobe));
-        let lobe = focus.and_then(|focus| ReflectionLobe::at(scene, self.hit, focus.index));
+        let lobe = self.lobe_of(scene, layers);
         lobe.map_or_else(Vec::new, |lobe| lobe::draw(sketch, &lobe, scene))
     }
 
+    fn lobe_of(&self, scene: &Scene, layers: &[OverlayLayer]) -> Option<ReflectionLobe> {
+        let focus = self.focus.as_ref()?;
+        let shown = layers.contains(&OverlayLayer::Lobe);
+        ReflectionLobe::at(scene, self.hit, focus.index).filter(|_| shown)
+    }
+
     /// Draws the side view in a corner of `picture`, if it is requested or needed, and fits: vectors and angles of one
-    /// light.
+    /// light, and the lobe in cross-section.
     pub fn side_view(
         &self,
         picture: Area,
+        scene: &Scene,
         sketch: &Sketch,
         options: &OverlayOptions,
     ) -> Option<Sketch> {
@@ -154,10 +157,14 @@ impl<'a> Equation<'a> {
             return None;
         }
         let enlarged = options.side_view_enlarged;
-        let pane = |free| side::pane(picture, sketch.origin, &sketch.style, enlarged, free);
+        let pane = |free| inset::pane(picture, sketch.origin, &sketch.style, enlarged, free);
         let free = options.free_corners.filter(|_| !enlarged);
         let pane = pane(free).or_else(|| asked.then(|| pane(None)).flatten())?;
         let mut side = side::sketch(pane, [*n, terms.l, v], options)?;
+        if let Some(lobe) = self.lobe_of(scene, &options.layers) {
+            let section = lobe::draw_section(&side, &lobe, scene);
+            side.shapes.extend(section);
+        }
         let constructed = options.layers.contains(&OverlayLayer::Construction);
         let layers = [
             (true, OverlayLayer::Vectors),

@@ -11,6 +11,7 @@ use crate::figure::Shape;
 use crate::figure::palette::Vector;
 use crate::scene::{ReflectionModel, Scene};
 use glam::{DVec2, DVec3};
+use std::f64::consts::FRAC_PI_2;
 
 /// Length of the largest reflection, in unit vectors.
 const LENGTH: f64 = 1.3;
@@ -94,18 +95,42 @@ pub(super) fn draw(sketch: &Sketch, lobe: &ReflectionLobe, scene: &Scene) -> Vec
     [skin, hidden, shown].concat()
 }
 
+/// Draws the lobe in the plane of incidence, for a sketch that looks across it: the length in each direction is the light reflected to a
+/// viewer there.
+pub(super) fn draw_section(sketch: &Sketch, lobe: &ReflectionLobe, scene: &Scene) -> Vec<Shape> {
+    let unit = peak_of(lobe, scene) / LENGTH;
+    if unit.is_nan() || unit <= 0.0 || !unit.is_finite() {
+        return vec![];
+    }
+    let mut angles: Vec<f64> = angles(lobe, scene)
+        .filter(|angle| angle.abs() <= FRAC_PI_2)
+        .collect();
+    angles.sort_by(f64::total_cmp);
+    let directions = angles.into_iter().map(|angle| lobe.in_plane(angle));
+    let Some(outline) = sketch.ends(directions.map(|v| v * (lobe.towards(v).total() / unit)))
+    else {
+        return vec![];
+    };
+    let colour = Vector::L.colour();
+    let inside = Shape::area(outline.clone(), colour).faded(2.0 * FAINT[1]);
+    let outline = Shape::line(outline, 2.0 * WIDTH * sketch.style.line, colour);
+    vec![inside.plain(), outline.plain()]
+}
+
 /// Finds the largest reflection, which lies in the plane of incidence.
 fn peak_of(lobe: &ReflectionLobe, scene: &Scene) -> f64 {
-    let fine = highlight_half_width(scene) / 8.0;
-    let even = (-90..=90).map(|i| f64::from(i).to_radians());
-    let near = (-16..=16).map(|i| lobe.mirror_angle() + fine * f64::from(i));
-    let directions = even
-        .chain(near)
-        .map(|angle| lobe.in_plane(angle))
-        .chain([lobe.r]);
-    directions
+    let in_plane = angles(lobe, scene).map(|angle| lobe.in_plane(angle));
+    in_plane
+        .chain([lobe.r])
         .map(|v| lobe.towards(v).total())
         .fold(0.0, f64::max)
+}
+
+/// Returns angles from N in the plane of incidence, radians: every degree, and finer ones about the highlight.
+fn angles(lobe: &ReflectionLobe, scene: &Scene) -> impl Iterator<Item = f64> {
+    let (fine, mirror) = (highlight_half_width(scene) / 8.0, lobe.mirror_angle());
+    let even = (-90..=90).map(|i| f64::from(i).to_radians());
+    even.chain((-16..=16).map(move |i| mirror + fine * f64::from(i)))
 }
 
 /// A point of the net.

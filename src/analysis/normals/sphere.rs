@@ -1,0 +1,131 @@
+//! The sphere of normals: the normals of a vertex's polygons as points of a unit sphere, their mean inside it, and the vertex normal, which
+//! is the mean at length 1.
+
+use super::needles::{CONTRAST, DARK};
+use super::{VertexFace, VertexNormal};
+use crate::analysis::overlay::{OverlayLayer, OverlayOptions, Sketch, Style, inset};
+use crate::figure::Shape;
+use crate::figure::palette::{self, Vector, readable};
+use crate::scene::{Projection, View};
+use crate::text;
+use glam::{DQuat, DVec2, DVec3};
+
+/// Radius of the sphere in the pane's side.
+const RADIUS: f64 = 0.36;
+/// Angle by which the sphere is seen from above, radians.
+const TILT: f64 = -0.4;
+/// Radius of a point on the sphere, in lines, for the largest share; an area shows the share.
+const POINT: f64 = 2.2;
+/// Opacity of what lies on the far half.
+const FAR: f64 = 0.35;
+/// Text size of the mean's name, relative to the vectors' letters.
+const NAME: f64 = 0.8;
+
+/// Draws the sphere of `vertex` in a corner of the picture of `lit`; nothing where nothing is averaged, no corner is free, or the vectors'
+/// side view may stand there.
+pub(super) fn sketch(
+    vertex: &VertexNormal,
+    lit: &Sketch,
+    options: &OverlayOptions,
+) -> Option<Sketch> {
+    let greatest = vertex
+        .faces
+        .iter()
+        .map(|face| face.share)
+        .fold(0.0, f64::max);
+    let apart = options.layers.contains(&OverlayLayer::Vectors);
+    if greatest == 0.0 || apart {
+        return None;
+    }
+    let pane = inset::pane(
+        lit.pane,
+        lit.origin,
+        &lit.style,
+        false,
+        options.free_corners,
+    )?;
+    let side = (pane.max - pane.min).min_element();
+    let view = view(vertex.normal, &lit.view, pane.centre(), RADIUS * side);
+    let style = Style::new(2.3 * side, options);
+    let mut sketch = Sketch::new(view, style, pane, DVec3::ZERO, 1.0)?;
+    sketch.shapes.extend(inset::ground(pane, &style));
+    let (centre, radius) = (sketch.origin, RADIUS * side);
+    let ball = Shape::disc(centre, radius, inset::GREY)
+        .faded(0.3 * FAR)
+        .plain();
+    let rim = Shape::ring(centre, radius, 0.5 * style.line, inset::GREY).plain();
+    sketch.shapes.extend([ball, rim]);
+    let far = |face: &&VertexFace| face.normal.dot(sketch.view.forward) > 0.0;
+    let (behind, before): (Vec<_>, Vec<_>) = vertex.faces.iter().partition(far);
+    for (faces, opacity) in [(behind, FAR), (before, 1.0)] {
+        for face in faces {
+            draw_face(&mut sketch, face, (face.share / greatest).sqrt(), opacity);
+        }
+    }
+    draw_mean(&mut sketch, vertex);
+    Some(sketch)
+}
+
+/// Returns a view of the unit sphere with N upwards, from a little above, and the picture's right on its right.
+fn view(n: DVec3, picture: &View, centre: DVec2, scale: f64) -> View {
+    let right = (picture.right - n * picture.right.dot(n)).try_normalize();
+    let right = right.unwrap_or_else(|| n.any_orthonormal_vector());
+    let turn = DQuat::from_axis_angle(right, TILT);
+    let forward = turn * n.cross(right);
+    View {
+        eye: forward * -4.0,
+        right,
+        up: turn * n,
+        forward,
+        centre,
+        scale,
+        projection: Projection::Orthographic,
+    }
+}
+
+/// Draws a face's normal from the centre to its point on the sphere, whose size is a share of the largest one.
+fn draw_face(sketch: &mut Sketch, face: &VertexFace, size: f64, opacity: f64) {
+    let Some(tip) = sketch.end(face.normal) else {
+        return;
+    };
+    let line = sketch.style.line;
+    let radius = POINT * size * line;
+    for (colour, more, dashes) in [
+        (DARK, 0.5 * line, &[][..]),
+        (palette::FACE, 0.0, &palette::FACE_DASHES[..]),
+    ] {
+        let shaft = Shape::line(vec![sketch.origin, tip], 0.5 * line + more, colour).dashed(dashes);
+        let point = Shape::disc(tip, radius + 0.5 * more, colour);
+        sketch
+            .shapes
+            .extend([shaft, point].map(|shape| shape.faded(opacity).plain()));
+    }
+}
+
+/// Draws the mean of the normals inside the sphere and the vertex normal through it.
+fn draw_mean(sketch: &mut Sketch, vertex: &VertexNormal) {
+    let (style, origin) = (sketch.style, sketch.origin);
+    let colour = readable(Vector::N.colour(), style.halo_colour, CONTRAST);
+    let (Some(mean), Some(tip)) = (sketch.end(vertex.sum), sketch.end(vertex.normal)) else {
+        return;
+    };
+    let along = (tip - origin).normalize_or_zero();
+    let head = style.head.min(0.5 * origin.distance(tip));
+    let [shaft, point] = Shape::arrow([origin, tip], along, style.line, head, colour);
+    sketch.shapes.push(shaft);
+    sketch.shapes.extend((head > 0.0).then_some(point));
+    sketch
+        .shapes
+        .push(Shape::disc(mean, 1.6 * style.line, style.neutral));
+    let gap = 0.3 * style.text;
+    let beside = along.perp().try_normalize().unwrap_or(DVec2::X);
+    sketch.letter("N".to_owned(), 1.0, colour, tip, along, gap);
+    sketch.letter(
+        text!("picture-lit-mean").to_owned(),
+        NAME,
+        style.neutral,
+        mean,
+        beside,
+        gap,
+    );
+}
