@@ -436,6 +436,11 @@ impl App {
                 let window = &mut self.state.window;
                 window.appearance = window.appearance.reset();
                 (window.probe, window.line) = Default::default();
+                let document = self.state.session.document();
+                window.seek_highlight = matches!(
+                    (&document.part, &document.origin),
+                    (CoursePart::None, Origin::BuiltIn(_))
+                );
                 (window.enlarged, window.picture_alone) = (false, false);
                 window.own = ViewStates::default();
                 ctx.data_mut(|data| data.remove_by_type::<PanelState>());

@@ -114,6 +114,29 @@ fn a_setting_is_found_by_a_mistyped_name_and_its_section_opens() {
     assert!(row.is_some());
 }
 
+#[test]
+fn everything_is_reset_with_the_probe_where_the_opened_scene_has_it() {
+    let mut harness = window("sphere");
+    let find = |harness: &mut Harness<'_, App>, sought: &str| {
+        harness.key_press_modifiers(Modifiers::COMMAND, Key::K);
+        harness.run_ok();
+        harness
+            .get_by_role_and_label(Role::SearchInput, english!("find"))
+            .type_text(sought);
+        harness.run_ok();
+        harness.key_press(Key::Enter);
+        harness.run_ok();
+        let state = harness.state().state();
+        state.window.probe.0
+    };
+    let opened = find(&mut harness, "shadows on a floor");
+    let title = harness.state().state().session.document().origin.name();
+    harness.key_press(Key::ArrowRight);
+    harness.run_ok();
+    let reset = find(&mut harness, "reset everything");
+    assert!(opened.distance(reset) < 0.02, "{title}: {opened} {reset}");
+}
+
 /// Returns the smallest distance of the object from the edges of the picture, in pixels.
 fn object_margin(harness: &Harness<'_, App>) -> f64 {
     let frame = harness.state().frame();
