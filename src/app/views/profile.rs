@@ -27,6 +27,7 @@ use crate::app::session::window::WindowState;
 use crate::app::widgets::background::wake;
 use crate::app::widgets::drawing::{colour_of, plot_style};
 use crate::app::widgets::focus::switch_named;
+use crate::app::widgets::lines;
 use crate::figure::{Dash, Ink, dashes};
 use crate::jobs::{Background, Request, Work};
 use crate::render::Frame;
@@ -34,7 +35,7 @@ use crate::scene::{Choice, Scene, ShadingMode};
 use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align, Atom, Button, Context, Layout, Popup, PopupCloseBehavior, RichText, Shape, Stroke,
+    Align, Atom, Button, Context, Layout, Popup, PopupCloseBehavior, RichText, Stroke,
     TextureHandle, TextureOptions, Ui, vec2,
 };
 use glam::DVec2;
@@ -336,18 +337,13 @@ fn switch_ui(ui: &mut Ui, name: &str, tip: &str, on: bool, sample: Sample) -> bo
     let (width, dash) = (sample.width, dashes(sample.dash));
     let line = Atom::paint(vec2(SAMPLE[0], SAMPLE[1]), move |ui, place| {
         let ends = [place.rect.left_center(), place.rect.right_center()];
-        let stroke = Stroke::new(width, colour);
-        let [marks, gaps] = [0, 1].map(|from| -> Vec<f32> {
-            let lengths = dash.iter().skip(from).step_by(2);
-            lengths.map(|length| length * width).collect()
-        });
-        if dash.is_empty() {
-            ui.painter().line_segment(ends, stroke);
-        } else {
-            ui.painter().extend(Shape::dashed_line_with_offset(
-                &ends, stroke, &marks, &gaps, 0.0,
-            ));
-        }
+        let dash: Vec<f32> = dash.iter().map(|length| length * width).collect();
+        lines::line(
+            ui.painter(),
+            ends.map(lines::exact),
+            Stroke::new(width, colour),
+            &dash,
+        );
     });
     let visuals = ui.visuals();
     let (text, outline) = if on {

@@ -39,9 +39,6 @@ pub fn line(
     stroke: Stroke,
     dashes: &[f32],
 ) {
-    let every_other =
-        |from: usize| -> Vec<f32> { dashes.iter().skip(from).step_by(2).copied().collect() };
-    let period = f64::from(dashes.iter().sum::<f32>());
     for run in clipped(points, &sight(painter, stroke.width)) {
         let mut points: Vec<Pos2> = run.points.iter().map(rounded).collect();
         // A segment of zero length has no direction for its dashes.
@@ -49,20 +46,49 @@ pub fn line(
         if points.len() < 2 {
             continue;
         }
-        if period > 0.0 {
-            // The dashes start at the beginning of the line, also where it is clipped.
-            let offset = -run.start.rem_euclid(period) as f32;
-            painter.extend(Shape::dashed_line_with_offset(
-                &points,
-                stroke,
-                &every_other(0),
-                &every_other(1),
-                offset,
-            ));
-        } else {
+        if dashes.is_empty() {
             painter.add(Shape::line(points, stroke));
+            continue;
         }
+        // The dashes start at the beginning of the line, also where it is clipped.
+        let dashed = dashed(&points, dashes, run.start);
+        painter.extend(dashed.into_iter().map(|dash| Shape::line(dash, stroke)));
     }
+}
+
+/// Returns the dashes of the part of a line that begins `start` points after the line itself.
+///
+/// A dash is one path over all segments that it crosses: egui moves the ends of a level segment of its own to the middle of
+/// pixels, where a short one has no length left.
+fn dashed(points: &[Pos2], dashes: &[f32], start: f64) -> Vec<Vec<Pos2>> {
+    let period = f64::from(dashes.iter().sum::<f32>());
+    // The current dash or gap, and the length that is left of it.
+    let (mut index, mut left) = (0, dashes[0] - start.rem_euclid(period) as f32);
+    while left <= 0.0 {
+        index = (index + 1) % dashes.len();
+        left += dashes[index];
+    }
+    let mut found = Vec::new();
+    let mut dash = vec![points[0]];
+    for &[from, to] in points.array_windows() {
+        let length = from.distance(to);
+        let mut at = 0.0;
+        while length - at > left {
+            at += left;
+            let end = from.lerp(to, at / length);
+            dash.push(end);
+            let done = std::mem::replace(&mut dash, vec![end]);
+            found.extend((index % 2 == 0).then_some(done));
+            index = (index + 1) % dashes.len();
+            left = dashes[index];
+        }
+        left -= length - at;
+        dash.push(to);
+    }
+    found.extend((index % 2 == 0).then_some(dash));
+    found.iter_mut().for_each(Vec::dedup);
+    found.retain(|dash| dash.len() > 1);
+    found
 }
 
 /// Draws a closed line through points of the screen.
@@ -129,6 +155,28 @@ mod tests {
             .iter()
             .all(|shape| shape.visual_bounding_rect().is_finite());
         assert!(!shapes.is_empty() && finite, "{shapes:?}");
+    }
+
+    #[test]
+    fn dashes_run_on_over_short_segments() {
+        let pattern = [5.5, 2.0, 1.3, 2.0];
+        let ends = |points: &[Pos2]| -> Vec<[f32; 2]> {
+            let dashes = dashed(points, &pattern, 3.0);
+            dashes
+                .iter()
+                .map(|dash| [dash[0].x, dash[dash.len() - 1].x])
+                .collect()
+        };
+        let whole = ends(&[pos2(0.0, 5.0), pos2(60.0, 5.0)]);
+        let short: Vec<Pos2> = (0..=100).map(|i| pos2(0.6 * i as f32, 5.0)).collect();
+        let split = ends(&short);
+        assert_eq!(split.len(), whole.len());
+        for (split, whole) in split.iter().zip(&whole) {
+            let off = (split[0] - whole[0]).abs().max((split[1] - whole[1]).abs());
+            assert!(off < 1e-3, "{split:?} {whole:?}");
+        }
+        assert_eq!(whole[0], [0.0, 2.5]);
+        assert!((whole[1][0] - 4.5).abs() < 1e-5 && (whole[1][1] - 5.8).abs() < 1e-5);
     }
 
     #[test]
