@@ -20,7 +20,8 @@ pub use formula::{Base, Formula, Item, is_italic};
 pub use labels::{Label, Placer, Wish};
 pub use plot::{
     Axis, Curve, Dash, Direction, Ink, Mark, Paper, Plot, PlotKind, PlotStyle, Point, Tag, dashes,
-    lay_out, lay_out_bare, lay_out_sheet, magnitude, round_up, scientific, short, ticks,
+    lay_out, lay_out_bare, lay_out_column, lay_out_sheet, magnitude, round_up, scientific, short,
+    ticks,
 };
 pub use qr::QrCode;
 pub(crate) use text::inked_size;

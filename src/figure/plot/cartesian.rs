@@ -29,18 +29,28 @@ const GAP: f64 = 0.2;
 /// Size of the names of points, relative to other letters.
 const LETTERS: f64 = 0.85;
 
-/// Draws axes, marks and curves in `bounds`; the x axis over `span`, if given.
-pub fn draw(canvas: &mut PlotCanvas<'_>, bounds: Area, span: Option<[f64; 2]>) {
-    let (em, plot) = (canvas.em, canvas.plot);
+/// Returns the y axis with its headroom, and its ticks in `bounds`.
+fn y_axis(plot: &Plot, bounds: &Area, em: f64) -> (Axis, Vec<(f64, String)>) {
     let y = Axis {
         high: plot.y.low + (plot.y.high - plot.y.low) * HEADROOM,
         ..plot.y.clone()
     };
     let y_ticks = ticks(&y, (bounds.max.y - bounds.min.y) / (2.6 * em));
-    let widest = y_ticks
-        .iter()
-        .map(|(_, text)| width_of(text, em))
-        .fold(0.0, f64::max);
+    (y, y_ticks)
+}
+
+/// Returns the width of the widest number beside the y axis of a plot in `bounds`.
+pub fn labels_width(plot: &Plot, bounds: &Area, em: f64) -> f64 {
+    let (_, y_ticks) = y_axis(plot, bounds, em);
+    let widths = y_ticks.iter().map(|(_, text)| width_of(text, em));
+    widths.fold(0.0, f64::max)
+}
+
+/// Draws axes, marks and curves in `bounds`, with space for numbers of the width `widest` beside the y axis; the x axis
+/// over `span`, if given.
+pub fn draw(canvas: &mut PlotCanvas<'_>, bounds: Area, widest: f64, span: Option<[f64; 2]>) {
+    let (em, plot) = (canvas.em, canvas.plot);
+    let (y, y_ticks) = y_axis(plot, &bounds, em);
     let mut area = Area {
         min: bounds.min + DVec2::new(widest + 0.6 * em, 0.0),
         max: bounds.max - DVec2::new(0.9 * em, 3.0 * em),

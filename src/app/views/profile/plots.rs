@@ -7,7 +7,7 @@ use crate::analysis::profile::{Abscissa, Compared, Profile, TakenProfile, compar
 use crate::app::session::place::Place;
 use crate::app::widgets::drawing::{boxed, colour_of, drawing_ui, plot_style};
 use crate::app::widgets::lines;
-use crate::figure::{Drawing, Plot, PlotStyle, Text, lay_out_bare, short};
+use crate::figure::{Drawing, Plot, PlotStyle, Text, lay_out_column, short};
 use crate::text::{Language, language, text};
 use eframe::egui::{Label, Pos2, Rect, RichText, Sense, Stroke, TextStyle, Ui, pos2, vec2};
 use glam::DVec2;
@@ -156,15 +156,12 @@ impl Plots {
         let TakenProfile { profile, question } = taken;
         self.plots = compared_plots(profile, question, key.view).into();
         let size = DVec2::from_array(key.size.map(f64::from));
-        let bare = |plot: &Plot| {
-            // The note is beside the title.
-            let plot = Plot {
-                note: String::new(),
-                ..plot.clone()
-            };
-            lay_out_bare(&plot, size, key.span, &key.style)
-        };
-        self.drawings = self.plots.iter().map(bare).collect();
+        // The note is beside the title.
+        let bare = self.plots.iter().map(|plot| Plot {
+            note: String::new(),
+            ..plot.clone()
+        });
+        self.drawings = lay_out_column(&bare.collect::<Vec<_>>(), size, key.span, &key.style);
     }
 
     /// Shows one plot, and the values of all curves at the pointer, on the plot or on the line in the picture.
