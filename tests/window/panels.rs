@@ -384,6 +384,11 @@ fn the_profile_has_a_tab_whose_line_is_dragged_in_the_picture() {
     for ending in ["CSV…", "PNG…", "SVG…"] {
         assert!(harness.query_by_label(ending).is_some(), "{ending}");
     }
+    harness
+        .get_by_label(english!("report-copy"))
+        .click_accesskit();
+    harness.run_ok();
+    assert!(harness.query_by_label("CSV…").is_none(), "the menu closes");
 }
 
 #[test]

@@ -234,7 +234,9 @@ impl Profiles {
         window: &mut WindowState,
         requests: &mut Requests,
     ) {
-        export_ui(ui, session, window, requests, "profile", || self.latest());
+        if export_ui(ui, session, window, requests, "profile", || self.latest()) {
+            ui.close();
+        }
     }
 
     fn plots_ui(

@@ -431,7 +431,7 @@ impl Export {
 
 /// Shows buttons that save the answer of `analysis` in each of its formats, and copy it.
 ///
-/// `answer` returns the answer with its scene.
+/// `answer` returns the answer with its scene. Returns whether a button was clicked.
 pub fn export_ui(
     ui: &mut Ui,
     session: &mut Session,
@@ -439,9 +439,9 @@ pub fn export_ui(
     requests: &mut Requests,
     analysis: &'static str,
     answer: impl FnOnce() -> Option<(Box<dyn Answer>, Scene)>,
-) {
+) -> bool {
     let Some(analysis) = Analysis::find(analysis) else {
-        return;
+        return false;
     };
     let (mut format, mut copy) = (None, false);
     ui.horizontal_wrapped(|ui| {
@@ -465,13 +465,13 @@ pub fn export_ui(
             .clicked();
     });
     if format.is_none() && !copy {
-        return;
+        return false;
     }
     let Some((answer, scene)) = answer() else {
-        return;
+        return true;
     };
     if let Some(format) = format {
-        return export(
+        export(
             session,
             window,
             requests,
@@ -480,8 +480,7 @@ pub fn export_ui(
             answer,
             scene,
         );
-    }
-    if copy {
+    } else {
         let name = session.document().origin.name();
         let export = Export {
             answer,
@@ -491,6 +490,7 @@ pub fn export_ui(
         ui.ctx().copy_text(export.answer.text(&export.about()));
         session.notice = Some(text!("report-copied", name = analysis.name).into());
     }
+    true
 }
 
 /// Asks where to save the answer of `analysis` to a question about `scene`.
