@@ -3,11 +3,13 @@
 use crate::common::hands::{
     built_in, folded, named, open_view, picture_place, press, right_click, window, window_looking,
 };
+use crate::layout::texts;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, Modifiers, pos2, vec2};
+use eframe::egui::{Color32, Key, Modifiers, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use shading_lab::app::{App, Appearance, ViewName};
+use shading_lab::figure::palette::contrast;
 use shading_lab::scene::presets::DEFAULT;
 
 /// Returns the exponent that the window shows.
@@ -135,6 +137,32 @@ fn everything_is_reset_with_the_probe_where_the_opened_scene_has_it() {
     harness.run_ok();
     let reset = find(&mut harness, "reset everything");
     assert!(opened.distance(reset) < 0.02, "{title}: {opened} {reset}");
+}
+
+#[test]
+fn the_chosen_command_is_readable() {
+    let mut harness = window("sphere");
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::K);
+    harness.run_ok();
+    harness
+        .get_by_role_and_label(Role::SearchInput, english!("find"))
+        .type_text("exponent");
+    harness.run_ok();
+    let fill = harness.ctx.global_style().visuals.selection.bg_fill;
+    let kind = english!("find-setting");
+    let shapes = &harness.output().shapes;
+    let (_, first) = texts(shapes)
+        .into_iter()
+        .find(|(_, text)| text.galley.job.text == kind)
+        .expect("the kind of the chosen command");
+    let own = first.galley.job.sections[0].format.color;
+    let colour = if own == Color32::PLACEHOLDER {
+        first.fallback_color
+    } else {
+        own
+    };
+    let rgb = |colour: Color32| [colour.r(), colour.g(), colour.b()];
+    assert!(contrast(rgb(colour), rgb(fill)) >= 4.5, "{colour:?}");
 }
 
 /// Returns the smallest distance of the object from the edges of the picture, in pixels.

@@ -47,7 +47,7 @@ const PAGE: &str = "https://example.org/shading-lab/";
 const MENUS: f32 = 52.0;
 
 /// Returns the texts of a frame with their clip rectangles.
-fn texts(shapes: &[ClippedShape]) -> Vec<(Rect, &TextShape)> {
+pub fn texts(shapes: &[ClippedShape]) -> Vec<(Rect, &TextShape)> {
     fn gather<'s>(shape: &'s Shape, clip: Rect, found: &mut Vec<(Rect, &'s TextShape)>) {
         match shape {
             Shape::Text(text) => found.push((clip, text)),

@@ -237,7 +237,11 @@ pub fn find_ui(ui: &mut Ui, window: &mut WindowState, requests: &mut Requests) -
 
 /// Shows an entry, and returns whether it was clicked.
 fn entry_ui(ui: &mut Ui, entry: &Entry, chosen: bool) -> bool {
-    let kind = RichText::new(&entry.kind).weak();
+    let mut kind = RichText::new(&entry.kind);
+    // Weak text is not readable on the colour of the selection.
+    if !chosen {
+        kind = kind.weak();
+    }
     ui.with_layout(Layout::top_down_justified(Align::Min), |ui| {
         let button = Button::selectable(chosen, entry.name.as_str()).right_text(kind);
         ui.add(button).clicked()

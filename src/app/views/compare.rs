@@ -154,7 +154,8 @@ fn pane_ui(
         if count > 1 {
             let reference = session.document().scene.reference_pane() == pane;
             let label = text!("picture-reference-pane", number = number);
-            let mark = Button::selectable(reference, if reference { "◆" } else { "◇" });
+            let mark = RichText::new(if reference { "◆" } else { "◇" });
+            let mark = Button::selectable(reference, mark.color(ui.visuals().text_color()));
             let response = ui.add(mark.frame(false)).on_hover_text(&label);
             if focus::switch_named(response, Role::RadioButton, reference, &label).clicked() {
                 requests.ask(Action::Reference(pane));
