@@ -5,7 +5,7 @@ use crate::common::hands::{
 };
 use crate::layout::texts;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Color32, Key, Modifiers, pos2, vec2};
+use eframe::egui::{Color32, Key, Modifiers, Pos2, Rect, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use shading_lab::app::{App, Appearance, ViewName};
@@ -137,6 +137,31 @@ fn everything_is_reset_with_the_probe_where_the_opened_scene_has_it() {
     harness.run_ok();
     let reset = find(&mut harness, "reset everything");
     assert!(opened.distance(reset) < 0.02, "{title}: {opened} {reset}");
+}
+
+/// Returns the rectangle of a button by the key of its name.
+fn button(harness: &Harness<'_, App>, key: &str) -> Rect {
+    let button = harness.get_by_role_and_label(Role::Button, named(key));
+    button.rect()
+}
+
+/// Clicks with the pointer.
+fn click(harness: &mut Harness<'_, App>, at: Pos2) {
+    harness.hover_at(at);
+    harness.run_ok();
+    harness.drag_at(at);
+    harness.step();
+    harness.drop_at(at);
+    harness.run_ok();
+}
+
+#[test]
+fn the_longest_menu_ends_above_the_bottom_of_the_window() {
+    let mut harness = window("sphere");
+    let view = button(&harness, "controls-group-view").center();
+    click(&mut harness, view);
+    let language = button(&harness, "language");
+    assert!(language.bottom() <= 800.0 - 8.0, "{language:?}");
 }
 
 #[test]

@@ -12,14 +12,17 @@ use crate::app::widgets::theme::ThemeChoice;
 use crate::scene::ShadingMode;
 use crate::text::{Language, text};
 use eframe::egui::accesskit::Role;
+use eframe::egui::style::ScrollStyle;
 use eframe::egui::{Atom, Button, IdSalt, Rect, ScrollArea, Ui, vec2};
 
 /// The width of a menu, in points.
 const WIDTH: f32 = 264.0;
 /// The width reserved for ticks, in points.
 const TICK: f32 = 16.0;
-/// The height of a window that its menus leave free, in points.
-const MARGIN: f32 = 24.0;
+/// The space between the items of a menu, in points: the longest menu fits a window that is 800 points high.
+const GAP: f32 = 2.0;
+/// The height of a window that its menus leave free, for the bar and their margins, in heights of a control.
+const FREE: f32 = 2.5;
 /// The number of items between two lines that stay in a menu for fingers; more have a menu of their own.
 const MANY: usize = 8;
 /// The commands that a window without keys does not need in its menus: the rail opens the panels, and nobody presses keys.
@@ -117,7 +120,10 @@ pub fn commands_ui(
     };
     ui.set_min_width(WIDTH);
     let fingers = system::fingers(ui.ctx());
-    let left_out = |command: &Command| fingers && FOR_KEYS.contains(&command.key);
+    let without_bar = window.drawer || window.enlarged;
+    let left_out = |command: &Command| {
+        fingers && FOR_KEYS.contains(&command.key) || without_bar && command.key == "stages"
+    };
     let mut shown = false;
     for part in section.commands.split(Command::is_line) {
         let items: Vec<&Command> = (part.iter())
@@ -139,10 +145,15 @@ pub fn commands_ui(
     }
 }
 
-/// Shows the content of a menu, which scrolls if the window is too low for it.
+/// Shows the content of a menu. If the window is too low for it, it scrolls beside a scroll bar that is always visible.
 pub fn scrolled<R>(ui: &mut Ui, content: impl FnOnce(&mut Ui) -> R) -> R {
-    let most = ui.ctx().content_rect().height() - MARGIN;
+    let most = ui.ctx().content_rect().height() - FREE * ui.spacing().interact_size.y;
     let most = most.max(0.0);
+    ui.spacing_mut().item_spacing.y = GAP;
+    ui.spacing_mut().scroll = ScrollStyle {
+        foreground_color: true,
+        ..ScrollStyle::solid()
+    };
     ScrollArea::vertical()
         .max_height(most)
         .min_scrolled_height(most)
