@@ -165,6 +165,18 @@ fn the_longest_menu_ends_above_the_bottom_of_the_window() {
 }
 
 #[test]
+fn a_name_beside_three_values_is_not_cut() {
+    let harness = window("one-bounce");
+    let shapes = &harness.output().shapes;
+    let name = english!("point-bounce");
+    let names = texts(shapes);
+    let mut names = names
+        .iter()
+        .filter(|(_, text)| text.galley.job.text == name);
+    assert!(names.any(|(_, text)| !text.galley.elided), "{name}");
+}
+
+#[test]
 fn the_chosen_command_is_readable() {
     let mut harness = window("sphere");
     harness.key_press_modifiers(Modifiers::COMMAND, Key::K);

@@ -176,7 +176,9 @@ fn channels_ui(ui: &mut Ui) {
 
 /// Shows a line that does not unfold. Letters in place of its name highlight their control.
 fn flat_ui(ui: &mut Ui, line: &FilledLine) {
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), LINE), Sense::hover());
+    let name = name_galley(ui, line);
+    let size = vec2(ui.available_width(), name.size().y.max(LINE));
+    let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
     response.widget_info(|| {
         WidgetInfo::labeled(
             Role::Label,
@@ -184,7 +186,7 @@ fn flat_ui(ui: &mut Ui, line: &FilledLine) {
             format!("{} {}", line.name, line.value.words()),
         )
     });
-    paint(ui, line, rect);
+    paint(ui, line, name, rect);
     if !line.letters.is_empty() {
         let visuals = ui.visuals();
         let letters = formula(visuals, line.letters, colour(visuals, line.tone), |_| {
@@ -209,7 +211,8 @@ fn fold_ui(ui: &mut Ui, session: &mut Session, here: Here<'_>, line: &FilledLine
     );
     let own = line.light.is_none_or(|index| index == session.light);
     let mut fold = CollapsingState::load_with_default_open(ui.ctx(), id, own);
-    let (_, rect) = ui.allocate_space(vec2(ui.available_width(), LINE));
+    let galley = name_galley(ui, line);
+    let (_, rect) = ui.allocate_space(vec2(ui.available_width(), galley.size().y.max(LINE)));
     let response = ui.interact(rect, id, Sense::click());
     let unfolds = if chosen && line.light.is_some() {
         own != fold.is_open()
@@ -245,7 +248,7 @@ fn fold_ui(ui: &mut Ui, session: &mut Session, here: Here<'_>, line: &FilledLine
     let icon = Rect::from_center_size(pos2(rect.min.x + 22.0, rect.center().y), vec2(10.0, 10.0));
     let openness = fold.openness(ui.ctx());
     paint_default_icon(ui, openness, &response.with_new_rect(icon));
-    paint(ui, line, rect);
+    paint(ui, line, galley, rect);
     let light = line.light.and_then(|index| here.lights().nth(index));
     let values = light.map_or_else(Vec::new, |light| light.values());
     let sought = symbol::sought(ui.ctx());
@@ -261,58 +264,89 @@ fn fold_ui(ui: &mut Ui, session: &mut Session, here: Here<'_>, line: &FilledLine
     }
 }
 
+/// Returns the left edge of a line's name.
+fn indent(line: &FilledLine) -> f32 {
+    if line.parts.is_empty() {
+        FLAT_INDENT
+    } else {
+        INDENT
+    }
+}
+
+/// Lays out the parts of a line's value, each with the distance of its right edge from that of the line.
+fn value_galleys(ui: &Ui, line: &FilledLine) -> Vec<(Arc<Galley>, f32)> {
+    let visuals = ui.visuals();
+    match &line.value {
+        LineValue::Channels(values) => {
+            let values = values.iter().enumerate().map(|(index, value)| {
+                let job = set(value, FontId::monospace(TEXT), colour(visuals, line.tone));
+                (ui.painter().layout_job(job), channel_offset(index))
+            });
+            values.collect()
+        }
+        LineValue::Words(words) => {
+            let (font, weak) = (FontId::proportional(TEXT), visuals.weak_text_color());
+            let galley = ui.painter().layout_no_wrap(words.clone(), font, weak);
+            vec![(galley, 0.0)]
+        }
+    }
+}
+
+/// Lays out a line's name in the width left of its value, in two rows where it is too long for one.
+fn name_galley(ui: &Ui, line: &FilledLine) -> Arc<Galley> {
+    let least = match line.value {
+        LineValue::Channels(_) => COLUMN,
+        LineValue::Words(_) => 0.0,
+    };
+    let values = value_galleys(ui, line).into_iter();
+    let taken = values.map(|(galley, offset)| offset + galley.size().x.max(least));
+    let room = ui.available_width() - taken.fold(0.0, f32::max) - SPACE - indent(line);
+    let name = if line.letters.is_empty() {
+        &*line.name
+    } else {
+        ""
+    };
+    text_galley(ui, name, colour(ui.visuals(), line.tone), room, 2)
+}
+
 /// Paints the sign, the name and the value of a line.
-fn paint(ui: &Ui, line: &FilledLine, rect: Rect) {
+fn paint(ui: &Ui, line: &FilledLine, name: Arc<Galley>, rect: Rect) {
     let (weak, colour) = (
         ui.visuals().weak_text_color(),
         colour(ui.visuals(), line.tone),
     );
-    paint_text(ui, line.sign, rect.min.x, rect, weak, INDENT);
-    let left = rect.min.x
-        + if line.parts.is_empty() {
-            FLAT_INDENT
-        } else {
-            INDENT
-        };
-    let mut free = rect.max.x;
-    match &line.value {
-        LineValue::Channels(values) => {
-            for (index, value) in values.iter().enumerate() {
-                let job = set(value, FontId::monospace(TEXT), colour);
-                let galley = ui.painter().layout_job(job);
-                let edge = channel_edge(rect, index);
-                free = free.min(edge - galley.size().x.max(COLUMN));
-                paint_right(ui, galley, edge, rect, colour);
-            }
-        }
-        LineValue::Words(words) => {
-            let galley =
-                ui.painter()
-                    .layout_no_wrap(words.clone(), FontId::proportional(TEXT), weak);
-            free -= galley.size().x;
-            paint_right(ui, galley, rect.max.x, rect, weak);
-        }
+    let (middle, sign) = (rect.center().y, text_galley(ui, line.sign, weak, INDENT, 1));
+    place_at(ui, sign, rect.min.x, middle, weak);
+    for (galley, offset) in value_galleys(ui, line) {
+        paint_right(ui, galley, rect.max.x - offset, rect, colour);
     }
-    if line.letters.is_empty() {
-        paint_text(ui, &line.name, left, rect, colour, free - SPACE - left);
-    }
+    place_at(ui, name, rect.min.x + indent(line), middle, colour);
+}
+
+/// Returns the distance of the right edge of a channel's column from that of the line.
+fn channel_offset(index: usize) -> f32 {
+    (COLUMN + SPACE) * (2 - index) as f32
 }
 
 /// Returns the right edge of a channel's column.
 fn channel_edge(rect: Rect, index: usize) -> f32 {
-    rect.max.x - (COLUMN + SPACE) * (2 - index) as f32
+    rect.max.x - channel_offset(index)
 }
 
-/// Paints text, truncated to the width `room`.
-fn paint_text(ui: &Ui, words: &str, x: f32, rect: Rect, colour: Color32, room: f32) {
+/// Lays out text in at most `rows` rows of the width `room`, truncated.
+fn text_galley(ui: &Ui, words: &str, colour: Color32, room: f32, rows: usize) -> Arc<Galley> {
     let format = TextFormat {
         font_id: FontId::proportional(TEXT),
         color: colour,
         ..TextFormat::default()
     };
     let mut job = LayoutJob::single_section(words.to_owned(), format);
-    job.wrap = TextWrapping::truncate_at_width(room.max(0.0));
-    place_at(ui, ui.painter().layout_job(job), x, rect.center().y, colour);
+    job.wrap = TextWrapping {
+        max_rows: rows,
+        break_anywhere: rows == 1,
+        ..TextWrapping::truncate_at_width(room.max(0.0))
+    };
+    ui.painter().layout_job(job)
 }
 
 fn paint_right(ui: &Ui, galley: Arc<Galley>, edge: f32, rect: Rect, colour: Color32) {
