@@ -41,12 +41,19 @@ pub struct View {
     pub key: ViewName,
     /// Key of the name in the catalogue.
     name: &'static str,
+    /// Key of its other names, for the search.
+    words: &'static str,
     show: fn(&mut Ui, &mut Parts<'_>),
 }
 
 impl View {
     pub fn title(&self) -> &'static str {
         text!(self.name)
+    }
+
+    /// Returns other names under which the search finds the view.
+    pub fn words(&self) -> &'static str {
+        text!(self.words)
     }
 }
 
@@ -79,11 +86,13 @@ pub static GROUPS: [Group; 5] = [
             View {
                 key: ViewName::Equation,
                 name: "view-equation",
+                words: "view-equation.words",
                 show: |ui, p| point_ui(ui, p.session, p.window, p.requests, p.engine),
             },
             View {
                 key: ViewName::Curves,
                 name: "view-curves",
+                words: "view-curves.words",
                 show: |ui, p| {
                     p.with(|p, own| curves_ui(ui, own, p.session, p.window, p.requests, p.engine));
                 },
@@ -98,6 +107,7 @@ pub static GROUPS: [Group; 5] = [
             View {
                 key: ViewName::Profile,
                 name: "view-profile",
+                words: "view-profile.words",
                 show: |ui, p| {
                     p.with(|p, own| profile_ui(ui, own, p.session, p.window, p.requests, p.engine));
                 },
@@ -105,6 +115,7 @@ pub static GROUPS: [Group; 5] = [
             View {
                 key: ViewName::ScanLine,
                 name: "view-scan-line",
+                words: "view-scan-line.words",
                 show: |ui, p| {
                     p.with(|p, own| scan_ui(ui, own, p.session, p.window, p.requests, p.engine));
                 },
@@ -119,6 +130,7 @@ pub static GROUPS: [Group; 5] = [
             View {
                 key: ViewName::Compare,
                 name: "view-compare",
+                words: "view-compare.words",
                 show: |ui, p| {
                     p.with(|p, own| compare_ui(ui, own, p.session, p.window, p.requests, p.engine));
                 },
@@ -126,6 +138,7 @@ pub static GROUPS: [Group; 5] = [
             View {
                 key: ViewName::Defects,
                 name: "view-defects",
+                words: "view-defects.words",
                 show: |ui, p| {
                     p.with(|p, own| defects_ui(ui, own, p.session, p.window, p.requests, p.engine));
                 },
@@ -140,6 +153,7 @@ pub static GROUPS: [Group; 5] = [
             View {
                 key: ViewName::Plan,
                 name: "view-plan",
+                words: "view-plan.words",
                 show: |ui, p| {
                     p.with(|p, own| plan_ui(ui, own, p.session, p.window, p.requests, p.engine));
                 },
@@ -147,6 +161,7 @@ pub static GROUPS: [Group; 5] = [
             View {
                 key: ViewName::Study,
                 name: "view-study",
+                words: "view-study.words",
                 show: |ui, p| {
                     p.with(|p, own| study_ui(ui, own, p.session, p.window, p.requests, p.engine));
                 },
@@ -154,6 +169,7 @@ pub static GROUPS: [Group; 5] = [
             View {
                 key: ViewName::Stability,
                 name: "view-stability",
+                words: "view-stability.words",
                 show: |ui, p| {
                     p.with(|p, own| stability_ui(ui, own, p.session, p.window, p.requests));
                 },
@@ -167,6 +183,7 @@ pub static GROUPS: [Group; 5] = [
         views: &[View {
             key: ViewName::Course,
             name: "course",
+            words: "course.words",
             show: |ui, p| course_ui(ui, p.session, p.window, p.course, p.requests),
         }],
     },

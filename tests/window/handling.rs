@@ -139,6 +139,21 @@ fn everything_is_reset_with_the_probe_where_the_opened_scene_has_it() {
     assert!(opened.distance(reset) < 0.02, "{title}: {opened} {reset}");
 }
 
+#[test]
+fn the_gallery_opens_the_scene_whose_name_has_the_word() {
+    let mut harness = window("sphere");
+    harness.key_press(Key::F2);
+    harness.run_ok();
+    harness
+        .get_by_role_and_label(Role::SearchInput, english!("scenes-search"))
+        .type_text("glass");
+    harness.run_ok();
+    harness.key_press(Key::Enter);
+    harness.run_ok();
+    let name = harness.state().state().session.document().origin.name();
+    assert_eq!(name, "glass-rim");
+}
+
 /// Returns the rectangle of a button by the key of its name.
 fn button(harness: &Harness<'_, App>, key: &str) -> Rect {
     let button = harness.get_by_role_and_label(Role::Button, named(key));

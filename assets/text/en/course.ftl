@@ -1,6 +1,7 @@
 # The course in the window: lessons, questions and answers.
 
 course = Course
+    .words = lessons, exercises, questions
 course-start = Start the course
 course-lessons = Lessons
 course-own = Your own lesson

@@ -1,6 +1,7 @@
 # The course in the window: lessons, questions and answers.
 
 course = 課程
+    .words = 單元、問題
 course-start = 開始課程
 course-lessons = 單元列表
 course-own = 自己的單元

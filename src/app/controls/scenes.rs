@@ -69,6 +69,27 @@ impl Work for Thumbnails {
     }
 }
 
+/// Returns whether a scene's name matches the search text.
+fn is_named(preset: &Preset, sought: &str) -> bool {
+    preset.name.contains(sought) || preset.title().to_lowercase().contains(sought)
+}
+
+/// Returns the scenes that match the search text by topic, those with a matching name first, each with its index among all.
+fn found(sought: &str) -> Vec<(&'static str, Vec<(usize, &'static Preset)>)> {
+    let topics = presets::topics().into_iter().map(|topic| {
+        let scenes = presets::ALL.iter().enumerate();
+        let of_topic = scenes.filter(|(_, preset)| preset.topic == topic);
+        let mut scenes: Vec<_> = of_topic
+            .filter(|(_, preset)| is_sought(preset, sought))
+            .collect();
+        scenes.sort_by_key(|(_, preset)| !is_named(preset, sought));
+        (topic, scenes)
+    });
+    let mut topics: Vec<_> = topics.filter(|(_, scenes)| !scenes.is_empty()).collect();
+    topics.sort_by_key(|(_, scenes)| !is_named(scenes[0].1, sought));
+    topics
+}
+
 /// Returns whether a scene matches the search text.
 fn is_sought(preset: &Preset, sought: &str) -> bool {
     let found = |text: &str| text.to_lowercase().contains(sought);
@@ -108,18 +129,11 @@ pub fn scenes_ui(ui: &mut Ui, window: &mut WindowState, requests: &mut Requests)
         .min_scrolled_height(height)
         .auto_shrink(false)
         .show(ui, |ui| {
-            let mut any = false;
-            for topic in presets::topics() {
-                let scenes: Vec<_> = presets::ALL
-                    .iter()
-                    .enumerate()
-                    .filter(|(_, preset)| preset.topic == topic)
-                    .filter(|(_, preset)| is_sought(preset, &sought))
-                    .collect();
-                if scenes.is_empty() {
-                    continue;
-                }
-                any = true;
+            let topics = found(&sought);
+            if topics.is_empty() {
+                ui.label(text!("scenes-none", sought = gallery.sought.trim()));
+            }
+            for (topic, scenes) in topics {
                 ui.label(RichText::new(presets::topic_title(topic)).strong());
                 ui.horizontal_wrapped(|ui| {
                     ui.spacing_mut().item_spacing = vec2(8.0, 8.0);
@@ -135,9 +149,6 @@ pub fn scenes_ui(ui: &mut Ui, window: &mut WindowState, requests: &mut Requests)
                     }
                 });
                 ui.add_space(10.0);
-            }
-            if !any {
-                ui.label(text!("scenes-none", sought = gallery.sought.trim()));
             }
         });
     window.own.put(gallery);
