@@ -230,6 +230,9 @@ impl Engine {
         near: Option<(DVec2, f64)>,
         clicked: bool,
     ) {
+        let letters = self.overlay.iter().flat_map(|drawn| &drawn.overlay.labels);
+        self.normals
+            .avoid(letters.map(|label| label.area).collect());
         self.normals.point_at(
             ctx,
             session,

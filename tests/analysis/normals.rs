@@ -451,6 +451,18 @@ fn a_lit_vertex_is_lettered_with_its_shares() {
     shares.push("N".to_owned());
     assert_eq!(texts, shares);
     assert_eq!(lit.sphere, None, "the vectors have a side view");
+    // The letters stay out of what is covered.
+    let n = |lit: &LitVertex| {
+        let mut labels = lit.labels.iter();
+        labels.find(|label| label.text == "N").expect("N").area
+    };
+    let covered = n(&lit);
+    let others = OverlayOptions {
+        covered: vec![covered],
+        ..options.clone()
+    };
+    let beside = LitVertex::new(scene.image.size, &scene, &field, &vertex, &others);
+    assert!(!n(&beside.expect("it appears")).overlaps(&covered));
     let mut pixmap = Pixmap::new(500, 400).expect("not empty");
     lit.draw(&mut pixmap.as_mut());
     let inked = pixmap

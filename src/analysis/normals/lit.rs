@@ -104,19 +104,23 @@ impl LitVertex {
         draw_vertex_normal(&mut sketch, field, vertex);
         let sphere = sphere::sketch(vertex, &sketch, options);
         let pane = sphere.as_ref().map(|sphere| sphere.pane);
-        let mut lit = Self {
-            labels: vec![],
-            sphere: pane,
-            drawings: vec![],
-            style,
-        };
+        let taken: Vec<Area> = pane
+            .into_iter()
+            .chain(options.covered.iter().copied())
+            .collect();
+        let (mut labels, mut drawings) = (Vec::new(), Vec::new());
         for (mut sketch, reserved) in
-            iter::once((sketch, pane)).chain(sphere.map(|own| (own, None)))
+            iter::once((sketch, &taken[..])).chain(sphere.map(|own| (own, &[][..])))
         {
-            lit.labels.extend(sketch.labels(reserved.as_slice()));
-            lit.drawings.push(style.drawing(sketch.shapes));
+            labels.extend(sketch.labels(reserved));
+            drawings.push(style.drawing(sketch.shapes));
         }
-        Some(lit)
+        Some(Self {
+            labels,
+            sphere: pane,
+            drawings,
+            style,
+        })
     }
 
     /// Draws the vertex and its faces on a pixmap of the size for which they were laid out.

@@ -5,6 +5,7 @@ use crate::analysis::normals::{LitVertex, Needles, NormalField, SeenNormals};
 use crate::analysis::overlay::{OverlayLayer, OverlayOptions, free_corners};
 use crate::app::session::Session;
 use crate::app::session::window::WindowState;
+use crate::figure::Area;
 use crate::scene::{Camera, Scene, ShadingMode, View};
 use eframe::egui::{Context, TextureHandle, TextureOptions};
 use glam::DVec2;
@@ -17,6 +18,8 @@ pub struct NormalsDrawing {
     drawn: Option<NeedlesKey>,
     needles: Option<TextureHandle>,
     lit: Option<(u32, TextureHandle)>,
+    /// The areas that the letters of the highlighted vertex avoid, in pixels.
+    covered: Vec<Area>,
 }
 
 /// The inputs of the needles besides the field.
@@ -95,6 +98,13 @@ impl NormalsDrawing {
         (self.drawn, self.lit) = (Some(key), None);
     }
 
+    /// Keeps the letters of the highlighted vertex out of the areas `covered`, in pixels.
+    pub fn avoid(&mut self, covered: Vec<Area>) {
+        if self.covered != covered {
+            (self.covered, self.lit) = (covered, None);
+        }
+    }
+
     /// Highlights the vertex `near` the pointer, a position and a radius in pixels, or else the kept one. A click keeps
     /// the vertex under the pointer.
     pub fn point_at(
@@ -137,6 +147,7 @@ impl NormalsDrawing {
         let size = scene.image.size;
         let options = OverlayOptions {
             free_corners: free_corners(engine.renderer().frame()),
+            covered: self.covered.clone(),
             ..options(ctx, session, window, scene, engine.coarser)
         };
         let laid = known.and_then(|vertex| LitVertex::new(size, scene, field, &vertex, &options));
