@@ -171,6 +171,30 @@ fn click(harness: &mut Harness<'_, App>, at: Pos2) {
 }
 
 #[test]
+fn a_menu_that_pointing_has_opened_stays_open_when_it_is_clicked() {
+    let mut harness = window("sphere");
+    let is_open = |harness: &Harness<'_, App>, item: &str| {
+        harness
+            .query_all_by_role(Role::Button)
+            .filter_map(|node| node.accesskit_node().label())
+            .any(|label| label.starts_with(named(item)))
+    };
+    let [edit, view] =
+        ["edit", "view"].map(|menu| button(&harness, &format!("controls-group-{menu}")).center());
+    click(&mut harness, edit);
+    assert!(is_open(&harness, "controls-command-reset-all"));
+    harness.hover_at(view);
+    harness.run_ok();
+    assert!(is_open(&harness, "controls-theme"), "by pointing");
+    click(&mut harness, view);
+    assert!(is_open(&harness, "controls-theme"), "by a click");
+    click(&mut harness, view);
+    assert!(!is_open(&harness, "controls-theme"));
+    click(&mut harness, view);
+    assert!(is_open(&harness, "controls-theme"));
+}
+
+#[test]
 fn the_longest_menu_ends_above_the_bottom_of_the_window() {
     let mut harness = window("sphere");
     let view = button(&harness, "controls-group-view").center();

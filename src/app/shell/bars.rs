@@ -23,7 +23,7 @@ use crate::scene::{Choice, ShadingMode};
 use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align, Button, ComboBox, EventFilter, Key, Label, Layout, MenuBar, Modifiers, Popup,
+    Align, Button, ComboBox, EventFilter, Id, Key, Label, Layout, MenuBar, Modifiers, Popup,
     RadioButton, Response, RichText, Sense, TextWrapMode, Ui, vec2,
 };
 
@@ -81,6 +81,23 @@ fn each_menu_ui(ui: &mut Ui, session: &Session, window: &mut WindowState, reques
             scrolled(ui, |ui| menu_ui(ui, session, window, requests, section.key));
         });
         opens_by_arrow(&shown.response);
+        stays_open(&shown.response);
+    }
+}
+
+/// Keeps a menu open that pointing at its button has opened, if that button is then clicked.
+fn stays_open(button: &Response) {
+    let (ctx, menu) = (&button.ctx, Popup::default_response_id(button));
+    let key = Id::unique("menu-clicked");
+    let by_click = ctx.data(|data| data.get_temp(key)) == Some(menu);
+    let open = Popup::is_id_open(ctx, menu);
+    if button.clicked() {
+        ctx.data_mut(|data| data.insert_temp(key, menu));
+        if !open && !by_click {
+            Popup::open_id(ctx, menu);
+        }
+    } else if button.hovered() && open && !by_click {
+        ctx.data_mut(|data| data.remove::<Id>(key));
     }
 }
 
