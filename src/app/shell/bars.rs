@@ -22,6 +22,7 @@ use crate::render::StageRun;
 use crate::scene::{Choice, ShadingMode};
 use crate::text::text;
 use eframe::egui::accesskit::Role;
+use eframe::egui::containers::menu::is_in_menu;
 use eframe::egui::{
     Align, Button, ComboBox, EventFilter, Id, Key, Label, Layout, MenuBar, Modifiers, Popup,
     RadioButton, Response, RichText, Sense, TextWrapMode, Ui, vec2,
@@ -81,7 +82,10 @@ fn each_menu_ui(ui: &mut Ui, session: &Session, window: &mut WindowState, reques
             scrolled(ui, |ui| menu_ui(ui, session, window, requests, section.key));
         });
         opens_by_arrow(&shown.response);
-        stays_open(&shown.response);
+        // Within the one menu of a narrow window these are menus of another kind, which a click opens anyway.
+        if !is_in_menu(ui) {
+            stays_open(&shown.response);
+        }
     }
 }
 
