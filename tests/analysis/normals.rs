@@ -9,6 +9,7 @@ use shading_lab::analysis::normals::{
 use shading_lab::analysis::overlay::{OverlayLayer, OverlayOptions, free_corners};
 use shading_lab::analysis::{Answer, Question, ReportContext, Subject, unwatched};
 use shading_lab::export::glsl_330;
+use shading_lab::figure::Area;
 use shading_lab::geometry::{Mesh, NormalOrigin, tessellate};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
@@ -535,8 +536,16 @@ fn a_lit_vertex_has_its_sphere_of_normals_in_a_free_corner() {
     // Nothing is averaged: there is no mean.
     scene.object.normals = NormalSource::Exact;
     assert_eq!(lit(&scene, &options).expect("a vertex").sphere, None);
-    // No corner is free: nothing is covered.
+    // No corner is free: the one that is farthest from the vertex is covered.
     scene.object.normals = NormalSource::Averaged;
+    scene.camera.eye *= 0.8;
+    let pane = lit(&scene, &options).expect("a vertex").sphere;
+    assert!(
+        !pane
+            .expect("a corner")
+            .holds(&Area::about(DVec2::new(250.0, 150.0), DVec2::ONE))
+    );
+    // There is no room for its letters.
     let narrow = OverlayOptions {
         scale: 4.0,
         ..options

@@ -21,8 +21,8 @@ const FAR: f64 = 0.35;
 /// Text size of the mean's name, relative to the vectors' letters.
 const NAME: f64 = 0.8;
 
-/// Draws the sphere of `vertex` in a corner of the picture of `lit`; nothing where nothing is averaged, no corner is free, or the vectors'
-/// side view may stand there.
+/// Draws the sphere of `vertex` in a corner of the picture of `lit`, a free one if there is any; nothing where nothing is averaged, or the
+/// vectors' side view may stand there.
 pub(super) fn sketch(
     vertex: &VertexNormal,
     lit: &Sketch,
@@ -37,13 +37,8 @@ pub(super) fn sketch(
     if greatest == 0.0 || apart {
         return None;
     }
-    let pane = inset::pane(
-        lit.pane,
-        lit.origin,
-        &lit.style,
-        false,
-        options.free_corners,
-    )?;
+    let pane = |free| inset::pane(lit.pane, lit.origin, &lit.style, false, free);
+    let pane = pane(options.free_corners).or_else(|| pane(None))?;
     let side = (pane.max - pane.min).min_element();
     let view = view(vertex.normal, &lit.view, pane.centre(), RADIUS * side);
     let style = Style::new(2.3 * side, options);
