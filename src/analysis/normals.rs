@@ -8,8 +8,8 @@ mod needles;
 mod report;
 mod sphere;
 
-pub use lit::LitVertex;
-pub use needles::{Needle, NeedleKind, Needles, draw_normals};
+pub use lit::{LitVertex, draw_normals};
+pub use needles::{Needle, NeedleKind, Needles};
 pub use report::{FoundNormal, NormalsQuestion};
 
 use crate::geometry::{Mesh, NormalOrigin, VertexMesh, angle};

@@ -1,7 +1,7 @@
 //! The five defects of interpolated shading: the figures against geometry.
 
 use glam::{DVec2, DVec3};
-use shading_lab::analysis::defects::{Defects, defect_plots, defects};
+use shading_lab::analysis::defects::{Defects, defect_marks, defect_plots, defects};
 use shading_lab::analysis::probe::probe;
 use shading_lab::analysis::unwatched;
 use shading_lab::render::Renderer;
@@ -262,6 +262,19 @@ fn the_tenths_of_the_deepest_edge_are_equal_in_space() {
         // What is equal in the picture is not equal in space.
         let other = z_at(edge.ends[0].lerp(edge.ends[1], t));
         assert!(other - expected > 0.5, "{t}: {other}");
+    }
+    // The words of both sides are in the picture, however narrow it is.
+    let narrow = preset("perspective-distortion", [240, 240]);
+    let [em, words] = [13.0, 5.0];
+    let marks = defect_marks(&measured(&narrow), [240, 240], em);
+    let marks: Vec<_> = marks.iter().filter(|mark| mark.lines.len() == 10).collect();
+    assert_eq!(marks.len(), 2);
+    for mark in marks {
+        let x = mark.label_at.x;
+        assert!(
+            (0.25 * words * em..240.0 - 0.25 * words * em).contains(&x),
+            "{x}"
+        );
     }
     let mut parallel = scene.clone();
     parallel.camera.projection = Projection::Orthographic;

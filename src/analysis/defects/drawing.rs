@@ -2,7 +2,7 @@
 
 use super::{DeepEdge, Defects, Orientation, SharedVertices};
 use crate::analysis::overlay::{OverlayOptions, Style};
-use crate::figure::{Axis, Curve, Dash, Ink, Mark, Plot, PlotKind, Shape, Text};
+use crate::figure::{Axis, Curve, Dash, Ink, Mark, Plot, PlotKind, Shape, Text, inked_size};
 use crate::text;
 use glam::DVec2;
 use std::iter;
@@ -31,9 +31,9 @@ pub struct DefectMark {
     pub label_at: DVec2,
 }
 
-/// Returns the marks, for letters of `em` pixels: the outline's largest distance, the tenths of an edge that runs away from the eye, the
-/// largest jump at an unshared vertex.
-pub fn defect_marks(defects: &Defects, em: f64) -> Vec<DefectMark> {
+/// Returns the marks in a picture of `size` pixels, for letters of `em` pixels: the outline's largest distance, the tenths of an edge that
+/// runs away from the eye, the largest jump at an unshared vertex.
+pub fn defect_marks(defects: &Defects, size: [u32; 2], em: f64) -> Vec<DefectMark> {
     // Words are wider than tall.
     let beside = |end: DVec2, way: DVec2| end + DVec2::new(1.9 * em, 1.6 * em) * way;
     let outline = defects
@@ -74,7 +74,13 @@ pub fn defect_marks(defects: &Defects, em: f64) -> Vec<DefectMark> {
         .ok()
         .and_then(|found| found.edge);
     let tenths = edge.iter().flat_map(|edge| tenths(edge, em));
-    outline.into_iter().chain(tenths).chain(jump).collect()
+    let mut marks: Vec<DefectMark> = outline.into_iter().chain(tenths).chain(jump).collect();
+    let size = DVec2::from_array(size.map(f64::from));
+    for mark in &mut marks {
+        let half = 0.5 * inked_size(&mark.label, em);
+        mark.label_at = mark.label_at.clamp(half, (size - half).max(half));
+    }
+    marks
 }
 
 /// Marks the tenths of an edge, on its left those in the picture, on its right those in space.
@@ -133,7 +139,11 @@ pub fn draw_defects(
 ) {
     let style = Style::new(f64::from(pixmap.width().min(pixmap.height())), options);
     let drawn = |mark: &DefectMark| scene.is_none_or(|scene| mark.scene == scene);
-    for mark in defect_marks(defects, style.text).into_iter().filter(drawn) {
+    let size = [pixmap.width(), pixmap.height()];
+    for mark in defect_marks(defects, size, style.text)
+        .into_iter()
+        .filter(drawn)
+    {
         let lines = mark
             .lines
             .into_iter()

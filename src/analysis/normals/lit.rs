@@ -1,11 +1,12 @@
 //! A vertex with the polygons that its normal comes from, each with its share.
 
-use super::needles::{CONTRAST, DARK, LENGTH, LENGTHS};
+use super::needles::{CONTRAST, DARK, LENGTH, LENGTHS, Needles};
 use super::{NormalField, VertexFace, VertexNormal, sphere};
 use crate::analysis::overlay::{OverlayOptions, Sketch, Style};
 use crate::figure::palette::{self, Vector, readable};
 use crate::figure::{Area, Drawing, Label, Shape};
 use crate::geometry::NormalOrigin;
+use crate::render::Renderer;
 use crate::scene::{NormalSource, Scene, View};
 use crate::text;
 use glam::DVec2;
@@ -130,6 +131,24 @@ impl LitVertex {
             .for_each(|drawing| drawing.draw(pixmap));
         self.style.lettered(&self.labels).draw(pixmap);
     }
+}
+
+/// Draws the layers of `options` that are normals over a picture of `scene` that `renderer` last drew, and highlights
+/// a vertex of its mesh. The pixmap has that picture's size. The error is that of `vertex`.
+pub fn draw_normals<E>(
+    pixmap: &mut PixmapMut<'_>,
+    scene: &Scene,
+    renderer: &Renderer,
+    options: &OverlayOptions,
+    vertex: impl FnOnce(&NormalField) -> Result<Option<VertexNormal>, E>,
+) -> Result<(), E> {
+    let field = NormalField::new(renderer, &scene.object);
+    let size = [pixmap.width(), pixmap.height()];
+    let lit =
+        vertex(&field)?.and_then(|vertex| LitVertex::new(size, scene, &field, &vertex, options));
+    Needles::new(size, scene, renderer, &field, options).draw(pixmap);
+    lit.into_iter().for_each(|lit| lit.draw(pixmap));
+    Ok(())
 }
 
 fn draw_face(sketch: &mut Sketch, field: &NormalField, face: &VertexFace, weight: f64) {

@@ -6,8 +6,7 @@
 //! picture, so that they crowd towards an outline as the surface does, and those on the outline stay.
 
 use super::fine::Fine;
-use super::lit::LitVertex;
-use super::{NormalField, SeenNormal, VertexNormal};
+use super::{NormalField, SeenNormal};
 use crate::analysis::overlay::{OverlayLayer, OverlayOptions, Sketch, Style};
 use crate::figure::palette::{self, Rgb8, Vector, readable};
 use crate::figure::{Area, Label, inked_size};
@@ -210,24 +209,6 @@ impl Needles {
         }
         style.lettered(&self.note).draw(pixmap);
     }
-}
-
-/// Draws the layers of `options` that are normals over a picture of `scene` that `renderer` last drew, and highlights
-/// a vertex of its mesh. The pixmap has that picture's size. The error is that of `vertex`.
-pub fn draw_normals<E>(
-    pixmap: &mut PixmapMut<'_>,
-    scene: &Scene,
-    renderer: &Renderer,
-    options: &OverlayOptions,
-    vertex: impl FnOnce(&NormalField) -> Result<Option<VertexNormal>, E>,
-) -> Result<(), E> {
-    let field = NormalField::new(renderer, &scene.object);
-    let size = [pixmap.width(), pixmap.height()];
-    let lit =
-        vertex(&field)?.and_then(|vertex| LitVertex::new(size, scene, &field, &vertex, options));
-    Needles::new(size, scene, renderer, &field, options).draw(pixmap);
-    lit.into_iter().for_each(|lit| lit.draw(pixmap));
-    Ok(())
 }
 
 struct Choice {

@@ -386,7 +386,10 @@ pub fn paint(
     let em = f64::from(font.size * place.pixels_per_point);
     let scene = marked(session, window);
     let drawn = |mark: &DefectMark| scene == Some(mark.scene);
-    for mark in defect_marks(&found.defects, em).into_iter().filter(drawn) {
+    for mark in defect_marks(&found.defects, place.size, em)
+        .into_iter()
+        .filter(drawn)
+    {
         for stroke in [
             Stroke::new(4.0, Color32::from_black_alpha(160)),
             Stroke::new(1.8, Color32::WHITE),
