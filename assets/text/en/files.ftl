@@ -117,5 +117,4 @@ change-several = several settings
 recent = Open recent
 recent-clear = Clear this list
 
-## The web page
 page-full = The browser’s storage is full: save the scene to a file.

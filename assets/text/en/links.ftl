@@ -1,4 +1,3 @@
-# Links to a scene.
 link-problem = link, character { $position }: { $words }
 link-line = line { $line } of its scene: { $words }
 link-unknown-key = is not a key of a link, expected one of { $keys }{ $meant }
