@@ -1,3 +1,5 @@
+# Animations: a scene's numbers from one value to another.
+
 animation-one-end = `{ $key }` has only one end, expected its value at the beginning and at the end
 animation-no-number = `{ $key }` is not a number, expected a key whose value is a number, a colour, a point or a direction
 animation-infinite = `{ $key }` goes to infinity, expected two finite numbers
@@ -8,6 +10,7 @@ animation-frames = expected 2 to { $most } frames
 animation-frame = frame { $frame }: { $error }
 animation-seconds = expected { $least } to { $most } seconds for so many frames
 
+# In the window's export form.
 animation = Animation
 animation-tip = The value goes from one end to the other; the file repeats for ever
 animation-key = Value

@@ -1,3 +1,5 @@
+# Answers handed in, the sheet of a class, and worksheets.
+
 class-no-answers = a picture without answers, expected one that was handed in
 class-version = the answers are of a version that this program does not know, expected { $version }
 class-changed = the answers were changed after they were handed in
@@ -12,6 +14,7 @@ class-bad-lesson = the lesson inside is not sound: line { $error }
 class-needs-lesson = the lesson needs a file: give the lesson with --lesson
 class-too-heavy = question { $question } of the lesson in it: { $why }
 
+# The class's table.
 class-name = Name
 class-right = Right
 class-share-right = Share right
@@ -41,6 +44,7 @@ class-numbers = First answers. Green: the right one.
 class-sheet = Answers of the class
 class-unreadable = Not counted
 
+# Worksheets.
 class-about = { $topic }, { $minutes } minutes
 class-topic-light = Light
 class-topic-reflection = Reflection
@@ -57,6 +61,7 @@ class-target = Target (seed { $seed })
 class-range = A number from { $from } to { $to } { $unit }
 class-models = First answers that follow a wrong model
 
+# A test before a course and after it.
 inventory-one-test = expected answers to one test, found: { $found }
 inventory-items = the tests have { $pre } and { $post } items, expected as many
 inventory-item = Item

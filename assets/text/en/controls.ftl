@@ -1,3 +1,7 @@
+# The panel of controls, its rows and fields, and the commands of the window.
+
+## Sections
+
 controls-material = Material
 controls-lights = Lights
 controls-shading = Shading
@@ -6,6 +10,8 @@ controls-surroundings = Surroundings
 controls-transparency = Transparency
 controls-camera = Camera
 controls-display = Display
+
+## Rows
 
 controls-reset = Reset { $name }
 controls-reset-tip = Reset to the scene's value (Ctrl+R in the field)
@@ -39,6 +45,8 @@ controls-chip-violet = Violet
 controls-field-wrong = “{ $text }” is not a number. The old value is kept.
 controls-field-accepts = Accepted: 0.5, 1e-3, 1/3, 2*pi, sqrt(2), 2^10, (1+2)*3, inf
 
+## Material
+
 controls-materials = Materials
     .label = Preset
     .none = choose…
@@ -54,6 +62,8 @@ controls-match-exponent = Equivalent exponent for { $model }
     .tip = Switch to the { $model } model with the n that gives a highlight of the same width
 controls-match-roughness = Equivalent roughness
     .tip = Switch to the Cook–Torrance model with the Beckmann roughness m that gives a highlight of the same width
+
+## Shading, surroundings, camera and display
 
 controls-exact-without-surface = This mesh has no exact surface: the exact mode evaluates Phong shading in double precision.
 controls-halves = Left half: constant Ia. Right half: one bounce.
@@ -75,6 +85,8 @@ controls-overflowing =
     }
 controls-most-lights = A scene has at most { $most } lights.
 
+## Menus and the groups of the keyboard help
+
 controls-group-file = File
 controls-group-edit = Edit
 controls-group-view = View
@@ -85,6 +97,8 @@ controls-group-camera = Camera
 controls-group-scan = Scan line (while its view is open)
 controls-group-help = Help
 controls-theme = Theme
+
+## Commands
 
 controls-command-open = Open…
     .does = Open a scene, a model or an exported picture

@@ -1,3 +1,5 @@
+# The course in the window: lessons, questions and answers.
+
 course = Course
     .words = lessons, exercises, questions
 course-start = Start the course
@@ -127,5 +129,6 @@ course-target-ask =
     }
 course-target-file = The scene could not be made a target. Save it as a scene file and open that.
 course-loading = Loading the lessons…
+# Words of the lessons for a mouse, the longer ones first, and in the same order those for a finger.
 course-mouse-words = Clicked clicked Click click
 course-finger-words = Tapped tapped Tap tap

@@ -1,3 +1,4 @@
+# Files that cannot be opened or written. The path comes before each of these, in the same line.
 document-scene-file = a scene file
 document-model = an OBJ model
 document-picture = a picture
@@ -19,4 +20,5 @@ document-target-no-folder = its folder does not exist, expected a file in an exi
 document-unwritable = cannot be written ({ $error })
 document-nothing-to-draw = there is nothing to draw
 document-figure-too-large = the figure is too large
+# On stderr and in the window, beside a picture that is drawn.
 document-no-materials = { $name }: drawn with the scene's material; its own materials are not drawn

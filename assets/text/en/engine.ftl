@@ -1,3 +1,6 @@
+# The views Plan, Study and Stability, and the benchmark.
+
+# Plan
 engine-plan-intro = What drawing this picture takes, step by step, and what is skipped because it would change nothing.
 engine-plan-signs = ■ ran after the last change · □ kept from before
 engine-plan-summary = { $total }, { $count } skipped
@@ -61,6 +64,7 @@ engine-side-view = side view
 engine-lobe = reflection lobe
 engine-handles = handles
 
+# Times
 engine-times = Times
 engine-measure-times = Measure times
 engine-times-about = Draws the picture again and again, { $frames } times for each number, and shows the medians. This takes { $time }; nothing else should run meanwhile.
@@ -101,6 +105,7 @@ engine-fit-fastest = exponent, fastest frames
 engine-fit = { $slope } ± { $spread } (95 %, { $count } points)
 engine-fit-too-few = too few
 
+# Study
 engine-study-intro = How far each way of shading is from the exact picture, and how long it takes.
 engine-study-choices = What to measure
 engine-study-about = Draws about { $frames } frames: each method at each number of segments. This takes { $time } or longer; times are best while nothing else runs.
@@ -154,6 +159,7 @@ engine-cannot-perspective = it needs a picture without perspective
 engine-cannot-cosine = its highlight is no power of a single cosine
 engine-cannot-pattern = a pattern has no Taylor expansion
 
+# Stability
 engine-stability-intro = Scenes at the limits of floating point. A naive renderer fails in almost all of them; this engine must not.
 engine-stability-title = Maximum error, in code values of 255, against a reference of 106 bits
 engine-stability-failed = { $count } of { $all } cases fail

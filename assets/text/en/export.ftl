@@ -1,8 +1,10 @@
+# Parts of an export, and what cannot be written.
 export-c = C
 export-vertex-shader = vertex shader
 export-fragment-shader = fragment shader
 export-too-large = { $triangles } triangles to write, expected at most { $most }: use a coarser mesh, or c-snippet
 
+# What OpenGL or GLSL cannot express. English also heads the code as a comment, in plain ASCII.
 export-limit-scale = Division by the picture's maximum intensity, which is known only after drawing: I is clamped.
 export-limit-shadows = Shadows: every light reaches every point.
 export-limit-transparency = Transparency (Kt): the surface is drawn opaque.

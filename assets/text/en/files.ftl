@@ -117,4 +117,5 @@ change-several = several settings
 recent = Open recent
 recent-clear = Clear this list
 
+## The web page
 page-full = The browser’s storage is full: save the scene to a file.

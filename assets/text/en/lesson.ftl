@@ -1,3 +1,5 @@
+# Lessons: what can be wrong with one, and its questions.
+
 expression-unknown = has no “{ $name }”
 expression-too-long = is longer than { $most } bytes
 expression-nested = is nested deeper than { $most } levels

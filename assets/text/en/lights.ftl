@@ -1,3 +1,5 @@
+# The lights and the object in the controls.
+
 lights-none = There is no light except the ambient light.
 lights-add = Add light
 lights-duplicate = Duplicate

@@ -1,3 +1,4 @@
+# The profile
 line-drag-ends = Drag the ends of the line in the picture.
 line-mode-own = The picture's own shading mode is always shown.
 line-mode-added = Adds or removes the curve of this shading mode.
@@ -33,6 +34,7 @@ line-error-no-length = both ends of the line are at the same place, expected two
 line-error-no-mode = no shading mode, expected at least one
 line-phong-bands = Phong shading weakens Mach bands but does not remove them: the slope still jumps, only by less.
 
+# Its plots
 line-perceived = perceived brightness
 line-intensity-title = Intensity and perceived brightness
 line-slope-title = Slope of the intensity
@@ -55,6 +57,7 @@ line-edges-crowded = { $count ->
    *[other] { $count } polygon edges, too close to draw
 }
 
+# The scan line
 line-scan-error-no-face = no face { $face } in the object, expected 0 to { $last }
 line-scan-error-empty = the object has no polygons
 line-scan-error-rows = { $rows } rows, expected { $low } to { $high }

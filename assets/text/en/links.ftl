@@ -1,3 +1,4 @@
+# Links to a scene.
 link-problem = link, character { $position }: { $words }
 link-line = line { $line } of its scene: { $words }
 link-unknown-key = is not a key of a link, expected one of { $keys }{ $meant }

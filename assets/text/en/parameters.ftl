@@ -1,3 +1,5 @@
+# The parameters of a scene. `.label` is the short form for a row of the window, `.help` a sentence for its tip and the reference.
+# A name follows the parameter's letter or its light's number where it has one, so it is then in lower case.
 parameter-version = Version
     .label = Version
     .help = Version of the file format.
@@ -287,6 +289,7 @@ parameter-light-N-c3 = c3
     .label = Quadratic
     .help = Quadratic coefficient of the quadratic attenuation.
 
+# The values of choices.
 choice-projection-perspective = perspective
     .help = As seen by an eye or a camera
 choice-projection-orthographic = orthographic
@@ -492,6 +495,7 @@ choice-verdict-both-hold = both correct
 choice-verdict-fails = engine wrong
     .help = The engine is off by more than half a code value
 
+# Why a parameter has no effect at present.
 idle-not-perspective = Orthographic projection: use Height
 idle-not-orthographic = Perspective projection: use Field of view
 idle-viewer = Ks is 0: only the specular term depends on the viewer
@@ -529,12 +533,14 @@ idle-is-rectangle = The light is a rectangle
 idle-other-attenuation = This attenuation does not use it
 idle-far-light = A directional light is infinitely far away and is not attenuated
 
+# Units.
 unit-pixels = pixels
 unit-degrees = degrees
 unit-world = world units
 unit-per-world = per world unit
 unit-per-world-squared = per world unit squared
 
+# Kinds of values and what they can be.
 kind-number = number
 kind-whole = whole number
 kind-pair = two numbers
@@ -562,12 +568,15 @@ range-of-shape = { $shape } from { $least }
 range-faces = at most { $count }, with { $corners } corners in total
 range-vertex-normals = none, or one for each vertex
 
+# A parameter of a light, for example "Light 1 intensity".
 parameter-of-light = Light { $number } { $name }
 
+# Names of panes.
 pane-not-renormalised = Phong, not renormalised
 pane-segments = { $count } segments
 pane-rings = { $count } rings
 
+# Symbols of the equation, and what their numbers are measured in.
 symbol-intensity = I: the intensity of a pixel in red, green and blue; 1 is the display's white
 symbol-ka = Ka: the fraction of the ambient light that the surface reflects
 symbol-od = Od: the surface colour, which multiplies the ambient and the diffuse term
@@ -596,6 +605,7 @@ measure-none = no unit
 measure-distances = no unit; distances in world units
 measure-vector = a unit vector in world space
 
+# The named materials of OpenGL.
 material-emerald = Emerald
 material-jade = Jade
 material-obsidian = Obsidian

@@ -1,3 +1,4 @@
+# The picture in the middle
 picture-name = Picture, { $mode } shading
 picture-drawing = drawing…
 picture-menu-point = The colour of this pixel
@@ -9,6 +10,7 @@ picture-menu-enlarged = Enlarged
 picture-half-constant = Constant ambient light
 picture-half-bounce = One bounce
 
+# Panes and their captions
 picture-reference = reference
 picture-brightest = brightest { $value }
 picture-brightest-of = brightest { $value } of { $truth }
@@ -21,6 +23,7 @@ picture-move-earlier = Move earlier
 picture-move-later = Move later
 picture-remove-pane = Remove
 
+# The view Compare
 picture-view-single = One
     .tip = Shows the scene alone
 picture-view-panes = Panes
@@ -51,6 +54,7 @@ picture-against = Compared with { $name }
 picture-pixel = pixel { $x }, { $y }
 picture-greatest-tip = Moves the probe to where { $name } differs most
 
+# The report of a comparison
 picture-no-panes = nothing to compare with, expected --pane KEY=VALUE or a scene with panes
 picture-compared = { $scene }, compared with { $reference }
 picture-linear = Linear intensity at the pixels’ centres: 1 is white, 1/255 = 0.0039 is one code value.
@@ -63,6 +67,7 @@ picture-column-region = which is
 picture-region-inside = inside
 picture-region-outline = at the outline
 
+# The normals of vertices
 picture-vertex-normal = Where a vertex normal comes from
 picture-no-vertex-seen = no vertex is seen in the picture, expected --vertex or a camera that sees the object
 picture-no-vertices = --vertex { $number }: no such vertex, expected none: the object has no vertices
@@ -102,6 +107,7 @@ picture-lit-mean = mean
 picture-lit-n-file = N of the file
 picture-lit-n-surface = N of the surface
 
+# The five defects of interpolated shading
 picture-defects-about = Five things that interpolation gets wrong, measured in the active picture.
 picture-defects-stop = Stops measuring until the scene changes
 picture-defects-stopped = Stopped. It is measured again when the scene changes.
@@ -170,6 +176,7 @@ picture-curve-without = side without the vertex
 picture-curve-vertex = vertex
 picture-axis-edge = along the edge
 
+# When flat shading is exact
 picture-conditions = When is flat shading exact?
     .about = Flat shading evaluates the equation once per polygon. This is exact if three conditions hold and nothing else varies across a polygon:
 picture-conditions-of = { $scene }; when flat shading is exact
@@ -204,6 +211,7 @@ picture-flat-and-exact = Flat minus exact shading
 picture-flat-greatest = maximum difference
 picture-flat-compared = Compared where both pictures show the same: { $inside } pixels. Skipped at outlines and edges, where they do not: { $outline }. With these included, the maximum difference is { $greatest }.
 
+# What is wrong with panes, and why a setting has no effect
 picture-idle-one-pane = There is only one pane
 picture-description = A { $surface } { $colour } { $object } in { $mode } shading, { $light }; { $bright }.
 picture-matt = matt

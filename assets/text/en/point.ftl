@@ -1,3 +1,5 @@
+
+# The construction of R and H, step by step.
 point-step-cosine = The cosine of θ
 point-step-projection = Project L onto N
 point-step-across = From L to its projection
@@ -6,6 +8,7 @@ point-step-halfway = Half vector
 point-check-unit = Check: |R| = { $r }, a unit vector like N and L.
 point-check-short = Check: |R| = { $r }. N is not a unit vector, |N| = { $n }, so R is not one either.
 
+# The view Point
 point-pixel = Pixel { $x }, { $y }
 point-pixel-of-pane = { $pixel } of “{ $pane }”
 point-stored-tip = The stored colour: red, green and blue, 0 to 255
@@ -28,6 +31,7 @@ point-curves = Curves
 point-no-normal = N has no direction here.
 point-light-behind = Light { $light } is behind the surface here, so nothing is reflected.
 
+# The curves
 point-curves-title = { $scene }, at pixel ({ $x }, { $y })
 point-plot-attenuation = Attenuation by distance
 point-plot-exponent = Specular lobe { $lobe }
@@ -62,6 +66,7 @@ point-note-lobe = In the plane of N and L, θ = { $theta }. Towards the viewer I
 point-note-out-of-plane = V points { $angle } out of this plane.
 point-note-laws = { $law }. Grey: the other laws.
 point-note-distribution = { $name }: { $formula }. Grey: { $lobe }.
+# Between two sentences.
 point-sentence-gap = { " " }
 point-law = { $law }, d from the light
 point-law-viewer = f = 1/(r + k), k = { $k }, r from the viewer
@@ -74,6 +79,7 @@ point-error-no-light = the scene has no light, expected one
 point-error-background = pixel { $x },{ $y } shows the background, expected one that shows the object
 point-error-behind = light { $light } is behind the surface at pixel { $x },{ $y }, expected one in front of it
 
+# The terms and their numbers
 point-channels = { $red } red, { $green } green, { $blue } blue
 point-ambient = ambient
 point-specular = specular
@@ -152,6 +158,7 @@ point-letter-lit = lit: the part of the light that is not in shadow, 0 to 1
 point-letter-facets = S: the microfacets that reflect the light to the viewer, π·D·G/(4·(N·V))
 point-letter-idc = Idc: the colour that intensities fade into
 
+# Why a light adds nothing: in a word or two, and in a clause. C is the name of a coefficient.
 point-zero-muted = muted
     .why = it is muted
 point-zero-not-soloed = not soloed
@@ -174,8 +181,10 @@ point-zero-too-faint = too faint
 point-zero-nothing = adds nothing
 point-zero-both = { $diffuse }, and { $specular }
 point-zero-in-part = in part { $clause }
+# Between two clauses.
 point-clause-gap = { "; " }
 
+# The report in words
 point-report-background = pixel ({ $x }, { $y }) shows the background
 point-report-face = pixel ({ $x }, { $y }), face { $face }, depth { $depth }
 point-report-surface = pixel ({ $x }, { $y }), depth { $depth }

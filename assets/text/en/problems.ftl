@@ -1,3 +1,4 @@
+# What is wrong with a scene: the words follow the key in backquotes.
 problem-value = is { $found }, expected { $expected }
 problem-unknown-key = unknown key `{ $key }`, { $expected }
 problem-unknown-word = is { $found }, { $expected }
@@ -20,6 +21,7 @@ problem-shadow-pixels = has too many pixels for so many shadows, expected a smal
 problem-no-faces = is empty, expected at least one polygon since there are `object.vertices`
 problem-nothing-to-compare = has nothing to compare with, expected a [[compare.pane]]
 
+# What was found.
 found-date = a date
 found-list = a list
 found-list-of = a list of { $count }
@@ -32,6 +34,7 @@ found-vertex-twice = a polygon with the vertex { $vertex } twice
 found-no-area = a polygon without an area
 found-edges-meet = a polygon whose edges from vertex { $first } to { $first_end } and { $second } to { $second_end } meet
 
+# What was expected.
 expected-number = a number
 expected-number-in-range = a number below 1.8e308 (or inf)
 expected-whole = a whole number, 0 or more
@@ -69,6 +72,7 @@ expected-vertex-once = each vertex once
 expected-area = corners that span one
 expected-no-crossing = one that neither crosses nor touches itself
 
+# Models in Wavefront OBJ.
 obj-unreadable = cannot be read: { $error }
 obj-empty = the file is empty, expected an OBJ model with `v` and `f` lines
 obj-no-face = there is no face with three different corners, expected at least one `f` line
@@ -97,6 +101,7 @@ obj-no-such-normal = the face names normal { $number }, { $count ->
    *[other] expected 1 to { $count } or -{ $count } to -1, as { $count } of them come before this line
  }
 
+# Pictures with a scene inside.
 png-damaged = not a valid PNG picture ({ $error }), expected one that shading-lab exported
 png-cut-off = the file ends early
 png-malformed = its data is damaged

@@ -1,3 +1,4 @@
+# Steps of a frame and terms of the equation, as the plan lists them.
 render-term-model-vertices = model vertices
 render-term-tessellation = tessellation
 render-term-vertex-normals = vertex normals
@@ -31,8 +32,10 @@ render-term-linear-picture = linear picture
 render-term-overflow = overflow
 render-term-srgb = sRGB encoding
 render-term-rounding = rounding to code values
+# One of them for a light.
 render-term-of-light = light { $light }: { $term }
 
+# Why a step is skipped, or what is left out of it.
 render-why-ks-zero = Ks is 0
 render-why-ks-os-zero = Ks·Os is 0
 render-why-no-specular-colour = Ks·Os reflects the colour of no light
@@ -88,6 +91,7 @@ render-why-convex-no-shadow = a convex solid casts no shadow on itself
 render-why-cue-without-effect = both scale factors are 1
 render-why-cue-beyond = depth cueing begins behind the object
 
+# Failures.
 render-too-large = a picture of { $width }×{ $height } pixels needs about { $megabytes } MB of memory, which is not available, expected a smaller picture
 render-too-many-triangles = { $triangles } triangles need about { $megabytes } MB of memory, which is not available, expected fewer segments or rings, or a smaller model
 render-job-ended = The computation ended without a result.

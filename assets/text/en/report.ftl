@@ -1,3 +1,5 @@
+# What all reports have in common, and what analyses are called.
+
 report-from-normal = from N
 
 report-on = on

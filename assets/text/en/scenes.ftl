@@ -1,3 +1,4 @@
+# The built-in scenes: a title, and a sentence that says what to look at and what to try.
 scene-sphere = One sphere, one lamp
     .sentence = Every normal is a radius of the sphere, so each term of the equation shows its own shape. Drag the light, then set Kd or Ks to 0 to see one term alone.
 scene-torus = Torus with two highlights
@@ -89,6 +90,7 @@ scene-under-water = Looking up from water
 scene-one-bounce = Ambient light, one bounce
     .sentence = The left half has the constant Ia; the right half has the light that ball and floor scatter to each other. Look at the underside of the ball.
 
+# The chapters of the built-in scenes.
 topic-shapes = Shapes
 topic-shading = Shading
 topic-light = Light

@@ -57,6 +57,8 @@ notice-folder = Show in folder
 window-scene-reset = The scene is as it was opened
 opened-over = Opened; the changes to { $name } are not saved
 
+## Find a command
+
 find = Find a command
 find-hint = A command, a setting, a scene, a lesson
 find-none = Nothing is called “{ $sought }”.

@@ -1,3 +1,5 @@
+# 動畫：場景的數值從一端變到另一端。
+
 animation-one-end = `{ $key }` 只有一端的值，起點與終點都應給值
 animation-no-number = `{ $key }` 不是數值，應為數字、顏色、點或方向的鍵
 animation-infinite = `{ $key }` 變到無限大，兩端應為有限的數字
@@ -8,6 +10,7 @@ animation-frames = 應為 2 到 { $most } 個畫格
 animation-frame = 第 { $frame } 個畫格：{ $error }
 animation-seconds = 這麼多畫格應為 { $least } 到 { $most } 秒
 
+# 視窗的匯出表單。
 animation = 動畫
 animation-tip = 數值從一端變到另一端；檔案會不斷重複播放
 animation-key = 數值

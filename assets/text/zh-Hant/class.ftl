@@ -1,3 +1,5 @@
+# Answers handed in, the sheet of a class, and worksheets.
+
 class-no-answers = 圖片中沒有答案，應為繳交的圖片
 class-version = 答案的版本不是本程式認得的，應為 { $version }
 class-changed = 答案在繳交之後被更改過
@@ -12,6 +14,7 @@ class-bad-lesson = 圖片內的單元有誤：第 { $error } 行
 class-needs-lesson = 這個單元需要一個檔案：請以 --lesson 指定單元
 class-too-heavy = 其中單元的第 { $question } 題：{ $why }
 
+# The class's table.
 class-name = 姓名
 class-right = 答對
 class-share-right = 答對比例
@@ -32,6 +35,7 @@ class-numbers = 最初的答案。綠色：正確答案。
 class-sheet = 全班的答案
 class-unreadable = 未計入
 
+# Worksheets.
 class-about = { $topic }，{ $minutes } 分鐘
 class-topic-light = 光
 class-topic-reflection = 反射
@@ -48,6 +52,7 @@ class-target = 目標（種子 { $seed }）
 class-range = { $from } 至 { $to } 的數值 { $unit }
 class-models = 符合錯誤模型的第一次作答
 
+# A test before a course and after it.
 inventory-one-test = 應為同一份測驗的答案，實際為：{ $found }
 inventory-items = 兩份測驗分別有 { $pre } 題與 { $post } 題，題數應相同
 inventory-item = 題

@@ -1,3 +1,7 @@
+# The panel of controls, its rows and fields, and the commands of the window.
+
+## Sections
+
 controls-material = 材質（material）
 controls-lights = 光源（light）
 controls-shading = 著色（shading）
@@ -6,6 +10,8 @@ controls-surroundings = 周圍環境（surroundings）
 controls-transparency = 透明度（transparency）
 controls-camera = 相機（camera）
 controls-display = 顯示（display）
+
+## Rows
 
 controls-reset = 重設{ $name }
 controls-reset-tip = 重設為場景的值（在欄位中按 Ctrl+R）
@@ -39,6 +45,8 @@ controls-chip-violet = 紫
 controls-field-wrong = 「{ $text }」不是數字，保留原來的值。
 controls-field-accepts = 可輸入：0.5、1e-3、1/3、2*pi、sqrt(2)、2^10、(1+2)*3、inf
 
+## Material
+
 controls-materials = 材質範本
     .label = 範本
     .none = 選擇…
@@ -54,6 +62,8 @@ controls-match-exponent = { $model } 模型的等效指數
     .tip = 改用 { $model } 模型，並取使高光同寬的 n
 controls-match-roughness = 等效粗糙度
     .tip = 改用 Cook–Torrance 模型，並取使高光同寬的 Beckmann 粗糙度 m
+
+## Shading, surroundings, camera and display
 
 controls-exact-without-surface = 此網格沒有精確的曲面：精確模式改以雙精度計算 Phong 著色。
 controls-halves = 左半：常數 Ia。右半：一次反射。
@@ -75,6 +85,8 @@ controls-overflowing =
     }
 controls-most-lights = 一個場景最多有 { $most } 個光源。
 
+## Menus and the groups of the keyboard help
+
 controls-group-file = 檔案
 controls-group-edit = 編輯
 controls-group-view = 檢視
@@ -85,6 +97,8 @@ controls-group-camera = 相機
 controls-group-scan = 掃描線（開啟該檢視時）
 controls-group-help = 說明
 controls-theme = 佈景主題
+
+## Commands
 
 controls-command-open = 開啟…
     .does = 開啟場景、模型或匯出的圖片

@@ -1,3 +1,5 @@
+# The course in the window: lessons, questions and answers.
+
 course = 課程
     .words = 單元、問題
 course-start = 開始課程
@@ -115,5 +117,6 @@ course-target-level = 第 { $level } 級
 course-target-ask = 找出 { $count } 個數值，使你的圖片與目標相同。
 course-target-file = 無法將這個場景設為目標。請先存成場景檔，再開啟該檔。
 course-loading = 正在讀取單元…
+# 課文中指滑鼠的詞與指手指的詞，順序相同；中文兩者相同。
 course-mouse-words = 點選
 course-finger-words = 點選

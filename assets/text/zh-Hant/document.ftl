@@ -1,3 +1,4 @@
+# 無法開啟或寫入的檔案。同一行的前面是檔案路徑。
 document-scene-file = 場景檔
 document-model = OBJ 模型
 document-picture = 圖片
@@ -19,4 +20,5 @@ document-target-no-folder = 所在的資料夾不存在，應為現有資料夾�
 document-unwritable = 無法寫入（{ $error }）
 document-nothing-to-draw = 沒有可繪製的內容
 document-figure-too-large = 圖形太大
+# 在標準錯誤輸出與視窗中，隨圖一起出現。
 document-no-materials = { $name }：使用場景的材質繪製，模型本身的材質不會繪出

@@ -1,3 +1,6 @@
+# 「執行計畫」、「誤差研究」、「數值穩定性」三個檢視，以及效能測試。
+
+# 執行計畫
 engine-plan-intro = 逐步列出繪製這張圖片要做的工作，以及因為不會改變結果而略過的部分。
 engine-plan-signs = ■ 上次變更後執行 · □ 沿用先前結果
 engine-plan-summary = { $total }，略過 { $count } 項
@@ -57,6 +60,7 @@ engine-side-view = 側視圖
 engine-lobe = 反射波瓣
 engine-handles = 控制點
 
+# 時間
 engine-times = 時間
 engine-measure-times = 測量時間
 engine-times-about = 反覆繪製圖片，每個數值繪製 { $frames } 次並取中位數。需要{ $time }，期間請勿執行其他工作。
@@ -88,6 +92,7 @@ engine-fit-fastest = 指數，最快的畫格
 engine-fit = { $slope } ± { $spread }（95 %，{ $count } 點）
 engine-fit-too-few = 資料不足
 
+# 誤差研究
 engine-study-intro = 各種著色法與精確圖片相差多少，又需要多少時間。
 engine-study-choices = 測量項目
 engine-study-about = 以各種方法與各種分段數，共繪製約 { $frames } 個畫格。至少需要{ $time }；期間不執行其他工作，時間最準確。
@@ -138,6 +143,7 @@ engine-cannot-perspective = 它只適用於沒有透視的圖片
 engine-cannot-cosine = 高光不是單一餘弦的次方
 engine-cannot-pattern = 圖樣無法做 Taylor 展開
 
+# 數值穩定性
 engine-stability-intro = 逼近浮點數極限的場景。直接照公式寫的繪圖程式幾乎都會出錯，本引擎則不能出錯。
 engine-stability-title = 與 106 位元參考圖片的最大誤差（255 級碼值）
 engine-stability-failed = { $all } 個案例中有 { $count } 個失敗

@@ -1,8 +1,10 @@
+# 匯出的各部分，以及無法寫出的情形。
 export-c = C
 export-vertex-shader = 頂點著色器
 export-fragment-shader = 片段著色器
 export-too-large = 要寫出 { $triangles } 個三角形，最多 { $most } 個：請改用較粗的網格，或 c-snippet
 
+# OpenGL 或 GLSL 無法表達之處。
 export-limit-scale = 除以全圖的最大亮度：要畫完才知道，因此大於 1 的 I 截為 1。
 export-limit-shadows = 陰影：每個光源都照得到每一點。
 export-limit-transparency = 透明度（Kt）：表面以不透明繪製。

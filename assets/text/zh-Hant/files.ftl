@@ -112,4 +112,5 @@ change-several = 多項設定
 recent = 開啟最近的檔案
 recent-clear = 清除清單
 
+## The web page
 page-full = 瀏覽器無法再儲存資料：請把場景存成檔案。

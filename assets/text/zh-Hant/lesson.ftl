@@ -1,3 +1,5 @@
+# Lessons: what can be wrong with one, and its questions.
+
 expression-unknown = 沒有「{ $name }」
 expression-too-long = 超過 { $most } 個位元組
 expression-nested = 巢狀超過 { $most } 層

@@ -1,3 +1,5 @@
+# 控制面板中的光源與物體。
+
 lights-none = 除了環境光以外沒有其他光源。
 lights-add = 新增光源
 lights-duplicate = 複製

@@ -1,3 +1,4 @@
+# The profile
 line-drag-ends = 拖曳圖片中線段的兩端。
 line-mode-own = 圖片目前的著色法一律顯示。
 line-mode-added = 加入或移除這種著色法的曲線。
@@ -33,6 +34,7 @@ line-error-no-length = 線段兩端在同一處，應為兩個不同的位置
 line-error-no-mode = 沒有著色法，至少需要一種
 line-phong-bands = Phong 著色減弱馬赫帶（Mach bands），但不會消除：斜率仍會跳變，只是幅度較小。
 
+# Its plots
 line-perceived = 感知亮度
 line-intensity-title = 亮度（intensity）與感知亮度（perceived brightness）
 line-slope-title = 亮度的斜率（slope）
@@ -54,6 +56,7 @@ line-edges-crowded = { $count ->
    *[other] { $count } 條多邊形邊，太密而未畫出
 }
 
+# The scan line
 line-scan-error-no-face = 物體沒有第 { $face } 面，應介於 0 與 { $last } 之間
 line-scan-error-empty = 物體沒有多邊形
 line-scan-error-rows = { $rows } 列，應介於 { $low } 與 { $high } 之間

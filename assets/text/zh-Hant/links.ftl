@@ -1,3 +1,4 @@
+# 場景的連結。
 link-problem = 連結的第 { $position } 個字元：{ $words }
 link-line = 其場景的第 { $line } 行：{ $words }
 link-unknown-key = 不是連結的鍵，應為下列之一：{ $keys }{ $meant }

@@ -1,3 +1,4 @@
+# 場景的參數。`.label` 是視窗中一列的簡稱，`.help` 是提示與參考文件用的一句話。
 parameter-version = 版本
     .label = 版本
     .help = 檔案格式的版本。
@@ -287,6 +288,7 @@ parameter-light-N-c3 = c3
     .label = 二次項
     .help = 二次衰減的二次項係數。
 
+# 選項的值。
 choice-projection-perspective = 透視投影
     .help = 如同眼睛或相機所見
 choice-projection-orthographic = 正投影
@@ -492,6 +494,7 @@ choice-verdict-both-hold = 兩者皆正確
 choice-verdict-fails = 本程式有誤
     .help = 本程式的誤差超過半個編碼值
 
+# 參數目前沒有作用的原因。
 idle-not-perspective = 目前為正投影：請用可見高度
 idle-not-orthographic = 目前為透視投影：請用視角
 idle-viewer = Ks 為 0：只有鏡面反射項與觀察者有關
@@ -529,12 +532,14 @@ idle-is-rectangle = 此光源是矩形
 idle-other-attenuation = 目前的衰減不使用此常數
 idle-far-light = 平行光在無窮遠處，不會衰減
 
+# 單位。
 unit-pixels = 像素
 unit-degrees = 度
 unit-world = 世界單位
 unit-per-world = 每世界單位
 unit-per-world-squared = 每世界單位平方
 
+# 值的種類與範圍。
 kind-number = 數字
 kind-whole = 整數
 kind-pair = 兩個數字
@@ -562,12 +567,15 @@ range-of-shape = { $shape } 從 { $least } 起
 range-faces = 最多 { $count } 個，總共 { $corners } 個角
 range-vertex-normals = 沒有，或每個頂點一個
 
+# 光源的參數，例如「光源 1 的亮度」。
 parameter-of-light = 光源 { $number } 的{ $name }
 
+# 窗格的名稱。
 pane-not-renormalised = Phong，未重新單位化
 pane-segments = { $count } 分段
 pane-rings = { $count } 環
 
+# 方程式的符號，以及其數值的單位。
 symbol-intensity = I：像素的紅、綠、藍亮度；1 為螢幕的白色
 symbol-ka = Ka：表面反射環境光的比例
 symbol-od = Od：表面顏色，乘在環境光項與漫反射項上
@@ -596,6 +604,7 @@ measure-none = 無單位
 measure-distances = 無單位；距離以世界單位計
 measure-vector = 世界座標的單位向量
 
+# OpenGL 的具名材質。
 material-emerald = 祖母綠
 material-jade = 玉
 material-obsidian = 黑曜石

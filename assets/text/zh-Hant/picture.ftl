@@ -1,3 +1,4 @@
+# The picture in the middle
 picture-name = 圖片，{ $mode } 著色
 picture-drawing = 繪製中…
 picture-menu-point = 這個像素的顏色
@@ -9,6 +10,7 @@ picture-menu-enlarged = 放大
 picture-half-constant = 固定的環境光
 picture-half-bounce = 一次反射
 
+# Panes and their captions
 picture-reference = 參考
 picture-brightest = 最亮 { $value }
 picture-brightest-of = 最亮 { $value }（參考 { $truth }）
@@ -21,6 +23,7 @@ picture-move-earlier = 往前移
 picture-move-later = 往後移
 picture-remove-pane = 移除
 
+# The view Compare
 picture-view-single = 單張
     .tip = 只顯示場景本身
 picture-view-panes = 窗格
@@ -51,6 +54,7 @@ picture-against = 與 { $name } 比較
 picture-pixel = 像素 { $x }, { $y }
 picture-greatest-tip = 把探測點移到 { $name } 差異最大的地方
 
+# The report of a comparison
 picture-no-panes = 沒有可比較的窗格，請用 --pane KEY=VALUE 或有窗格的場景
 picture-compared = { $scene }，與 { $reference } 比較
 picture-linear = 像素中心的線性亮度：1 為白色，1/255 = 0.0039 為一個碼值。
@@ -63,6 +67,7 @@ picture-column-region = 所在
 picture-region-inside = 內部
 picture-region-outline = 輪廓上
 
+# The normals of vertices
 picture-vertex-normal = 頂點法向量的來源
 picture-no-vertex-seen = 圖片中看不到任何頂點，請用 --vertex 或讓相機看到物體
 picture-no-vertices = --vertex { $number }：沒有這個頂點，物體沒有頂點
@@ -96,6 +101,7 @@ picture-lit-mean = 平均
 picture-lit-n-file = 檔案的 N
 picture-lit-n-surface = 表面的 N
 
+# The five defects of interpolated shading
 picture-defects-about = 內插造成的五種缺陷，在目前的圖片中量測。
 picture-defects-stop = 停止量測，直到場景改變
 picture-defects-stopped = 已停止。場景改變後會重新量測。
@@ -161,6 +167,7 @@ picture-curve-without = 沒有頂點的一側
 picture-curve-vertex = 頂點
 picture-axis-edge = 沿著邊
 
+# When flat shading is exact
 picture-conditions = 單一著色何時是精確的？
     .about = 單一著色（flat）對每個多邊形只計算一次方程式。以下三個條件都成立，且其他量在一個多邊形內都不變時，結果是精確的：
 picture-conditions-of = { $scene }；單一著色何時是精確的
@@ -195,6 +202,7 @@ picture-flat-and-exact = 單一著色減精確著色
 picture-flat-greatest = 最大差異
 picture-flat-compared = 比較兩張圖看到同一處的像素：{ $inside } 個。略過輪廓和稜邊上看到不同處的像素：{ $outline } 個。連同這些像素，最大差異是 { $greatest }。
 
+# What is wrong with panes, and why a setting has no effect
 picture-idle-one-pane = 只有一個窗格
 picture-description = { $colour }{ $surface }{ $object }，以{ $mode }著色，{ $light }；{ $bright }。
 picture-matt = 無光澤的

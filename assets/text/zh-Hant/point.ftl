@@ -1,3 +1,5 @@
+
+# R 與 H 的逐步作圖
 point-step-cosine = θ 的餘弦
 point-step-projection = L 在 N 上的投影
 point-step-across = 從 L 到其投影
@@ -6,6 +8,7 @@ point-step-halfway = 半角向量（half vector）
 point-check-unit = 驗算：|R| = { $r }，與 N、L 同為單位向量。
 point-check-short = 驗算：|R| = { $r }。N 不是單位向量（|N| = { $n }），所以 R 也不是。
 
+# 「點」檢視
 point-pixel = 像素 { $x }, { $y }
 point-pixel-of-pane = 「{ $pane }」的{ $pixel }
 point-stored-tip = 儲存的顏色：紅、綠、藍，0 到 255
@@ -28,6 +31,7 @@ point-curves = 曲線（curves）
 point-no-normal = N 在此處沒有方向。
 point-light-behind = 光源 { $light } 在這裡位於表面背後，因此沒有反射。
 
+# 曲線
 point-curves-title = { $scene }，像素 ({ $x }, { $y })
 point-plot-attenuation = 隨距離的衰減（attenuation）
 point-plot-exponent = 鏡面反射瓣（specular lobe）{ $lobe }
@@ -62,6 +66,7 @@ point-note-lobe = 在 N 與 L 的平面內，θ = { $theta }。朝觀察者的 I
 point-note-out-of-plane = V 偏離此平面 { $angle }。
 point-note-laws = { $law }。灰線：其他定律。
 point-note-distribution = { $name }：{ $formula }。灰線：{ $lobe }。
+# 兩句之間。
 point-sentence-gap = { "" }
 point-law = { $law }，d 為與光源的距離
 point-law-viewer = f = 1/(r + k)，k = { $k }，r 為與觀察者的距離
@@ -74,6 +79,7 @@ point-error-no-light = 場景中沒有光源，至少需要一個
 point-error-background = 像素 { $x },{ $y } 顯示背景，請指定顯示物體的像素
 point-error-behind = 光源 { $light } 在像素 { $x },{ $y } 處位於表面背後，請指定位於正面的光源
 
+# 各項與其數值
 point-channels = 紅 { $red }，綠 { $green }，藍 { $blue }
 point-ambient = 環境光
 point-specular = 鏡面反射
@@ -140,6 +146,7 @@ point-letter-lit = lit：光未被遮住的部分，0 到 1
 point-letter-facets = S：將光反射向觀察者的微平面，π·D·G/(4·(N·V))
 point-letter-idc = Idc：亮度淡入的顏色
 
+# 光源沒有貢獻的原因：簡短說法與完整說法。C 是係數的名稱。
 point-zero-muted = 已停用
     .why = 此光源已停用
 point-zero-not-soloed = 未單獨顯示
@@ -162,8 +169,10 @@ point-zero-too-faint = 太弱
 point-zero-nothing = 沒有貢獻
 point-zero-both = { $diffuse }，且 { $specular }
 point-zero-in-part = 部分因為{ $clause }
+# 兩個子句之間。
 point-clause-gap = ；
 
+# 文字報告
 point-report-background = 像素 ({ $x }, { $y }) 顯示背景
 point-report-face = 像素 ({ $x }, { $y })，面 { $face }，深度 { $depth }
 point-report-surface = 像素 ({ $x }, { $y })，深度 { $depth }

@@ -1,3 +1,4 @@
+# 場景的錯誤：文字接在反引號中的鍵之後。
 problem-value = 是 { $found }，應為：{ $expected }
 problem-unknown-key = 未知的鍵 `{ $key }`，{ $expected }
 problem-unknown-word = 是 { $found }，{ $expected }
@@ -20,6 +21,7 @@ problem-shadow-pixels = 的像素太多，無法計算這麼多陰影，應縮�
 problem-no-faces = 是空的，因為有 `object.vertices`，應至少有一個多邊形
 problem-nothing-to-compare = 沒有可比較的對象，應有 [[compare.pane]]
 
+# 實際的值。
 found-date = 日期
 found-list = 清單
 found-list-of = { $count } 項的清單
@@ -32,6 +34,7 @@ found-vertex-twice = 頂點 { $vertex } 出現兩次的多邊形
 found-no-area = 面積為零的多邊形
 found-edges-meet = 從頂點 { $first } 到 { $first_end } 與從 { $second } 到 { $second_end } 的邊相交的多邊形
 
+# 應有的值。
 expected-number = 數字
 expected-number-in-range = 小於 1.8e308 的數字（或 inf）
 expected-whole = 0 以上的整數
@@ -69,6 +72,7 @@ expected-vertex-once = 每個頂點一次
 expected-area = 角點能圍出面積
 expected-no-crossing = 不與自身相交或接觸的多邊形
 
+# Wavefront OBJ 模型。
 obj-unreadable = 無法讀取：{ $error }
 obj-empty = 檔案是空的，應為有 `v` 與 `f` 行的 OBJ 模型
 obj-no-face = 沒有具三個不同角點的面，應至少有一行 `f`
@@ -97,6 +101,7 @@ obj-no-such-normal = 面使用法向量 { $number }，{ $count ->
    *[other] 此行之前有 { $count } 個，應為 1 到 { $count } 或 -{ $count } 到 -1
  }
 
+# 內含場景的圖片。
 png-damaged = 不是有效的 PNG 圖片（{ $error }），應為 shading-lab 匯出的圖片
 png-cut-off = 檔案不完整
 png-malformed = 資料有誤

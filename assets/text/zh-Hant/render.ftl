@@ -1,3 +1,4 @@
+# 一個畫格的步驟與方程式各項，見畫格計畫。
 render-term-model-vertices = 模型頂點
 render-term-tessellation = 細分
 render-term-vertex-normals = 頂點法向量
@@ -31,8 +32,10 @@ render-term-linear-picture = 線性圖片
 render-term-overflow = 溢位處理
 render-term-srgb = sRGB 編碼
 render-term-rounding = 捨入為儲存值
+# 屬於某一光源者。
 render-term-of-light = 光源 { $light }：{ $term }
 
+# 步驟略過的原因，或其中略過了什麼。
 render-why-ks-zero = Ks 為 0
 render-why-ks-os-zero = Ks·Os 為 0
 render-why-no-specular-colour = Ks·Os 不反射任何光源的顏色
@@ -88,6 +91,7 @@ render-why-convex-no-shadow = 凸立體不會在自己身上投下陰影
 render-why-cue-without-effect = 兩個比例係數都是 1
 render-why-cue-beyond = 深度提示從物體後方才開始
 
+# 失敗。
 render-too-large = { $width }×{ $height } 像素的圖片約需 { $megabytes } MB 記憶體，目前無法取得，請改用較小的圖片
 render-too-many-triangles = { $triangles } 個三角形約需 { $megabytes } MB 記憶體，目前無法取得，請減少分段數或環數，或改用較小的模型
 render-job-ended = 計算已結束，但沒有結果。

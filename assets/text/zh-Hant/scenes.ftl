@@ -1,3 +1,4 @@
+# 內建場景：標題，以及說明要觀察什麼、可以試什麼的句子。
 scene-sphere = 一顆球、一盞燈
     .sentence = 球面的法向量就是半徑，方程式每一項的樣子因此清楚可見。拖曳光源，再將 Kd 或 Ks 設為 0，單獨觀察其中一項。
 scene-torus = 有兩個高光的環面
@@ -89,6 +90,7 @@ scene-under-water = 從水中向上看
 scene-one-bounce = 環境光與一次反射
     .sentence = 左半是常數 Ia，右半是球與地板彼此散射的光。觀察球的下側。
 
+# 內建場景的章節。
 topic-shapes = 形狀
 topic-shading = 著色
 topic-light = 光源

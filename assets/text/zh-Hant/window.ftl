@@ -57,6 +57,8 @@ notice-folder = 在資料夾中顯示
 window-scene-reset = 場景已恢復為開啟時的樣子
 opened-over = 已開啟；{ $name } 的變更尚未儲存
 
+## 尋找指令
+
 find = 尋找指令
 find-hint = 指令、設定、場景、單元
 find-none = 沒有叫做「{ $sought }」的項目。
