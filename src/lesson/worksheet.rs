@@ -20,6 +20,7 @@ use crate::scene::{Scene, View};
 use crate::text::text;
 use glam::DVec2;
 use std::convert::Infallible;
+use std::mem;
 use tiny_skia::PixmapMut;
 
 /// The contents of a worksheet.
@@ -269,9 +270,9 @@ fn stage_picture(
         }
         let which = panes_on_sheet(scene);
         // As in the window, the first pane is the active one.
-        let mut active = Some(over);
+        let mut active = true;
         let over = |frame: &mut Frame, renderer: &mut Renderer, scene: &Scene| {
-            if let Some(over) = active.take() {
+            if mem::take(&mut active) {
                 over(frame, renderer, scene);
             }
             Ok::<(), Infallible>(())

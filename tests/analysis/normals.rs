@@ -531,8 +531,6 @@ fn a_lit_vertex_has_its_sphere_of_normals_in_a_free_corner() {
         .iter()
         .find(|label| label.text.starts_with("0."));
     assert!(!pane.holds(&share.expect("a share").area));
-    let mut drawn = Pixmap::new(size[0], size[1]).expect("not empty");
-    shown.draw(&mut drawn.as_mut());
     // Nothing is averaged: there is no mean.
     scene.object.normals = NormalSource::Exact;
     assert_eq!(lit(&scene, &options).expect("a vertex").sphere, None);

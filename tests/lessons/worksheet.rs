@@ -491,6 +491,11 @@ fn edges_lines_and_the_probe_are_drawn_on_paper() {
         ("shadows", "[\"vectors\", \"edges\"]", "[\"vectors\"]"),
         ("tessellation", "[\"edges\"]", "[]"),
         (
+            "exponent",
+            "[\"vectors\", \"side-view\", \"lobe\"]",
+            "[\"vectors\", \"side-view\"]",
+        ),
+        (
             "vertex-normals",
             "[\"vertices\", \"vertex\"]",
             "[\"vertices\"]",
@@ -526,6 +531,18 @@ fn edges_lines_and_the_probe_are_drawn_on_paper() {
     let page = |source: &str| written(&Lesson::read(source, None).expect("a lesson"), WITHOUT);
     assert!(page(&plain).contains(&printed(&scene)));
     assert!(!page(marked).contains(&printed(&scene)));
+    // The first of several panes has what a single picture has, and the marks of the scene's own defect.
+    let panes = |more: &str| {
+        let step = format!("```step\nscene = \"perspective-distortion\"\n{more}```\n");
+        page(&format!(
+            "+++\nlesson = 1\nname = \"panes\"\ntitle = \"Panes\"\n+++\n\n## One\n\nTwo.\n\n{step}"
+        ))
+    };
+    let none = panes("");
+    for more in ["overlays = [\"edges\"]\n", "view = \"defects\"\n"] {
+        assert_ne!(panes(more), none, "{more}");
+    }
+    assert_eq!(panes("view = \"curves\"\n"), none);
     // Where the answer alone is taken at it, too, although it is not printed.
     let asked = format!(
         "{plain}\n```question\nkind = \"value\"\nask = \"N·L?\"\nanswer = \"probe.lights[0].n_dot_l\"\nfrom = 0\nto = 1\ntolerance = 0.1\n```\n"

@@ -124,3 +124,65 @@ fn draw_mean(sketch: &mut Sketch, vertex: &VertexNormal) {
         gap,
     );
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figure::Area;
+    use crate::geometry::NormalOrigin;
+    use crate::scene::Camera;
+
+    /// Returns the vertex of a cube's corner: three faces at right angles.
+    fn corner() -> VertexNormal {
+        let face = |(face, normal): (u32, DVec3)| VertexFace {
+            face,
+            centre: DVec3::ZERO,
+            normal,
+            weight: 1.0,
+            share: 1.0 / 3.0,
+            angle: 0.0,
+        };
+        let sum = DVec3::ONE / 3.0;
+        VertexNormal {
+            vertex: 0,
+            position: DVec3::ZERO,
+            normal: sum.normalize(),
+            origin: NormalOrigin::Averaged,
+            faces: (0..).zip(DVec3::AXES).map(face).collect(),
+            mirrored: false,
+            sum,
+            length: sum.length(),
+        }
+    }
+
+    #[test]
+    fn n_points_upwards_and_the_mean_lies_on_it_inside_the_sphere() {
+        let size = [800, 600];
+        let picture = Area {
+            min: DVec2::ZERO,
+            max: DVec2::new(800.0, 600.0),
+        };
+        let options = OverlayOptions {
+            layers: vec![],
+            ..OverlayOptions::default()
+        };
+        let view = View::new(&Camera::default(), size);
+        let style = Style::new(600.0, &options);
+        let lit = Sketch::new(view, style, picture, DVec3::ZERO, 1.0).expect("in the picture");
+        let vertex = corner();
+        let sphere = sketch(&vertex, &lit, &options).expect("room");
+        let way = |vector| sphere.end(vector).expect("in the pane") - sphere.origin;
+        let (n, mean) = (way(vertex.normal), way(vertex.sum));
+        assert!(n.x.abs() < 1e-6 && n.y < 0.0, "{n}");
+        assert!((mean - n / 3.0f64.sqrt()).length() < 1e-6, "{mean} {n}");
+        // The mean and each face have their dots where they belong.
+        let has_dot = |at: DVec2| {
+            sphere.shapes.iter().any(|shape| {
+                let middle = shape.points.iter().sum::<DVec2>() / shape.points.len() as f64;
+                shape.fill && middle.distance(sphere.origin + at) < 0.1
+            })
+        };
+        assert!(has_dot(mean) && !has_dot(1.5 * mean));
+        assert!(vertex.faces.iter().all(|face| has_dot(way(face.normal))));
+    }
+}

@@ -125,7 +125,6 @@ impl NormalsDrawing {
         };
         let vertex =
             |(pixel, reach)| field.vertex_near(engine.renderer(), &self.seen, pixel, reach);
-        let probe = (window.probe.centre(scene.image.size), f64::INFINITY);
         let hovered = near.and_then(vertex).map(|vertex| vertex.index);
         if clicked {
             window.pointed.kept = hovered.and_then(|vertex| field.point_of(vertex));
@@ -133,11 +132,9 @@ impl NormalsDrawing {
         let wanted = hovered
             .or_else(|| field.vertex_at(window.pointed.kept?))
             .or_else(|| {
-                Some(
-                    vertex(probe)
-                        .filter(|_| window.appearance.overlay.vertex)?
-                        .index,
-                )
+                let at_probe = window.appearance.overlay.vertex;
+                let place = at_probe.then(|| window.probe.centre(scene.image.size));
+                Some(vertex((place?, f64::INFINITY))?.index)
             });
         window.pointed.lit = wanted;
         if self.lit.as_ref().map(|(vertex, _)| *vertex) == wanted {
