@@ -32,12 +32,15 @@ use crate::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::collapsing_header::CollapsingState;
 use eframe::egui::{
-    Button, CollapsingHeader, Id, Label, PopupAnchor, RichText, ScrollArea, Tooltip, Ui,
+    Button, CollapsingHeader, Id, Label, Popup, PopupAnchor, PopupCloseBehavior, Rect, RichText,
+    ScrollArea, Tooltip, Ui,
 };
 
 /// Width of a column of sections, in points. A wide panel has several columns.
 const COLUMN: f32 = 320.0;
 const MOST_COLUMNS: usize = 3;
+/// Width of the slider below a letter of the equation, in points.
+const CONTROL: f32 = 300.0;
 /// Field of view above which perspective distorts, in degrees.
 const WIDE: f64 = 60.0;
 
@@ -406,6 +409,51 @@ pub fn pull_ui(ui: &Ui, session: &mut Session) {
         PopupAnchor::Pointer,
     )
     .show(|ui| ui.label(format!("{} = {value}", parameter.letter)));
+    session.commit();
+}
+
+/// The parameter whose slider stands below a letter of the equation, and the letter's place.
+struct BelowLetter(&'static Parameter, Rect);
+
+/// Answers a click on a letter of the equation: in the panel of controls, if it is open, and else with the letter's
+/// slider below it, so that nothing covers the picture.
+pub fn letter_ui(ui: &Ui, session: &mut Session, window: &mut WindowState) {
+    let ctx = ui.ctx();
+    if let Some((symbol, rect)) = symbol::clicked(ctx) {
+        match row::of_letter(&session.shown.scene, symbol, session.light) {
+            Some(parameter) if !window.appearance.controls => {
+                window.own.put(Some(BelowLetter(parameter, rect)));
+            }
+            _ => symbol::seek(ctx, Sought::Symbol(symbol)),
+        }
+    }
+    let Some(BelowLetter(parameter, rect)) = window.own.take::<Option<BelowLetter>>() else {
+        return;
+    };
+    let mut open = true;
+    Popup::new(Id::unique("below-letter"), ctx.clone(), rect, ui.layer_id())
+        .close_behavior(PopupCloseBehavior::CloseOnClickOutside)
+        .width(CONTROL)
+        .open_bool(&mut open)
+        .show(|ui| {
+            ui.add_enabled_ui(session.lock.is_none(), |ui| {
+                let view = View {
+                    index: session.light,
+                    in_full: true,
+                    channels: window.appearance.channels,
+                    ..View::default()
+                };
+                let scene = &mut session.shown.scene;
+                parameter_with(ui, &session.initial, scene, parameter, &view);
+            });
+            if session.lock.is_some() {
+                ui.weak(text!("course-after-answer"));
+            } else if ui.link(text!("controls-all")).clicked() {
+                symbol::seek(ui.ctx(), Sought::Parameter(parameter.key));
+                ui.close();
+            }
+        });
+    window.own.put(open.then_some(BelowLetter(parameter, rect)));
     session.commit();
 }
 

@@ -362,10 +362,12 @@ fn the_probe_jumps_to_the_greatest_difference() {
     }
     assert_eq!(scene(&harness).compare.view, CompareView::Difference);
     let before = harness.state().state().window.probe;
-    let at = english!("picture-pixel", x = "|", y = "");
-    let (pixel, _) = at.split_once('|').expect("a place");
+    let place = english!("picture-greatest", name = "|", x = "|", y = "");
+    let (_, place) = place.split_once('|').expect("a name");
+    let (place, _) = place.split_once('|').expect("a place");
+    let shown = |label: String| label.contains(place);
     harness
-        .get_by(|node| node.label().is_some_and(|label| label.starts_with(pixel)))
+        .get_by(|node| node.label().is_some_and(shown))
         .click_accesskit();
     harness.run();
     assert_ne!(harness.state().state().window.probe, before);

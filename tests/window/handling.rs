@@ -1,7 +1,8 @@
 //! What a hand does in the window: sliders, letters that are dragged, a command that is looked for.
 
 use crate::common::hands::{
-    built_in, folded, named, open_view, picture_place, press, right_click, window, window_looking,
+    built_in, drag, folded, named, open_view, picture_place, press, right_click, window,
+    window_looking,
 };
 use crate::layout::texts;
 use eframe::egui::accesskit::Role;
@@ -89,6 +90,48 @@ fn a_letter_of_the_equation_is_dragged_as_one_step_of_undo() {
     harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
     harness.run_ok();
     assert_eq!(exponent(&harness), before, "one step of undo");
+}
+
+#[test]
+fn a_clicked_letter_has_its_slider_right_below_it_unless_the_controls_are_open() {
+    for controls in [false, true] {
+        let mut stored = Appearance::default();
+        stored.projector();
+        (stored.controls, stored.views) = (controls, false);
+        let points = [1024.0, 768.0].map(|side| side / stored.zoom(768.0));
+        let mut harness = window_looking(built_in("sphere"), points, &stored, |app| app);
+        let name = named("material.n");
+        let sliders = |harness: &Harness<'_, App>| -> Vec<Rect> {
+            let all = harness.query_all_by_role_and_label(Role::Slider, name);
+            all.map(|node| node.rect()).collect()
+        };
+        let picture = picture_place(&harness);
+        let letter = format!("Exponent {}", english!("in-equation"));
+        let letter = harness.get_by_label(&letter);
+        let above = letter.rect();
+        letter.click();
+        harness.run_ok();
+        assert_eq!(picture_place(&harness), picture, "nothing gives way");
+        let [slider] = sliders(&harness)[..] else {
+            panic!("one slider: {:?}", sliders(&harness));
+        };
+        if controls {
+            continue;
+        }
+        assert!(
+            slider.top() >= above.bottom() && slider.top() < above.bottom() + 60.0,
+            "{slider:?} below {above:?}"
+        );
+        assert!(slider.width() >= 120.0, "{slider:?}");
+        let before = exponent(&harness);
+        let at = |share: f32| pos2(slider.left() + share * slider.width(), slider.center().y);
+        drag(&mut harness, at(0.5), at(0.9));
+        assert!(exponent(&harness) > 1.5 * before, "{before}");
+        assert_eq!(sliders(&harness).len(), 1, "it stays while it is used");
+        harness.key_press(Key::Escape);
+        harness.run_ok();
+        assert!(sliders(&harness).is_empty(), "Escape closes it");
+    }
 }
 
 #[test]

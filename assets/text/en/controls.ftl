@@ -13,6 +13,7 @@ controls-display = Display
 
 ## Rows
 
+controls-all = All controls
 controls-reset = Reset { $name }
 controls-reset-tip = Reset to the scene's value (Ctrl+R in the field)
 controls-on = on

@@ -51,8 +51,8 @@ picture-add-same = The same
 picture-add-setting = Any other setting:
 picture-add = Add
 picture-against = Compared with { $name }
-picture-pixel = pixel { $x }, { $y }
-picture-greatest-tip = Moves the probe to where { $name } differs most
+picture-greatest = { $name } differs most at pixel { $x }, { $y }
+    .tip = Moves the probe there
 
 # The report of a comparison
 picture-no-panes = nothing to compare with, expected --pane KEY=VALUE or a scene with panes

@@ -13,6 +13,7 @@ controls-display = 顯示（display）
 
 ## Rows
 
+controls-all = 所有控制項
 controls-reset = 重設{ $name }
 controls-reset-tip = 重設為場景的值（在欄位中按 Ctrl+R）
 controls-on = 開

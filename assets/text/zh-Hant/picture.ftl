@@ -51,8 +51,8 @@ picture-add-same = 相同
 picture-add-setting = 其他設定：
 picture-add = 新增
 picture-against = 與 { $name } 比較
-picture-pixel = 像素 { $x }, { $y }
-picture-greatest-tip = 把探測點移到 { $name } 差異最大的地方
+picture-greatest = { $name } 差異最大的像素：{ $x }, { $y }
+    .tip = 把探測點移到那裡
 
 # The report of a comparison
 picture-no-panes = 沒有可比較的窗格，請用 --pane KEY=VALUE 或有窗格的場景

@@ -5,7 +5,9 @@
 
 use crate::figure::palette::Vector;
 use crate::figure::short;
-use crate::scene::{Attenuation, CuedBy, Light, Reflectance, ReflectionModel, Rgb, Scene};
+use crate::scene::{
+    Attenuation, CuedBy, Light, LightKind, Reflectance, ReflectionModel, Rgb, Scene,
+};
 use crate::text;
 
 /// The colour of a piece of text.
@@ -39,6 +41,7 @@ pub fn equation_letters(scene: &Scene) -> Vec<Vec<Letters>> {
     let steady = lights
         .iter()
         .all(|light| light.attenuation == Attenuation::None);
+    let spot = lights.iter().any(|light| light.kind == LightKind::Spot);
     let os = if material.specular_color == Rgb::ONE {
         ""
     } else {
@@ -69,6 +72,8 @@ pub fn equation_letters(scene: &Scene) -> Vec<Vec<Letters>> {
         vec![
             plain(" + {Σ}", dark),
             plain("{f}", steady),
+            plain(if spot { "{spot}" } else { "" }, dark),
+            plain(if scene.shading.shadows { "{lit}" } else { "" }, dark),
             plain("{Ip} [", dark),
         ],
         vec![letters(

@@ -229,7 +229,7 @@ impl LightHere<'_> {
                 "{spot}",
                 self.terms.spot,
             ),
-            (self.terms.reached < 1.0, "{lit}", self.terms.reached),
+            (self.here.scene.shading.shadows, "{lit}", self.terms.reached),
         ];
         let present = || factors.iter().filter(|(present, ..)| *present);
         (

@@ -174,6 +174,15 @@ pub fn parameter_with(
     }
 }
 
+/// Returns the parameter that a letter of the equation stands for: one with a slider that has an effect.
+pub fn of_letter(scene: &Scene, symbol: Symbol, index: usize) -> Option<&'static Parameter> {
+    Parameter::all().find(|parameter| {
+        parameter.symbol == Some(symbol)
+            && parameter.slider().is_some()
+            && parameter.idle(scene, index).is_none()
+    })
+}
+
 /// Changes the number behind a letter of the equation that is dragged sideways by `points`, as its slider would. Returns the
 /// parameter that the letter stands for and its value, if it is one number that has an effect.
 pub fn pull(
@@ -182,12 +191,7 @@ pub fn pull(
     index: usize,
     points: f32,
 ) -> Option<(&'static Parameter, String)> {
-    let stands = |parameter: &&Parameter| {
-        parameter.symbol == Some(symbol)
-            && parameter.slider().is_some()
-            && parameter.idle(scene, index).is_none()
-    };
-    let parameter = Parameter::all().find(stands)?;
+    let parameter = of_letter(scene, symbol, index)?;
     let view = View {
         index,
         ..View::default()

@@ -17,7 +17,8 @@ use crate::app::widgets::focus;
 use crate::link::is_link;
 use crate::scene::{Light, Scene, ShadingMode};
 use crate::text;
-use eframe::egui::{Context, Event, Key, Modifiers};
+use eframe::egui::{Context, Event, Key, Modifiers, Popup};
+use std::mem;
 use std::sync::LazyLock;
 
 /// The sections that are menus, in the order of the bar; "compare" is a submenu of "view".
@@ -386,7 +387,7 @@ fn next_view(appearance: &mut Appearance) {
 /// Turns the keys pressed in this frame into actions. A focused widget other than the picture keeps its keys,
 /// including digits: they may be meant for a field. Function keys and those with Ctrl always belong to the
 /// window, except for those that fields use too.
-pub fn listen(ctx: &Context, window: &WindowState, course: &Course, requests: &mut Requests) {
+pub fn listen(ctx: &Context, window: &mut WindowState, course: &Course, requests: &mut Requests) {
     let free = ctx.memory(|memory| {
         memory
             .focused()
@@ -437,8 +438,12 @@ pub fn listen(ctx: &Context, window: &WindowState, course: &Course, requests: &m
             !taken
         });
     });
-    if window.picture_alone && ctx.input(|input| input.key_pressed(Key::Escape)) {
-        requests.ask(Action::PictureAlone);
+    // Escape leaves what was opened last.
+    if !editing && ctx.input(|input| input.key_pressed(Key::Escape)) && !Popup::is_any_open(ctx) {
+        let enlarged = mem::take(&mut window.appearance.overlay.side_view_enlarged);
+        if window.picture_alone && !enlarged {
+            requests.ask(Action::PictureAlone);
+        }
     }
 }
 

@@ -117,6 +117,7 @@ impl Layout {
                 bars::equation_ui(ui, &mut state.session, &mut state.window);
             });
         }
+        controls::letter_ui(ui, &mut state.session, &mut state.window);
         state.window.appearance.controls |= symbol::opens_controls(ui.ctx());
         // The welcome leaves no space for a drawer.
         if narrow && state.window.welcome {

@@ -313,10 +313,10 @@ fn figures_ui(
             let Some([x, y]) = one.error.and_then(|error| error.at) else {
                 continue;
             };
-            let tip = text!("picture-greatest-tip", name = one.name.as_str());
+            let place = text!("picture-greatest", name = one.name.as_str(), x = x, y = y);
             if ui
-                .link(text!("picture-pixel", x = x, y = y))
-                .on_hover_text(tip)
+                .link(place)
+                .on_hover_text(text!("picture-greatest.tip"))
                 .clicked()
             {
                 window.probe = ProbePoint::at([x, y], size);

@@ -4,7 +4,7 @@
 
 pub use crate::scene::Symbol;
 use crate::scene::parameter::Parameter;
-use eframe::egui::{Context, Id};
+use eframe::egui::{Context, Id, Rect};
 
 /// The number of frames in which a sought control may appear: its section unfolds first.
 const FRAMES: u8 = 4;
@@ -32,6 +32,8 @@ struct HoveredSymbol {
     pulled: Option<(Symbol, f32)>,
     /// True if the panel of controls is to open for the sought symbol.
     opens: bool,
+    /// The letter that was clicked, and its place.
+    clicked: Option<(Symbol, Rect)>,
 }
 
 fn with<T>(ctx: &Context, change: impl FnOnce(&mut HoveredSymbol) -> T) -> T {
@@ -77,6 +79,17 @@ pub fn is_found(ctx: &Context, parameter: Option<&Parameter>, symbol: Option<Sym
         hovered.next = symbol.filter(|_| found).or(hovered.next);
         found
     })
+}
+
+/// Records that the letter of `symbol` in `rect` was clicked.
+pub fn click(ctx: &Context, symbol: Symbol, rect: Rect) {
+    with(ctx, |hovered| hovered.clicked = Some((symbol, rect)));
+    ctx.request_repaint();
+}
+
+/// Returns, once, the letter that was clicked, and its place.
+pub fn clicked(ctx: &Context) -> Option<(Symbol, Rect)> {
+    with(ctx, |hovered| hovered.clicked.take())
 }
 
 /// Records that the letter of `symbol` is dragged sideways by `points` in this frame.

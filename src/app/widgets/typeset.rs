@@ -2,7 +2,7 @@
 
 use super::letter::{append, lettered};
 use super::palette::vector_text;
-use super::symbol::{self, Sought, Symbol};
+use super::symbol::{self, Symbol};
 use crate::figure::palette::Vector;
 use crate::figure::{Base, Formula, Item, is_italic};
 use crate::text::text;
@@ -338,7 +338,7 @@ fn symbol_ui(ui: &Ui, piece: &Piece, symbol: Symbol, rect: Rect, place: Place<'_
         symbol::pull(ui.ctx(), symbol, response.drag_delta().x);
     }
     if response.clicked() {
-        symbol::seek(ui.ctx(), Sought::Symbol(symbol));
+        symbol::click(ui.ctx(), symbol, rect);
     }
     if symbol::is_lit(ui.ctx(), symbol) {
         let fill = ui.visuals().widgets.hovered.bg_fill;
