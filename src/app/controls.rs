@@ -419,7 +419,7 @@ struct BelowLetter(&'static Parameter, Rect);
 /// slider below it, so that nothing covers the picture.
 pub fn letter_ui(ui: &Ui, session: &mut Session, window: &mut WindowState) {
     let ctx = ui.ctx();
-    if let Some((symbol, rect)) = symbol::clicked(ctx) {
+    if let Some((symbol, rect)) = symbol::take_clicked(ctx) {
         match row::of_letter(&session.shown.scene, symbol, session.light) {
             Some(parameter) if !window.appearance.controls => {
                 window.own.put(Some(BelowLetter(parameter, rect)));
@@ -439,7 +439,6 @@ pub fn letter_ui(ui: &Ui, session: &mut Session, window: &mut WindowState) {
             ui.add_enabled_ui(session.lock.is_none(), |ui| {
                 let view = View {
                     index: session.light,
-                    in_full: true,
                     channels: window.appearance.channels,
                     ..View::default()
                 };

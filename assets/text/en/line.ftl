@@ -8,6 +8,7 @@ line-edges-switch = Edges
     .tip = Marks where the line crosses polygon edges.
 line-picture-perceived = Picture as perceived
     .tip = Shows the picture with the bands that the eye adds.
+line-curves = Curves
 line-viewing = Viewing
 line-save = Save
 line-working = Computing the profile…

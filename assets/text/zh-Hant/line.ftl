@@ -8,6 +8,7 @@ line-edges-switch = 多邊形邊
     .tip = 標示線段與多邊形邊相交之處。
 line-picture-perceived = 以感知亮度顯示圖片
     .tip = 顯示圖片連同眼睛所加上的馬赫帶。
+line-curves = 曲線
 line-viewing = 觀看條件
 line-save = 儲存
 line-working = 正在計算剖面…

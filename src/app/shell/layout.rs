@@ -38,7 +38,7 @@ const PICTURE: f32 = 300.0;
 const LEAST: f32 = 176.0;
 const DRAWER: f32 = 250.0;
 /// The default fraction of the height that a wide view takes below the picture.
-const BELOW: f32 = 0.4;
+const BELOW: f32 = 0.46;
 /// The window height below which only the essentials are above the picture, in points.
 const LOW: f32 = 520.0;
 /// The window height below which even the equation is hidden, in points: half of a phone's screen may be a

@@ -44,6 +44,8 @@ use serde::{Deserialize, Serialize};
 
 /// Width from which the controls are in a row above the plots, in points.
 const WIDE: f32 = 620.0;
+/// Height below which a narrow panel has the switches of the curves in a pop-up, in points.
+const LOW: f32 = 420.0;
 /// Length and height of the sample of a curve in its switch, and width of the controls in a pop-up, in points.
 const SAMPLE: [f32; 2] = [24.0, 10.0];
 const POPUP: f32 = 330.0;
@@ -62,13 +64,14 @@ pub fn profile_ui(
     let own = session.shown.scene.shading.mode;
     window.appearance.profile.follow(own);
     let wide = ui.available_width() >= WIDE;
-    if !wide {
-        ui.label(text!("line-drag-ends"));
+    // In a low panel the plots have the space.
+    let low = !wide && ui.clip_rect().bottom() - ui.cursor().top() < LOW;
+    if !low {
+        if !wide {
+            ui.label(text!("line-drag-ends"));
+        }
+        switches_ui(ui, own, window);
     }
-    ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().item_spacing.x = 4.0;
-        switches_ui(ui, session, window);
-    });
     if wide {
         ui.horizontal(|ui| {
             profiles.plots.choice_ui(ui);
@@ -82,8 +85,17 @@ pub fn profile_ui(
         });
     } else {
         ui.horizontal_wrapped(|ui| {
-            perceived_ui(ui, &mut window.appearance.profile);
-            popup_ui(ui, text!("line-viewing"), |ui| eye_ui(ui, window));
+            if low {
+                popup_ui(ui, text!("line-curves"), |ui| switches_ui(ui, own, window));
+            } else {
+                perceived_ui(ui, &mut window.appearance.profile);
+            }
+            popup_ui(ui, text!("line-viewing"), |ui| {
+                if low {
+                    perceived_ui(ui, &mut window.appearance.profile);
+                }
+                eye_ui(ui, window);
+            });
             popup_ui(ui, text!("line-save"), |ui| {
                 profiles.export_ui(ui, session, window, requests);
             });
@@ -278,50 +290,52 @@ impl Profiles {
 }
 
 /// Shows a switch for each curve and for the marks of edges. The switches are the plots' legend.
-fn switches_ui(ui: &mut Ui, session: &Session, window: &mut WindowState) {
-    let own = session.shown.scene.shading.mode;
-    let appearance = &mut window.appearance.profile;
-    for &mode in ShadingMode::VALUES {
-        let (is_own, added) = (mode == own, appearance.added.contains(&mode));
-        let tip = if is_own {
-            text!("line-mode-own")
-        } else {
-            text!("line-mode-added")
-        };
-        let sample = Sample {
-            ink: Ink::Shading(mode),
-            dash: mode_dash(mode, is_own),
-            width: if is_own { 2.6 } else { 1.7 },
-        };
-        let clicked = switch_ui(ui, mode.label(), tip, is_own || added, sample);
-        if clicked && !is_own {
-            if added {
-                appearance.added.retain(|other| *other != mode);
+fn switches_ui(ui: &mut Ui, own: ShadingMode, window: &mut WindowState) {
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.x = 4.0;
+        let appearance = &mut window.appearance.profile;
+        for &mode in ShadingMode::VALUES {
+            let (is_own, added) = (mode == own, appearance.added.contains(&mode));
+            let tip = if is_own {
+                text!("line-mode-own")
             } else {
-                appearance.added.push(mode);
+                text!("line-mode-added")
+            };
+            let sample = Sample {
+                ink: Ink::Shading(mode),
+                dash: mode_dash(mode, is_own),
+                width: if is_own { 2.6 } else { 1.7 },
+            };
+            let clicked = switch_ui(ui, mode.label(), tip, is_own || added, sample);
+            if clicked && !is_own {
+                if added {
+                    appearance.added.retain(|other| *other != mode);
+                } else {
+                    appearance.added.push(mode);
+                }
             }
         }
-    }
-    let perceived = Sample {
-        ink: Ink::Perceived,
-        dash: Dash::Dashed,
-        width: 1.7,
-    };
-    let tip = text!("line-perceived-switch.tip");
-    appearance.brightness ^= switch_ui(
-        ui,
-        text!("line-perceived-switch"),
-        tip,
-        appearance.brightness,
-        perceived,
-    );
-    let edges = Sample {
-        ink: Ink::Reference,
-        dash: Dash::Dashed,
-        width: 1.2,
-    };
-    let tip = text!("line-edges-switch.tip");
-    appearance.edges ^= switch_ui(ui, text!("line-edges-switch"), tip, appearance.edges, edges);
+        let perceived = Sample {
+            ink: Ink::Perceived,
+            dash: Dash::Dashed,
+            width: 1.7,
+        };
+        let tip = text!("line-perceived-switch.tip");
+        appearance.brightness ^= switch_ui(
+            ui,
+            text!("line-perceived-switch"),
+            tip,
+            appearance.brightness,
+            perceived,
+        );
+        let edges = Sample {
+            ink: Ink::Reference,
+            dash: Dash::Dashed,
+            width: 1.2,
+        };
+        let tip = text!("line-edges-switch.tip");
+        appearance.edges ^= switch_ui(ui, text!("line-edges-switch"), tip, appearance.edges, edges);
+    });
 }
 
 /// Style of a curve's sample.

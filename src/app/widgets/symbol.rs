@@ -87,8 +87,13 @@ pub fn click(ctx: &Context, symbol: Symbol, rect: Rect) {
     ctx.request_repaint();
 }
 
+/// Returns whether a letter was clicked whose click waits for its answer.
+pub fn is_clicked(ctx: &Context) -> bool {
+    with(ctx, |hovered| hovered.clicked.is_some())
+}
+
 /// Returns, once, the letter that was clicked, and its place.
-pub fn clicked(ctx: &Context) -> Option<(Symbol, Rect)> {
+pub fn take_clicked(ctx: &Context) -> Option<(Symbol, Rect)> {
     with(ctx, |hovered| hovered.clicked.take())
 }
 

@@ -251,14 +251,17 @@ fn fold_ui(ui: &mut Ui, session: &mut Session, here: Here<'_>, line: &FilledLine
     paint(ui, line, galley, rect);
     let light = line.light.and_then(|index| here.lights().nth(index));
     let values = light.map_or_else(Vec::new, |light| light.values());
-    let sought = symbol::sought(ui.ctx());
+    let clicked = symbol::is_clicked(ui.ctx());
     fold.show_body_unindented(ui, |ui| {
         for (number, part) in line.parts.iter().enumerate() {
             part_ui(ui, part, &values, id.with(("part", number)));
         }
         ui.add_space(6.0);
     });
-    if let Some(index) = line.light.filter(|_| symbol::sought(ui.ctx()) != sought) {
+    if let Some(index) = line
+        .light
+        .filter(|_| symbol::is_clicked(ui.ctx()) != clicked)
+    {
         // A symbol of this light was clicked: the controls become those of this light.
         session.light = index;
     }
