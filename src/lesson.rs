@@ -53,6 +53,8 @@ pub use kinds::{
     Item, Kind, Match, MatchValues, Order, Point, RightIf, Settings, Solution, Value, letter,
     picture_distance, short_answer, short_number,
 };
+#[cfg(feature = "app")]
+pub(crate) use kinds::{abscissa, ordinate, with_unit};
 pub use lab::{Lab, LabPlace};
 pub use links::{may_open, without_closed_links};
 #[cfg(feature = "app")]

@@ -23,9 +23,9 @@ pub use zero::{ZeroCause, ZeroCauses};
 
 use crate::illumination::Equation;
 use crate::render::{Evaluation, Renderer, Transmission};
-use crate::scene::{Backfacing, LightKind, ReflectionModel, Rgb, Scene};
+use crate::scene::{Backfacing, LightKind, PatternKind, ReflectionModel, Rgb, Scene, View};
 use crate::text;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use serde::{Serialize, Serializer};
 use std::ops::RangeInclusive;
 use zero::zero_causes;
@@ -45,6 +45,24 @@ pub struct Probe {
     pub hit: Option<ProbeHit>,
     /// The Ia whose constant term best approximates the bounce of light in the whole picture, if that is gathered.
     pub ambient_fit: Option<Rgb>,
+}
+
+impl Probe {
+    /// Returns whether the pixel of `scene` shows the floor, if it does not show the object.
+    pub fn beside_is_floor(&self, scene: &Scene) -> bool {
+        let view = View::new(&scene.camera, scene.image.size);
+        let [x, y] = self.pixel.map(f64::from);
+        let (origin, direction) = view.ray(DVec2::new(x, y) + 0.5);
+        let above = origin.y - scene.ground.height;
+        if !scene.ground.visible || above <= 0.0 || direction.y >= 0.0 {
+            return false;
+        }
+        // The wall behind the object stands on the floor and hides what is farther away.
+        let reach = -above / direction.y * direction.dot(view.forward);
+        let wall = scene.camera.target + view.forward * scene.backdrop.distance;
+        let to_wall = (wall - origin).dot(view.forward);
+        scene.backdrop.pattern == PatternKind::None || to_wall <= 0.0 || reach <= to_wall
+    }
 }
 
 /// The point of the object that the pixel shows.

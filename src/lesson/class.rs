@@ -2,7 +2,7 @@
 
 use super::hand_in::{HandIn, digest, read_hand_in};
 use super::kinds::kind::counted;
-use super::kinds::short_number;
+use super::kinds::{short_number, with_unit};
 use super::{
     Answer, AnswerKey, Answered, Budget, Grade, Lab, LabPlace, Lesson, Question, Solution, Step,
     TooHeavy, find,
@@ -193,13 +193,15 @@ impl Group {
         let asked = self.questions.get(question)?.question(&self.lesson)?;
         let own = asked.kind.asks().predicts_number();
         let numbers = self.predicted(question);
-        let [least, lower, median, upper, greatest] = spread(&numbers)?.map(short_number);
+        let unit = if own { asked.kind.asks().unit() } else { "" };
+        let words = |number: f64| with_unit(&short_number(number), unit);
+        let [least, lower, median, upper, greatest] = spread(&numbers)?.map(words);
         let key = |own_key, off_key| if own { own_key } else { off_key };
         Some(if least == greatest {
             let key = key("class-predicted-same", "class-off-same");
             text!(key, value = least)
         } else if numbers.len() < QUARTERED {
-            let values: Vec<String> = numbers.into_iter().map(short_number).collect();
+            let values: Vec<String> = numbers.into_iter().map(words).collect();
             let key = key("class-predicted-few", "class-off-few");
             text!(key, values = values.join(text!("comma")))
         } else {

@@ -1,7 +1,7 @@
 //! The controls that questions are about: keys of the scene that have a slider.
 
 use crate::scene::Scene;
-use crate::scene::parameter::{Parameter, Slider, defaults};
+use crate::scene::parameter::{Parameter, Slider, Unit, defaults};
 use crate::text::text;
 
 /// Returns the parameter of a key that has a slider, the light that it belongs to, and the slider.
@@ -78,6 +78,15 @@ pub fn control_name(key: &str) -> String {
         }
     };
     slider(key).map_or_else(|| key.to_owned(), named)
+}
+
+/// Returns the unit of a control's value as numbers have it; empty where there is none.
+pub(super) fn control_unit(key: &str) -> &'static str {
+    match Parameter::of_key(key).and_then(|(parameter, _)| parameter.unit) {
+        Some(Unit::Degrees) => "°",
+        Some(unit) => unit.name(),
+        None => "",
+    }
 }
 
 /// Returns a control's name for those who do not see its row: with its letter, unless that is its name.

@@ -14,12 +14,12 @@ mod shape;
 mod value;
 
 pub use choice::{Choice, ChoiceOption, RightIf};
-pub use curve::{CURVE_POINTS, Curve, CurveOf};
+pub use curve::{CURVE_POINTS, Curve, CurveOf, abscissa, ordinate};
 pub use extreme::Extreme;
 pub(super) use lettered::Bars;
 pub use lettered::letter;
 pub use matching::{Match, MatchValues, picture_distance};
-pub use number::short_number;
+pub use number::{short_number, with_unit};
 pub use order::{Item, Order};
 pub use point::{Find, Point};
 pub use settings::{Goal, Settings};

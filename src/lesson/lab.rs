@@ -181,7 +181,8 @@ impl Lab {
         let scene = Arc::clone(&self.inner.borrow().scenes[0]);
         for pane in 0..=scene.compare.panes.len() {
             let pane = scene.pane(pane).map_err(|error| error.to_string())?;
-            self.spend_pictures(&pane, samples.into())?;
+            // One more for the figures in the captions.
+            self.spend_pictures(&pane, u64::from(samples) + 1)?;
         }
         let inner = &mut *self.inner.borrow_mut();
         inner.drawn = None;

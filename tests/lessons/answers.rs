@@ -244,18 +244,70 @@ fn a_place_is_where_the_closed_form_has_it() {
     assert!(!room.refused().is_empty());
 }
 
+/// Returns the values of a right curve at the points that are compared.
+fn compared(right: &Solution) -> Vec<f64> {
+    match Answer::right(right) {
+        Answer::Curve(points) => points.into_iter().flatten().collect(),
+        _ => panic!("a curve"),
+    }
+}
+
+#[test]
+fn a_right_curve_is_drawn_as_it_is() {
+    let curve = |answer: &str| {
+        let question = format!("kind = \"curve\"\nx = [0, 90]\ny = [0, 1]\nanswer = \"{answer}\"");
+        match Room::new("\"material.n=4\"]", &question).solve() {
+            Solution::Curve(drawn) => drawn,
+            _ => panic!("a curve"),
+        }
+    };
+    // A jump is upright, wherever it is.
+    let jump = curve("0.2 + 0.6*(x > 31.7)");
+    let steep = jump.windows(2).filter(|pair| pair[0][1] != pair[1][1]);
+    let steep: Vec<f64> = steep.map(|pair| pair[1][0] - pair[0][0]).collect();
+    assert!(
+        matches!(steep[..], [width] if width < 90.0 / 2000.0),
+        "{steep:?}"
+    );
+    assert!(jump.len() < CURVE_POINTS + 12, "{} points", jump.len());
+    // A narrow peak is smooth, and what is straight takes no more points.
+    let peak = curve("exp(0 - ((x - 40)/2)^2)");
+    for pair in peak.windows(2) {
+        let [[a, low], [b, high]] = [pair[0], pair[1]];
+        let middle = (-((0.5 * (a + b) - 40.0) / 2.0).powi(2)).exp();
+        assert!((0.5 * (low + high) - middle).abs() < 0.004, "{a}");
+    }
+    assert_eq!(curve("x/90").len(), CURVE_POINTS);
+}
+
+#[test]
+fn a_line_of_places_is_a_line_where_the_quantity_jumps() {
+    let question = "kind = \"point\"\nfind = \"zero\"\nof = \"(probe.position[0]^2 + probe.position[1]^2 < 0.4) - 0.5\"\ntolerance = 0.02";
+    let Solution::Point(places) = Room::new("\"material.n=4\"]", question).solve() else {
+        panic!("places");
+    };
+    let radii = places.iter().map(|place| place.length());
+    let [least, most] = radii.fold([f64::INFINITY, 0.0f64], |[least, most], radius| {
+        [least.min(radius), most.max(radius)]
+    });
+    // A pixel is 1/192; the places that are tried are 1/49 apart.
+    assert!(most - least < 0.012, "{least} to {most}");
+}
+
 #[test]
 fn a_curve_is_compared_point_by_point() {
     let question = "kind = \"curve\"\nx = [0, 90]\ny = [0, 1]\nanswer = \"max(cos(x), 0)^scene.material.n\"\ntolerance = 0.1";
     let room = Room::new("\"material.n=4\"]", question);
-    let Solution::Curve(curve) = room.solve() else {
+    let solution = room.solve();
+    let Solution::Curve(drawn) = &solution else {
         panic!("a curve");
     };
-    assert_eq!(curve.len(), CURVE_POINTS);
-    for [x, y] in &curve {
+    for [x, y] in drawn {
         assert!((y - x.to_radians().cos().powi(4)).abs() < 1e-12, "{x}");
     }
-    let moved = |by: f64| Answer::Curve(curve.iter().map(|[_, y]| Some(y + by)).collect());
+    let curve = compared(&solution);
+    assert_eq!(curve.len(), CURVE_POINTS);
+    let moved = |by: f64| Answer::Curve(curve.iter().map(|y| Some(y + by)).collect());
     room.marks(&[
         moved(0.16),
         moved(-0.5),
@@ -268,7 +320,7 @@ fn a_curve_is_compared_point_by_point() {
         let values = curve
             .iter()
             .enumerate()
-            .map(|(index, [_, y])| (index < count).then_some(*y));
+            .map(|(index, y)| (index < count).then_some(*y));
         Answer::Curve(values.collect())
     };
     assert!(room.grade(&drawn(60)).right);
@@ -287,9 +339,7 @@ fn a_profile_is_that_of_the_command() {
     let question = "kind = \"curve\"\ny = [0, 1.5]\nprofile = \"gouraud\"\ntolerance = 0.05";
     let step = "\"light.0.direction=[-0.6,0,-0.8]\"]\nline = [-0.25, 0, 0.25, 0]";
     let room = Room::new(step, question);
-    let Solution::Curve(curve) = room.solve() else {
-        panic!("a curve");
-    };
+    let curve = compared(&room.solve());
     let mut command = Command::new(env!("CARGO_BIN_EXE_shading-lab"));
     command.args([
         "profile", "sphere", "--from", "48,96", "--to", "144,96", "--modes", "gouraud", "--json",
@@ -311,8 +361,8 @@ fn a_profile_is_that_of_the_command() {
         let [t, value] = ["t", "gouraud"].map(|key| sample[key].as_f64().unwrap_or(f64::NAN));
         let at = t * (CURVE_POINTS - 1) as f64;
         let (below, above) = (
-            curve[at.floor() as usize][1],
-            curve[(at.ceil() as usize).min(CURVE_POINTS - 1)][1],
+            curve[at.floor() as usize],
+            curve[(at.ceil() as usize).min(CURVE_POINTS - 1)],
         );
         let expected = below + (above - below) * at.fract();
         assert!((value - expected).abs() < 0.02, "{t}: {value}, {expected}");

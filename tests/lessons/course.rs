@@ -7,7 +7,7 @@ use shading_lab::lesson::{
     Answer, Budget, BuiltIn, Curve, Kind, LESSONS, Lab, Lesson, Match, Question, Solution, Staged,
     Step, check,
 };
-use shading_lab::text::Language;
+use shading_lab::text::{Language, in_language};
 use std::collections::BTreeSet;
 
 fn lessons() -> Vec<(&'static BuiltIn, Language, Lesson)> {
@@ -104,9 +104,13 @@ fn wrong_answers(question: &Question, solution: &Solution, staged: &Staged) -> V
             })
             .map(Answer::Point)
             .collect(),
-        (Kind::Curve(Curve { y, .. }), Solution::Curve(points)) => {
-            let mean = points.iter().map(|[_, y]| y).sum::<f64>() / points.len() as f64;
-            let upside_down = points.iter().map(|[_, value]| Some(y[0] + y[1] - value));
+        (Kind::Curve(Curve { y, .. }), Solution::Curve(_)) => {
+            let Answer::Curve(points) = Answer::right(solution) else {
+                unreachable!("a curve");
+            };
+            let mean = points.iter().flatten().sum::<f64>() / points.len() as f64;
+            let upside_down = points.iter().flatten();
+            let upside_down = upside_down.map(|value| Some(y[0] + y[1] - value));
             vec![
                 Answer::Curve(vec![Some(mean); points.len()]),
                 Answer::Curve(upside_down.collect()),
@@ -309,6 +313,94 @@ fn every_lesson_asks_before_it_tells() {
             "{} ends without a task",
             lesson.name
         );
+    }
+}
+
+/// A word, or a picture, that a step has to explain before others may use it.
+struct Explained {
+    /// What it looks like in a lesson, by language.
+    used: [&'static [&'static str]; 2],
+    /// What its first step says, by language.
+    explained: [&'static str; 2],
+}
+
+const EXPLAINED: [Explained; 5] = [
+    // The captions of panes have it.
+    Explained {
+        used: [&["panes", "RMS"], &["panes", "均方根誤差"]],
+        explained: ["root mean square", "均方根"],
+    },
+    Explained {
+        used: [&["Gouraud"]; 2],
+        explained: ["interpolates the intensities", "內插亮度"],
+    },
+    Explained {
+        used: [&["Phong shading"], &["Phong 著色"]],
+        explained: ["at every pixel", "每個像素都計算"],
+    },
+    Explained {
+        used: [&["·H)", " H ", "H 與", "是 H"]; 2],
+        explained: ["H = (L + V)/|L + V|"; 2],
+    },
+    Explained {
+        used: [&["Cook"]; 2],
+        explained: ["many small mirrors", "許多小鏡子"],
+    },
+];
+
+/// Returns the words that a student sees of a step, with the names of panes, and `panes` where there are any.
+fn words_of(step: &Step, built_in: &BuiltIn, language: Language) -> String {
+    let source = built_in.source(language);
+    let steps = source.split("\n## ").skip(1);
+    let own = steps.into_iter().find(|own| own.starts_with(&step.title));
+    let own = own.unwrap_or_else(|| panic!("{}: {}", built_in.name, step.title));
+    let staged = step.stage.load(None).expect("a scene");
+    let panes = staged.scene.shown_panes().into_iter();
+    let panes = panes.map(|pane| in_language(language, || staged.scene.pane_name(pane)));
+    let panes: Vec<String> = panes.collect();
+    let marked = if panes.len() > 1 {
+        format!("panes {}", panes.join("\n"))
+    } else {
+        String::new()
+    };
+    // Without settings, which nobody sees.
+    let unseen = [
+        "set ", "panes ", "scene ", "holds ", "by ", "answer ", "profile ", "mode ",
+    ];
+    let seen = own
+        .lines()
+        .filter(|line| !unseen.iter().any(|key| line.starts_with(key)));
+    let seen: Vec<&str> = seen.collect();
+    format!("{}\n{marked}", seen.join("\n"))
+}
+
+#[test]
+fn no_word_is_used_before_the_step_that_explains_it() {
+    for (index, language) in Language::ALL.into_iter().enumerate() {
+        let lessons = LESSONS
+            .iter()
+            .map(|built_in| (built_in, built_in.lesson_in(language)));
+        let steps: Vec<(String, String)> = lessons
+            .filter(|(_, lesson)| !lesson.test)
+            .flat_map(|(built_in, lesson)| {
+                let steps = lesson.steps.into_iter().enumerate();
+                let words = steps.map(|(number, step)| {
+                    let place = format!("{}/{}", built_in.name, number + 1);
+                    (place, words_of(&step, built_in, language))
+                });
+                words.collect::<Vec<_>>()
+            })
+            .collect();
+        for Explained { used, explained } in &EXPLAINED {
+            let uses = |words: &String| used[index].iter().any(|use_| words.contains(use_));
+            let first = steps.iter().find(|(_, words)| uses(words));
+            let (place, words) = first.unwrap_or_else(|| panic!("{used:?} is not used"));
+            assert!(
+                words.contains(explained[index]),
+                "{place} uses {:?} before it is explained:\n{words}",
+                used[index]
+            );
+        }
     }
 }
 

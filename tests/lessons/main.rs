@@ -12,4 +12,5 @@ mod fuzz;
 mod hand_in;
 mod inventory;
 mod models;
+mod mutations;
 mod worksheet;

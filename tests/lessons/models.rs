@@ -11,6 +11,8 @@ use shading_lab::text::{Language, in_language};
 /// The standard deviation of a hand, as a fraction of the axis' height, and how often each curve is drawn.
 const TREMBLE: f64 = 0.03;
 const DRAWN: usize = 300;
+/// The least share of drawings that must be graded as they should be.
+const GRADED: f64 = 0.99;
 
 /// A question of the course with its answers.
 struct Asked {
@@ -168,23 +170,15 @@ enum Hand {
 impl Hand {
     const ALL: [Self; 3] = [Self::Trembles, Self::Drifts, Self::Both];
 
-    /// Returns the least share of drawings that must be graded as they should be.
-    fn least(self) -> f64 {
-        match self {
-            Self::Trembles | Self::Both => 0.99,
-            Self::Drifts => 0.95,
-        }
-    }
-
     /// Draws a curve over axes of the given height.
-    fn draw(self, curve: &[[f64; 2]], [low, high]: [f64; 2], dice: &mut Dice) -> Answer {
+    fn draw(self, curve: &[f64], [low, high]: [f64; 2], dice: &mut Dice) -> Answer {
         let share = match self {
             Self::Trembles => [1.0, 0.0],
             Self::Drifts => [0.0, 1.0],
             Self::Both => [0.5f64.sqrt(); 2],
         };
         let knots: Vec<f64> = (0..=KNOTS).map(|_| normal(dice)).collect();
-        let drawn = curve.iter().enumerate().map(|(index, [_, y])| {
+        let drawn = curve.iter().enumerate().map(|(index, y)| {
             let along = (index * KNOTS) as f64 / (curve.len() - 1) as f64;
             let (before, rest) = (along.floor() as usize, along.fract());
             let after = (before + 1).min(KNOTS);
@@ -215,26 +209,25 @@ fn normal(dice: &mut Dice) -> f64 {
 /// Draws the right curve and those of the wrong models, and returns for each how often it is graded as it should be, and
 /// whether that suffices.
 fn drawn_by_hand(asked: &Asked) -> Vec<(String, bool)> {
-    let (Kind::Curve(kind), Solution::Curve(right)) = (&asked.question.kind, &asked.key.right)
-    else {
+    let Kind::Curve(kind) = &asked.question.kind else {
         return Vec::new();
     };
-    let wrong = asked.key.wrong.iter().filter_map(|wrong| match wrong {
-        Solution::Curve(wrong) => Some(wrong),
+    let models = std::iter::once(&asked.key.right).chain(&asked.key.wrong);
+    let models = models.filter_map(|model| match Answer::right(model) {
+        Answer::Curve(points) => Some(points.into_iter().flatten().collect()),
         _ => None,
     });
-    let models = std::iter::once(right).chain(wrong).enumerate();
-    let row = |(model, curve): (usize, &Vec<[f64; 2]>)| {
+    let row = |(model, curve): (usize, Vec<f64>)| {
         let mut dice = Dice(model as u64 + 1);
         let shares = Hand::ALL.map(|hand| {
             let good = (0..DRAWN).filter(|_| {
-                let answer = hand.draw(curve, kind.y, &mut dice);
+                let answer = hand.draw(&curve, kind.y, &mut dice);
                 asked.verdict(&answer).0 == (model == 0)
             });
             good.count() as f64 / DRAWN as f64
         });
         let off = asked.question.grade(
-            &Answer::Curve(curve.iter().map(|[_, y]| Some(*y)).collect()),
+            &Answer::Curve(curve.iter().copied().map(Some).collect()),
             &asked.key,
             asked.place(),
         );
@@ -247,14 +240,11 @@ fn drawn_by_hand(asked: &Asked) -> Vec<(String, bool)> {
         let percent = shares
             .map(|share| format!("{:6.1} %", 100.0 * share))
             .concat();
-        let good = Hand::ALL
-            .iter()
-            .zip(shares)
-            .all(|(hand, share)| share >= hand.least());
+        let good = shares.iter().all(|share| *share >= GRADED);
         (
             format!("{:28} {name:8} off {off:.3} {percent}", asked.what),
             good,
         )
     };
-    models.map(row).collect()
+    models.enumerate().map(row).collect()
 }

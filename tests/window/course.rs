@@ -3,6 +3,8 @@
 mod handed_in;
 mod kept;
 mod left;
+mod results;
+mod target;
 
 use crate::common::hands;
 use crate::common::hands::{named, picture_place, press, scene, wait};
@@ -11,7 +13,6 @@ use eframe::egui::{Key, Modifiers, OpenUrl, OutputCommand, Pos2, Style, pos2, ve
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use shading_lab::app::{App, Appearance, ViewName};
-use shading_lab::document::{load_scene, save_scene};
 use shading_lab::lesson::{Answer, Answered, Lesson, find, read_hand_in};
 use shading_lab::scene::ShadingMode;
 use std::path::Path;
@@ -287,102 +288,6 @@ fn the_answer_waits_behind_the_question_and_then_the_scene_moves() {
     harness.key_press(Key::Num1);
     harness.run_ok();
     assert_eq!(scene(&harness).shading.mode, ShadingMode::Flat);
-}
-
-#[test]
-fn a_lesson_ends_with_its_results_and_hands_in_by_keyboard_alone() {
-    let mut harness = window();
-    go(&mut harness, 1);
-    harness
-        .get_by_role_and_label(Role::RadioButton, "Wider")
-        .click();
-    harness.run_ok();
-    press(&mut harness, "course-check");
-    press(&mut harness, "course-show-answer");
-    let last = 8;
-    go(&mut harness, last);
-    harness.key_press(Key::PageDown);
-    harness.run_ok();
-    let results = |harness: &Harness<'_, App>| {
-        let open = harness.state().state().course.open.as_ref();
-        open.is_some_and(|open| open.results.is_some())
-    };
-    assert!(results(&harness));
-    let count = english!(
-        "course-results-count",
-        answered = 1,
-        count = 8,
-        right = 0,
-        first = 0,
-        looked = 1
-    );
-    harness.get_by_label(&count);
-    let graded = |harness: &mut Harness<'_, App>| {
-        let number = english!("course-answers-question", number = 8);
-        wait(harness, |harness| harness.query_by_label(&number).is_some())
-    };
-    assert!(graded(&mut harness));
-    // The right answer is shown where it was looked up, and nowhere else.
-    let right = english!("course-answers-solution");
-    assert_eq!(harness.query_all_by_label(right).count(), 1);
-    // What was not right leads back to its step.
-    let again = english!("course-results-again");
-    harness.get_by_label(again);
-    harness
-        .get_by_role_and_label(Role::Link, "3. Value")
-        .click_accesskit();
-    harness.run_ok();
-    ready(&mut harness);
-    assert!(!results(&harness));
-    assert_eq!(step(&harness), 2);
-    go(&mut harness, last);
-    harness.key_press(Key::PageDown);
-    harness.run_ok();
-    harness.key_press(Key::PageUp);
-    harness.run_ok();
-    assert!(!results(&harness) && step(&harness) == last);
-    harness.key_press(Key::PageDown);
-    harness.run_ok();
-    // The button has the focus: Enter, the name, Enter.
-    harness.key_press(Key::Enter);
-    harness.run_ok();
-    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("course-by-keyboard.png");
-    let _ = std::fs::remove_file(&path);
-    tab_to(&mut harness, Role::TextInput, "course-hand-in-name");
-    type_text(&mut harness, "Ada");
-    tab_to(&mut harness, Role::TextInput, "file");
-    harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
-    type_text(&mut harness, path.to_str().expect("a path"));
-    harness.key_press(Key::Enter);
-    harness.run_ok();
-    let there = path.clone();
-    let written =
-        |harness: &Harness<'_, App>| there.exists() && harness.state().state().dialog.is_none();
-    assert!(wait(&mut harness, written));
-    // The list says how far it is done.
-    harness.key_press(Key::PageDown);
-    harness.run_ok();
-    let far = english!("course-answers-right", right = 0, count = 8);
-    assert!(harness.query_by_label(&far).is_some());
-}
-
-#[test]
-fn a_lesson_without_answers_does_not_look_like_a_success() {
-    let mut harness = window();
-    go(&mut harness, 8);
-    choose(&mut harness, "course-results");
-    harness.get_by_label(english!("course-results-none"));
-    let hand_in = english!("controls-command-hand-in");
-    assert!(
-        harness
-            .query_by_role_and_label(Role::Button, hand_in)
-            .is_none()
-    );
-    choose(&mut harness, "course-finish");
-    let own = harness.state().state().course.kept.record("kinds");
-    assert!(own.is_none());
-    let done = format!("Every kind of question {}", english!("course-done"));
-    assert!(harness.query_by_label(&done).is_none());
 }
 
 #[test]
@@ -668,39 +573,6 @@ fn answers_are_handed_in_as_a_picture() {
         .map(|one| &one.answer)
         .collect();
     assert_eq!(answers, [&Answer::Value(0.9)]);
-}
-
-/// Makes a scene of Kd 0.9 the target of a match, and meets it.
-fn meet_target(harness: &mut Harness<'_, App>) {
-    hands::enter(harness, "material.kd", 0.9);
-    press(harness, "controls-group-file");
-    press(harness, "controls-command-set-target");
-    harness.run_ok();
-    ready(harness);
-    assert_eq!(scene(harness).material.kd.x, 0.5);
-    hands::enter(harness, "material.kd", 0.9);
-    press(harness, "course-check");
-    assert!(revealed(harness));
-}
-
-#[test]
-fn the_scene_in_view_becomes_the_target_of_a_match() {
-    let mut harness = hands::window("sphere");
-    meet_target(&mut harness);
-    go(&mut harness, 3);
-    let open = harness.state().state().course.open.as_ref();
-    assert_eq!(open.expect("a lesson").lesson.steps.len(), 4);
-}
-
-#[test]
-fn so_does_a_scene_from_a_file() {
-    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("target scene.toml");
-    let built_in = hands::built_in("torus");
-    let own = built_in.scene.with_overrides(&["material.n=77"]);
-    save_scene(&path, &own.expect("settings")).expect("a file");
-    let mut harness = hands::window_of(load_scene(&path).expect("a scene"));
-    meet_target(&mut harness);
-    assert_eq!(scene(&harness).material.n, 77.0);
 }
 
 #[test]

@@ -5,8 +5,8 @@ engine-plan-intro = What drawing this picture takes, step by step, and what is s
 engine-plan-signs = ■ ran after the last change · □ kept from before
 engine-plan-summary = { $total }, { $count } skipped
 engine-plan-total = { $count ->
-    [one] { $number } evaluation a frame
-   *[other] { $number } evaluations a frame
+    [one] terms and steps evaluated once a frame
+   *[other] terms and steps evaluated { $number } times a frame
 }
 engine-plan-measured = { $frames ->
     [one] { $about }, 1 frame drawn anew
@@ -42,7 +42,7 @@ engine-saved = Work saved
 engine-by-plan = plan
 engine-all-left-in = all left in
 engine-ratio = ratio
-engine-row-evaluations = evaluations
+engine-row-evaluations = evaluations of terms and steps
 engine-row-time = ms a frame
 engine-runs-again = What runs again after a change
 engine-change-light = light
@@ -74,7 +74,7 @@ engine-time-minutes = { $count ->
     [one] about a minute
    *[other] about { $count } minutes
 }
-engine-bench-counts = { $about }, { $triangles } triangles, { $covered } pixels covered, { $evaluations } evaluations
+engine-bench-counts = { $about }, { $triangles } triangles, { $covered } pixels covered, { $evaluations } evaluations of the equation
 engine-bench-measured = { $threads ->
     [one] 1 thread
    *[other] { $threads } threads

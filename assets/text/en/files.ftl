@@ -73,9 +73,10 @@ theme-light = Light
 coarser = 1/{ $share } size while dragging
 coarser-tip = The full picture would not keep up with the pointer; it is drawn when you let go
 evaluations = { $count ->
-    [one] { $shown } evaluation
-   *[other] { $shown } evaluations
+    [one] equation evaluated once
+   *[other] equation evaluated { $shown } times
 }
+evaluations-tip = How often the illumination equation was evaluated after the last change. The view Plan counts every term and step on its own, of a picture that is drawn anew.
 triangles = { $count } triangles
 overflowing = { $count } pixels overflow
 overflowing-tip = Pixels with a channel above 1, which the display cannot show; the setting Overflow says what happens to them
@@ -84,7 +85,7 @@ left-out = { $count ->
    *[other] { $count } steps skipped
 }
 left-out-tip = Steps of the computation that would change nothing in this picture. Press to see which, and why.
-stage-ran = ran for { $ms } ms, { $evaluations } evaluations
+stage-ran = ran for { $ms } ms, { $evaluations } evaluations of the equation
 stage-kept = not run: nothing it depends on has changed
 code-calls = OpenGL calls
 code-calls-tip = Camera, lights and material as calls of fixed-function OpenGL, in C

@@ -15,6 +15,7 @@ point-stored-tip = The stored colour: red, green and blue, 0 to 255
 point-place-face = At the pixel’s centre: face { $face }, depth { $depth }
 point-place-surface = At the pixel’s centre: true surface, depth { $depth }
 point-background = The probe is on the background. Click or tap the object, or drag the ring onto it.
+    .floor = The probe is on the floor, and the numbers here are those of the object. Click or tap the object, or drag the ring onto it.
 point-vectors = Vectors
 point-vectors-of = Vectors, light { $light }
 point-no-light = The scene has no light. Add one to see L, R and H.
@@ -76,7 +77,7 @@ point-law-directional = f = 1: a directional light has no distance
 point-error-no-lights = --light { $light }: the scene has no light
 point-error-no-such-light = --light { $light }: no such light in the scene, expected 1 to { $last }
 point-error-no-light = the scene has no light, expected one
-point-error-background = pixel { $x },{ $y } shows the background, expected one that shows the object
+point-error-background = pixel { $x },{ $y } does not show the object, expected one that does
 point-error-behind = light { $light } is behind the surface at pixel { $x },{ $y }, expected one in front of it
 
 # The terms and their numbers
@@ -186,6 +187,7 @@ point-clause-gap = { "; " }
 
 # The report in words
 point-report-background = pixel ({ $x }, { $y }) shows the background
+    .floor = pixel ({ $x }, { $y }) shows the floor
 point-report-face = pixel ({ $x }, { $y }), face { $face }, depth { $depth }
 point-report-surface = pixel ({ $x }, { $y }), depth { $depth }
 point-report-places = Evaluated at { $places }. The vectors are those at the pixel’s centre.

@@ -5,7 +5,7 @@ engine-plan-intro = 逐步列出繪製這張圖片要做的工作，以及因為
 engine-plan-signs = ■ 上次變更後執行 · □ 沿用先前結果
 engine-plan-summary = { $total }，略過 { $count } 項
 engine-plan-total = { $count ->
-   *[other] 每畫格計算 { $number } 次
+   *[other] 各項與各步驟每畫格共計算 { $number } 次
 }
 engine-plan-measured = { $about }，重新繪製 { $frames } 個畫格的中位數
 engine-ran = ■ { $stage }，{ $ms } ms
@@ -38,7 +38,7 @@ engine-saved = 省下的工作
 engine-by-plan = 依計畫
 engine-all-left-in = 全部計算
 engine-ratio = 比值
-engine-row-evaluations = 計算次數
+engine-row-evaluations = 各項與各步驟的計算次數
 engine-row-time = 每畫格毫秒數
 engine-runs-again = 變更後重新執行的階段
 engine-change-light = 光源
@@ -67,7 +67,7 @@ engine-times-about = 反覆繪製圖片，每個數值繪製 { $frames } 次並�
 engine-time-short = 大約一秒
 engine-time-seconds = 大約 { $count } 秒
 engine-time-minutes = 大約 { $count } 分鐘
-engine-bench-counts = { $about }，{ $triangles } 個三角形，覆蓋 { $covered } 個像素，計算 { $evaluations } 次
+engine-bench-counts = { $about }，{ $triangles } 個三角形，覆蓋 { $covered } 個像素，方程式計算 { $evaluations } 次
 engine-bench-measured = { $threads } 個執行緒，SIMD 等級 { $simd }，{ $frames } 個畫格的中位數，單位 ms
 engine-no-simd-level = SIMD 等級 { $level }：這部電腦沒有，應為 { $available } 之一
 engine-dragged = 拖曳時

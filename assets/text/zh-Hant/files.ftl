@@ -73,14 +73,15 @@ theme-light = 淺色
 coarser = 拖曳時以 1/{ $share } 尺寸繪製
 coarser-tip = 完整圖片跟不上指標；放開後才會繪製
 evaluations = { $count ->
-   *[other] 計算 { $shown } 次
+   *[other] 方程式計算 { $shown } 次
 }
+evaluations-tip = 上次變更之後計算照明方程式的次數。「執行計畫」檢視則以整張重畫的圖片為準，分別計算每一項與每個步驟。
 triangles = { $count } 個三角形
 overflowing = { $count } 個像素溢位
 overflowing-tip = 有色版大於 1、顯示器無法顯示的像素；「溢位」設定決定如何處理
 left-out = 略過 { $count } 個步驟
 left-out-tip = 對這張圖片沒有影響的計算步驟。按一下可看是哪些，以及原因。
-stage-ran = 執行 { $ms } 毫秒，計算 { $evaluations } 次
+stage-ran = 執行 { $ms } 毫秒，方程式計算 { $evaluations } 次
 stage-kept = 未執行：它所依賴的內容沒有改變
 code-calls = OpenGL 呼叫
 code-calls-tip = 以 C 語言的固定管線 OpenGL 呼叫表示相機、光源與材質

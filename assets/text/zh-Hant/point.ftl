@@ -15,6 +15,7 @@ point-stored-tip = 儲存的顏色：紅、綠、藍，0 到 255
 point-place-face = 像素中心處：面 { $face }，深度 { $depth }
 point-place-surface = 像素中心處：真實表面，深度 { $depth }
 point-background = 探測點落在背景上。請點一下物體，或將圓圈拖到物體上。
+    .floor = 探測點落在地板上，這裡的數值則是物體的。請點一下物體，或將圓圈拖到物體上。
 point-vectors = 向量（vectors）
 point-vectors-of = 向量（vectors），光源 { $light }
 point-no-light = 場景中沒有光源。加入一個光源，才有 L、R 與 H。
@@ -76,7 +77,7 @@ point-law-directional = f = 1：平行光沒有距離可言
 point-error-no-lights = --light { $light }：場景中沒有光源
 point-error-no-such-light = --light { $light }：場景中沒有此光源，應為 1 到 { $last }
 point-error-no-light = 場景中沒有光源，至少需要一個
-point-error-background = 像素 { $x },{ $y } 顯示背景，請指定顯示物體的像素
+point-error-background = 像素 { $x },{ $y } 沒有顯示物體，請指定顯示物體的像素
 point-error-behind = 光源 { $light } 在像素 { $x },{ $y } 處位於表面背後，請指定位於正面的光源
 
 # 各項與其數值
@@ -174,6 +175,7 @@ point-clause-gap = ；
 
 # 文字報告
 point-report-background = 像素 ({ $x }, { $y }) 顯示背景
+    .floor = 像素 ({ $x }, { $y }) 顯示地板
 point-report-face = 像素 ({ $x }, { $y })，面 { $face }，深度 { $depth }
 point-report-surface = 像素 ({ $x }, { $y })，深度 { $depth }
 point-report-places = 在{ $places }求值。向量則為像素中心處的向量。

@@ -91,6 +91,9 @@ pub struct DrawnPane {
     pub frame: Frame,
     /// The picture before the display; empty where nothing is compared.
     pub linear: Vec<[f32; 4]>,
+    /// The same of one sample at each pixel's centre, as everywhere where figures are taken. (A mean of several is one of values
+    /// that the display has clamped.)
+    pub measured: Vec<[f32; 4]>,
     /// True if the display clamps at 1; see [`LinearPicture`](super::LinearPicture).
     pub clamps: bool,
     /// Index of the pane.
@@ -104,9 +107,18 @@ pub struct DrawnPane {
 impl DrawnPane {
     /// Returns the picture before the display.
     pub fn linear(&self) -> LinearPicture<'_> {
+        self.picture(&self.linear)
+    }
+
+    /// Returns the picture that figures are taken from.
+    pub fn measured(&self) -> LinearPicture<'_> {
+        self.picture(&self.measured)
+    }
+
+    fn picture<'p>(&self, pixels: &'p [[f32; 4]]) -> LinearPicture<'p> {
         LinearPicture {
             width: self.frame.width,
-            pixels: &self.linear,
+            pixels,
             clamps: self.clamps,
         }
     }
@@ -120,8 +132,8 @@ pub fn pane_figures(panes: &[DrawnPane]) -> Vec<PaneFigures> {
         PaneFigures {
             pane: pane.pane,
             name: pane.name.clone(),
-            brightest: brightest(pane.linear()),
-            error: others.map(|reference| error_figures(pane.linear(), reference.linear())),
+            brightest: brightest(pane.measured()),
+            error: others.map(|reference| error_figures(pane.measured(), reference.measured())),
         }
     };
     panes.iter().map(figures).collect()
@@ -197,14 +209,18 @@ pub fn draw_panes<E>(
         let mut shown = scene.pane(index).unwrap_or_else(|_| scene.clone());
         shown.image.size = size;
         // A drawing over a pane may have changed this; a single picture is not compared.
-        renderer.keep_linear(scene.compare.view != CompareView::Single || which.len() > 1);
+        let compared = scene.compare.view != CompareView::Single || which.len() > 1;
+        renderer.keep_linear(compared);
+        let centres = (compared && samples > 1).then(|| renderer.linear_picture(&shown));
         let mut frame =
             renderer.render_supersampled(&shown, samples, &mut |n| progress(done * samples + n));
         let linear = renderer.linear().to_vec();
+        let measured = centres.unwrap_or_else(|| linear.clone());
         over(&mut frame, renderer, &shown)?;
         panes.push(DrawnPane {
             frame,
             linear,
+            measured,
             clamps: shown.clamps(),
             pane: index,
             name: scene.pane_name(index),
@@ -289,7 +305,7 @@ pub fn comparison_sheet(scene: &Scene, panes: &[DrawnPane], captions: Captions) 
             letter(&last.name, em, DVec2::new(width - em, 1.5 * em), 1.0);
         }
         CompareView::Difference => {
-            let words = error_line(&error_figures(first.linear(), last.linear()));
+            let words = error_line(&error_figures(first.measured(), last.measured()));
             letter(
                 &format!("{} − {}", first.name, last.name),
                 em,

@@ -207,6 +207,7 @@ pub fn exponent_plot(scene: &Scene, angle: Option<f64>) -> Plot {
     }
     let [a, b] = between;
     let abscissa = text!("point-axis-lobe", letter = letter, a = a, b = b);
+    let title = text!("point-plot-exponent", lobe = &*symbol);
     let axes = [
         Axis::degrees(abscissa, -90.0, 90.0),
         Axis::new(symbol, 0.0, top),
@@ -214,13 +215,7 @@ pub fn exponent_plot(scene: &Scene, angle: Option<f64>) -> Plot {
     Plot {
         legend: vec![text!("point-legend-half-width").to_owned()],
         marks: marks.into_iter().collect(),
-        ..Plot::new(
-            PlotKind::Exponent,
-            text!("point-plot-exponent", lobe = power(letter)),
-            formula,
-            axes,
-            curves,
-        )
+        ..Plot::new(PlotKind::Exponent, title, formula, axes, curves)
     }
 }
 

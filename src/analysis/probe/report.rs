@@ -88,7 +88,11 @@ impl Answer for Probed {
     fn report(&self, about: &ReportContext<'_>) -> Report {
         let (scene, [x, y]) = (about.scene, self.probe.pixel);
         let Some(hit) = &self.probe.hit else {
-            return Report::new(text!("point-report-background", x = x, y = y));
+            return Report::new(if self.probe.beside_is_floor(scene) {
+                text!("point-report-background.floor", x = x, y = y)
+            } else {
+                text!("point-report-background", x = x, y = y)
+            });
         };
         let depth = format_number(hit.depth);
         let mut report = Report::new(match hit.face {

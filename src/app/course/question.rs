@@ -90,6 +90,7 @@ fn contents_ui(
         solution: known.right(),
         wrong: known.wrong(model.filter(|_| revealed)),
         revealed,
+        test: open.lesson.test,
         staged: open.staged.as_deref(),
         step: (open.opening, open.step),
         markdown: &mut open.markdown,

@@ -336,11 +336,12 @@ pub fn stages_ui(
             0.0
         };
         if room > 250.0 {
-            ui.label(text!(
+            let words = text!(
                 "evaluations",
                 count = evaluations,
                 shown = grouped(evaluations)
-            ));
+            );
+            ui.label(words).on_hover_text(text!("evaluations-tip"));
         }
         if room > 530.0 {
             ui.label(RichText::new(text!("triangles", count = grouped(report.triangles))).weak());

@@ -5,12 +5,14 @@
 
 use super::report::{ReportView, export_ui};
 use crate::analysis::curves::Curves;
+use crate::analysis::probe::Probe;
 use crate::analysis::{Answer, ReportContext};
 use crate::app::engine::Engine;
 use crate::app::session::Session;
 use crate::app::session::action::Requests;
 use crate::app::session::window::WindowState;
 use crate::figure::PlotKind;
+use crate::scene::Scene;
 use crate::text::text;
 use eframe::egui::Ui;
 
@@ -50,11 +52,22 @@ pub fn curves_ui(
     });
 }
 
+/// Says what the probe shows beside the object.
+pub fn beside_words(probe: &Probe, scene: &Scene) -> &'static str {
+    if probe.beside_is_floor(scene) {
+        text!("point-background.floor")
+    } else {
+        text!("point-background")
+    }
+}
+
 /// Explains why there is no lobe.
 fn missing_ui(ui: &mut Ui, engine: &Engine, light: usize) {
-    let Some(probe) = engine.probed() else { return };
+    let (Some(probe), Some(scene)) = (engine.probed(), engine.drawn()) else {
+        return;
+    };
     let why = match &probe.hit {
-        None => text!("point-background").to_owned(),
+        None => beside_words(probe, scene).to_owned(),
         Some(hit) if hit.lights.is_empty() => text!("point-no-light").to_owned(),
         Some(hit) if hit.normal == glam::DVec3::ZERO => text!("point-no-normal").to_owned(),
         Some(_) => text!("point-light-behind", light = light + 1),

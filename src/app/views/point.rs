@@ -2,7 +2,7 @@
 
 mod filled;
 
-use super::curves::{CurvesView, curves_ui};
+use super::curves::{CurvesView, beside_words, curves_ui};
 use super::report::export_ui;
 use crate::analysis::probe::{
     ConstructionStep, Here, LightHere, Probe, ProbeHit, Probed, VectorsShown, WorkedStep, digits,
@@ -20,6 +20,7 @@ use crate::app::widgets::palette::vector_text;
 use crate::app::widgets::theme::TEXT;
 use crate::figure::palette::Vector;
 use crate::figure::{Drawing, PlotStyle};
+use crate::scene::Scene;
 use crate::text::{Language, language, text};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
@@ -62,7 +63,7 @@ pub fn point_ui(
         return;
     };
     match &probe.hit {
-        None => background_ui(ui, probe),
+        None => background_ui(ui, probe, scene),
         Some(hit) => hit_ui(
             ui,
             session,
@@ -83,11 +84,11 @@ pub fn point_ui(
         });
 }
 
-fn background_ui(ui: &mut Ui, probe: &Probe) {
+fn background_ui(ui: &mut Ui, probe: &Probe, scene: &Scene) {
     let [x, y] = probe.pixel;
     ui.label(RichText::new(text!("point-pixel", x = x, y = y)).strong());
     ui.add_space(4.0);
-    ui.label(text!("point-background"));
+    ui.label(beside_words(probe, scene));
 }
 
 fn hit_ui(

@@ -14,6 +14,11 @@ use crate::text::{fixed, text};
 /// The number of points of a curve that are compared.
 pub const CURVE_POINTS: usize = 65;
 
+/// The largest distance of a right curve from the straight lines between its points, as a fraction of the axis' height, and how
+/// often the way between two compared points is halved for it: a jump takes 1/2048 of the axis' width.
+const STRAIGHT: f64 = 0.002;
+const HALVINGS: u32 = 5;
+
 /// The colours of curves on pages: of the right one, and of those of a class.
 const BLACK: Rgb8 = [0; 3];
 const RIGHT: Rgb8 = [0x2e, 0x7d, 0x43];
@@ -54,12 +59,6 @@ impl Curve {
         10 * drawn.iter().flatten().count() >= 9 * CURVE_POINTS
     }
 
-    /// Returns the abscissa of one of its points.
-    fn abscissa(&self, index: usize) -> f64 {
-        let [from, to] = self.x;
-        from + (to - from) * index as f64 / (CURVE_POINTS - 1) as f64
-    }
-
     /// Returns its axes as HTML with what `draw` draws over them.
     fn plot(&self, draw: impl FnOnce(&mut Drawing)) -> Html {
         let names = [&self.x_name, &self.y_name].map(Prose::plain);
@@ -75,32 +74,78 @@ impl Curve {
         distance(&pieces(given, self.y), &model)
     }
 
-    /// Evaluates the right curve at its points.
+    /// Evaluates the right curve at the points that are compared, and between them where it is bent.
     fn points(&self, place: LabPlace<'_>) -> Result<Vec<[f64; 2]>, String> {
-        let abscissae = (0..CURVE_POINTS).map(|index| self.abscissa(index));
         match &self.of {
-            CurveOf::Expression(of) => abscissae
-                .map(|x| Ok([x, place.over(x).number(of)?]))
-                .collect(),
+            CurveOf::Expression(of) => self.drawn(&|x| place.over(x).number(of)),
             CurveOf::Profile(mode) => {
                 let profile = place.profile(&[*mode])?;
                 let (samples, trace) = (&profile.samples, &profile.traces[0].intensity);
                 if samples.len() < 2 {
                     return Err(text!("line-error-no-length").to_owned());
                 }
-                let at = |t: f64| {
-                    let after = samples.partition_point(|sample| sample.t < t);
-                    let after = after.clamp(1, samples.len() - 1);
-                    let (a, b) = (samples[after - 1].t, samples[after].t);
-                    let share = ((t - a) / (b - a)).clamp(0.0, 1.0);
-                    trace[after - 1] * (1.0 - share) + trace[after] * share
-                };
+                let pairs = samples.iter().zip(trace);
+                let taken: Vec<[f64; 2]> = pairs.map(|(sample, y)| [sample.t, *y]).collect();
                 let [from, to] = self.x;
-                let along = |x: f64| (x - from) / (to - from);
-                Ok(abscissae.map(|x| [x, at(along(x))]).collect())
+                self.drawn(&|x| Ok(ordinate(&taken, (x - from) / (to - from))))
             }
         }
     }
+
+    /// Evaluates a curve at the points that are compared, and between them where it is bent.
+    fn drawn(&self, at: &dyn Fn(f64) -> Result<f64, String>) -> Result<Vec<[f64; 2]>, String> {
+        let mut curve: Vec<[f64; 2]> = Vec::new();
+        for index in 0..CURVE_POINTS {
+            let x = abscissa(self.x, index);
+            let next = [x, at(x)?];
+            match curve.last() {
+                None => curve.push(next),
+                Some(last) => {
+                    let last = *last;
+                    self.go_on(&mut curve, [last, next], HALVINGS, at);
+                }
+            }
+        }
+        Ok(curve)
+    }
+
+    /// Draws a curve from one of its points, which is drawn, to another one.
+    fn go_on(
+        &self,
+        curve: &mut Vec<[f64; 2]>,
+        [start, end]: [[f64; 2]; 2],
+        halvings: u32,
+        at: &dyn Fn(f64) -> Result<f64, String>,
+    ) {
+        let [low, high] = self.y;
+        let x = 0.5 * (start[0] + end[0]);
+        let straight = 0.5 * (start[1] + end[1]);
+        // Where there is no value in between, the straight line stands.
+        match at(x) {
+            Ok(y) if halvings > 0 && (y - straight).abs() > STRAIGHT * (high - low) => {
+                self.go_on(curve, [start, [x, y]], halvings - 1, at);
+                self.go_on(curve, [[x, y], end], halvings - 1, at);
+            }
+            _ => curve.push(end),
+        }
+    }
+}
+
+/// Returns the abscissa of a point that is compared, on an axis with these ends.
+pub fn abscissa([from, to]: [f64; 2], index: usize) -> f64 {
+    from + (to - from) * index as f64 / (CURVE_POINTS - 1) as f64
+}
+
+/// Returns the ordinate at an abscissa of a line through points, of which there is one at least.
+pub fn ordinate(points: &[[f64; 2]], x: f64) -> f64 {
+    let after = points.partition_point(|[at, _]| *at < x);
+    let after = after.clamp(1, points.len().max(2) - 1);
+    let [a, b] = [after - 1, after.min(points.len() - 1)].map(|index| points[index]);
+    let share = ((x - a[0]) / (b[0] - a[0])).clamp(0.0, 1.0);
+    if share.is_nan() {
+        return b[1];
+    }
+    a[1] * (1.0 - share) + b[1] * share
 }
 
 impl AnyKind for Curve {
@@ -120,7 +165,7 @@ impl AnyKind for Curve {
 impl QuestionKind for Curve {
     /// The ordinates at [`CURVE_POINTS`] abscissae, evenly; nothing where none was drawn.
     type Answer = Vec<Option<f64>>;
-    /// `[x, y]` at [`CURVE_POINTS`] abscissae, evenly.
+    /// `[x, y]` at [`CURVE_POINTS`] abscissae, evenly, and between them where the curve is bent.
     type Solution = Vec<[f64; 2]>;
 
     const MODEL_KEYS: &[&str] = &["answer", "profile"];
@@ -158,8 +203,9 @@ impl QuestionKind for Curve {
             let value = fixed(*value, 4);
             return Err(text!("lesson-curve-outside", value = value));
         }
-        let mean = curve.iter().map(|[_, y]| y).sum::<f64>() / curve.len() as f64;
-        let level = vec![Some(mean); curve.len()];
+        let compared = Self::right(&curve);
+        let mean = compared.iter().flatten().sum::<f64>() / CURVE_POINTS as f64;
+        let level = vec![Some(mean); CURVE_POINTS];
         if self.difference(&level, &curve) <= self.tolerance {
             return Err(text!("lesson-curve-flat").to_owned());
         }
@@ -174,7 +220,11 @@ impl QuestionKind for Curve {
     }
 
     fn right(right: &Vec<[f64; 2]>) -> Vec<Option<f64>> {
-        right.iter().map(|[_, y]| Some(*y)).collect()
+        let (Some(first), Some(last)) = (right.first(), right.last()) else {
+            return vec![None; CURVE_POINTS];
+        };
+        let abscissae = (0..CURVE_POINTS).map(|index| abscissa([first[0], last[0]], index));
+        abscissae.map(|x| Some(ordinate(right, x))).collect()
     }
 
     fn fits(&self, given: &Vec<Option<f64>>) -> bool {
@@ -196,7 +246,7 @@ impl QuestionKind for Curve {
         model: &Vec<[f64; 2]>,
         _: LabPlace<'_>,
     ) -> Option<f64> {
-        let comparable = given.len() == model.len() && Self::is_whole(given);
+        let comparable = given.len() == CURVE_POINTS && Self::is_whole(given);
         comparable.then(|| self.difference(given, model))
     }
 
@@ -239,7 +289,8 @@ impl QuestionKind for Curve {
         let plot = self.plot(|drawing| {
             for (given, is_right) in &class.given {
                 let points = given.iter().enumerate();
-                let points = points.map(|(index, y)| [self.abscissa(index), y.unwrap_or(f64::NAN)]);
+                let points =
+                    points.map(|(index, y)| [abscissa(self.x, index), y.unwrap_or(f64::NAN)]);
                 let colour = if *is_right { RIGHT } else { WRONG };
                 drawing.draw_curve(points, 1.4, colour, 0.55);
             }

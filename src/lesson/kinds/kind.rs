@@ -28,6 +28,11 @@ pub trait AnyKind {
         None
     }
 
+    /// Returns the unit of the numbers that answer it; may be empty.
+    fn unit(&self) -> &str {
+        ""
+    }
+
     /// Returns whether its answer is one number.
     fn predicts_number(&self) -> bool {
         false

@@ -1,11 +1,11 @@
 //! A match: settings that make a picture like another one.
 
 use super::kind::{AnyKind, Predictions, Printed, QuestionKind};
-use super::number::{control_line, short_number};
+use super::number::{control_line, short_number, with_unit};
 use crate::analysis::comparison::{LinearPicture, error_figures};
 use crate::figure::short;
 use crate::lesson::control::{
-    along, control_name, long_control_name, settable_to, share, slider, value_of,
+    along, control_name, control_unit, long_control_name, settable_to, share, slider, value_of,
 };
 use crate::lesson::html::{Html, element};
 use crate::lesson::page::picture;
@@ -52,7 +52,10 @@ impl Match {
     ) -> String {
         let pairs = self.controls.iter().zip(values);
         let pairs: Vec<String> = pairs
-            .map(|(control, value)| format!("{} = {}", name(control), number(*value)))
+            .map(|(control, value)| {
+                let value = with_unit(&number(*value), control_unit(control));
+                format!("{} = {value}", name(control))
+            })
             .collect();
         pairs.join(text!("comma"))
     }

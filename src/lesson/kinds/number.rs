@@ -1,7 +1,7 @@
 //! Answers that are numbers: in a few characters, and those of a class over their axis.
 
 use super::kind::Predictions;
-use crate::lesson::control::long_control_name;
+use crate::lesson::control::{control_unit, long_control_name};
 use crate::lesson::html::{Element, Html, element};
 use crate::text::{fixed, text};
 
@@ -13,7 +13,8 @@ pub fn blank_line() -> Element {
 /// Returns the line for the value of a control.
 pub fn control_line(key: &str) -> Html {
     let name = element("p").with(long_control_name(key)).with(" = ");
-    Html::new().line(name.with(blank_line()))
+    let line = name.with(blank_line()).with(" ").with(control_unit(key));
+    Html::new().line(line)
 }
 
 /// Returns a number in a few characters.
@@ -21,6 +22,12 @@ pub fn short_number(value: f64) -> String {
     let digits = if value.abs() >= 100.0 { 1 } else { 3 };
     let text = fixed(value, digits);
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
+}
+
+/// Returns a number with its unit.
+pub fn with_unit(number: &str, unit: &str) -> String {
+    let space = if unit == "°" { "" } else { " " };
+    format!("{number}{space}{unit}").trim_end().to_owned()
 }
 
 /// Returns how many digits after the point show a difference of the tolerance.

@@ -20,6 +20,8 @@ const NEAR: f64 = 0.05;
 const FAR: f64 = 8.0;
 /// Places along the picture's shorter side that are tried.
 const TRIED: usize = 49;
+/// How often the way between two places on either side of a line is halved: a jump lies within 1/2000 of the shorter side.
+const HALVINGS: usize = 6;
 
 /// A place in the picture.
 #[derive(Clone, Debug, PartialEq)]
@@ -302,10 +304,9 @@ impl Find {
                 let side = |holds: fn(f64) -> bool| values.iter().filter(move |(_, v)| holds(*v));
                 let mut places = Vec::new();
                 for (a, over) in side(|value| value > 0.0) {
-                    // Where a straight line between the two values is zero.
                     for (b, under) in side(|value| value <= 0.0) {
                         if a.distance(*b) < step {
-                            places.push(a.lerp(*b, over / (over - under)));
+                            places.push(crossing(place, of, [(*a, *over), (*b, *under)]));
                         }
                     }
                 }
@@ -325,6 +326,22 @@ impl Find {
             }
         }
     }
+}
+
+/// Finds where an expression is zero, or jumps over zero, between a place where it is above and one where it is not.
+fn crossing(place: LabPlace<'_>, of: &Expression, ends: [(DVec2, f64); 2]) -> DVec2 {
+    let [mut over, mut under] = ends;
+    for _ in 0..HALVINGS {
+        let middle = over.0.midpoint(under.0);
+        match place.probing(middle).number(of) {
+            Ok(value) if value > 0.0 => over = (middle, value),
+            Ok(value) => under = (middle, value),
+            // Beside the object.
+            Err(_) => break,
+        }
+    }
+    // In so short a way a curve is straight.
+    over.0.lerp(under.0, over.1 / (over.1 - under.1))
 }
 
 /// Evaluates an expression at places all over the object.

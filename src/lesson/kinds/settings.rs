@@ -2,11 +2,11 @@
 
 use super::extreme::Extreme;
 use super::kind::{AnyKind, Predictions, Printed, QuestionKind};
-use super::number::{control_line, number_chart, short_number};
+use super::number::{control_line, number_chart, short_number, with_unit};
 use crate::expression::Expression;
 use crate::figure::short;
 use crate::lesson::control::{
-    along, control_name, long_control_name, settable, settable_to, slider,
+    along, control_name, control_unit, long_control_name, settable, settable_to, slider,
 };
 use crate::lesson::html::Html;
 use crate::lesson::read::keys::{KeyReader, Keys, Most};
@@ -46,6 +46,10 @@ pub enum Goal {
 impl AnyKind for Settings {
     fn controls(&self) -> &[String] {
         std::slice::from_ref(&self.control)
+    }
+
+    fn unit(&self) -> &str {
+        control_unit(&self.control)
     }
 
     fn predicts_number(&self) -> bool {
@@ -172,17 +176,19 @@ impl QuestionKind for Settings {
         short_number(*given)
     }
 
+    fn short_solution(&self, right: &f64) -> String {
+        with_unit(&short_number(*right), self.unit())
+    }
+
     fn words(&self, given: &f64, _: &[String]) -> String {
-        format!("{} = {}", control_name(&self.control), short(*given))
+        let value = with_unit(&short(*given), self.unit());
+        format!("{} = {value}", control_name(&self.control))
     }
 
     fn solution_words(&self, right: &f64, _: &[String]) -> String {
         let decimals = slider(&self.control).map_or(2, |(.., slider)| slider.decimals.min(2));
-        format!(
-            "{} = {}",
-            long_control_name(&self.control),
-            fixed(*right, decimals)
-        )
+        let value = with_unit(&fixed(*right, decimals), self.unit());
+        format!("{} = {value}", long_control_name(&self.control))
     }
 
     fn blank(&self, _: &Printed<'_>, _: Option<&f64>) -> Result<Html, String> {

@@ -1,7 +1,7 @@
 //! A value: a number that is typed.
 
 use super::kind::{AnyKind, Predictions, Printed, QuestionKind};
-use super::number::{blank_line, digits, number_chart, short_number};
+use super::number::{blank_line, digits, number_chart, short_number, with_unit};
 use crate::expression::Expression;
 use crate::figure::short;
 use crate::lesson::html::{Html, element};
@@ -32,6 +32,10 @@ impl AnyKind for Value {
             to = self.to.to_string(),
             unit = &*self.unit
         ))
+    }
+
+    fn unit(&self) -> &str {
+        &self.unit
     }
 
     fn predicts_number(&self) -> bool {
@@ -110,24 +114,15 @@ impl QuestionKind for Value {
     }
 
     fn short_solution(&self, right: &f64) -> String {
-        short_number(*right) + &self.unit
+        with_unit(&short_number(*right), &self.unit)
     }
 
     fn words(&self, given: &f64, _: &[String]) -> String {
-        format!("{} {}", short(*given), self.unit).trim().to_owned()
+        with_unit(&short(*given), &self.unit)
     }
 
     fn solution_words(&self, right: &f64, _: &[String]) -> String {
-        let space = if self.unit.is_empty() || self.unit == "°" {
-            ""
-        } else {
-            " "
-        };
-        format!(
-            "{}{space}{}",
-            fixed(*right, digits(self.tolerance)),
-            self.unit
-        )
+        with_unit(&fixed(*right, digits(self.tolerance)), &self.unit)
     }
 
     fn blank(&self, _: &Printed<'_>, _: Option<&f64>) -> Result<Html, String> {

@@ -8,7 +8,9 @@ use crate::app::widgets::lines::exact;
 use crate::app::widgets::palette::vector_text;
 use crate::figure::palette::{Rgb8, Vector};
 use crate::figure::{Drawing, Shape};
-use crate::lesson::{Answer, CURVE_POINTS, Curve, CurveAxes, Kind, Question, Solution};
+use crate::lesson::{
+    Answer, CURVE_POINTS, Curve, CurveAxes, Kind, Question, Solution, abscissa, ordinate,
+};
 use crate::scene::Scene;
 use crate::text::text;
 use eframe::egui::accesskit::Role;
@@ -39,7 +41,7 @@ struct Field {
 
 impl Field {
     fn x_of(&self, index: usize) -> f64 {
-        self.x[0] + (self.x[1] - self.x[0]) * index as f64 / (CURVE_POINTS - 1) as f64
+        abscissa(self.x, index)
     }
 
     fn at(&self, index: usize, value: f64) -> Pos2 {
@@ -171,7 +173,12 @@ impl Widget for CurveWidget {
             painter.circle_filled(at, 4.5, ui.visuals().strong_text_color());
         }
         if !revealed && own.is_empty() {
-            ui.label(RichText::new(text!("course-curve")).weak());
+            let words = if asked.test {
+                text!("course-curve.test")
+            } else {
+                text!("course-curve")
+            };
+            ui.label(RichText::new(words).weak());
         } else {
             ui.horizontal_wrapped(|ui| {
                 if revealed {
@@ -308,20 +315,21 @@ fn lift(curve: &mut [Option<f64>], at: usize, value: f64) {
 
 /// Fills the area between the drawn curve and the right one.
 fn between(field: &mut Field, own: &[(usize, f64)], right: &[[f64; 2]], colour: Rgb8) {
-    for pair in own.windows(2) {
-        let [(a, own_a), (b, own_b)] = [pair[0], pair[1]];
-        let (Some(right_a), Some(right_b)) = (right.get(a), right.get(b)) else {
-            continue;
-        };
-        let corners = [
-            [field.x_of(a), own_a],
-            *right_a,
-            *right_b,
-            [field.x_of(b), own_b],
-        ];
-        let places = corners.map(|corner| field.drawing.place(corner));
-        let places = places.into_iter().flatten().map(|(place, _)| place);
-        let area = Shape::area(places.collect(), colour).faded(0.25);
+    if right.is_empty() {
+        return;
+    }
+    let pairs = own.windows(2).map(|pair| [pair[0], pair[1]]);
+    for [(from, own_from), (to, own_to)] in pairs {
+        let [from, to] = [from, to].map(|index| field.x_of(index));
+        let inner = right.iter().filter(|[x, _]| from < *x && *x < to).copied();
+        let mut corners = vec![[from, own_from], [from, ordinate(right, from)]];
+        corners.extend(inner);
+        corners.extend([[to, ordinate(right, to)], [to, own_to]]);
+        let places = corners
+            .into_iter()
+            .filter_map(|corner| field.drawing.place(corner));
+        let places = places.map(|(place, _)| place).collect();
+        let area = Shape::area(places, colour).faded(0.25);
         field.drawing.shapes.push(area);
     }
 }

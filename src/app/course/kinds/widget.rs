@@ -3,7 +3,7 @@
 use crate::app::session::Session;
 use crate::app::session::window::WindowState;
 use crate::figure::short;
-use crate::lesson::{Answer, Question, Solution, Staged};
+use crate::lesson::{Answer, Question, Solution, Staged, with_unit};
 use crate::scene::Scene;
 use crate::text::text;
 use eframe::egui::Ui;
@@ -58,6 +58,8 @@ pub struct WidgetContext<'a> {
     pub wrong: Option<&'a Solution>,
     /// True if the right answer is shown.
     pub revealed: bool,
+    /// True in a test, where answers are kept without being checked.
+    pub test: bool,
     /// The step's scene.
     pub staged: Option<&'a Staged>,
     /// The number of the lesson's opening, and the step's index.
@@ -82,7 +84,9 @@ impl<'a> WidgetContext<'a> {
 /// Shows the right number, and the student's.
 pub fn numbers_ui(ui: &mut Ui, question: &Question, right: &Solution, given: &Answer) {
     let own = match given {
-        Answer::Value(own) | Answer::Settings(own) => short(*own),
+        Answer::Value(own) | Answer::Settings(own) => {
+            with_unit(&short(*own), question.kind.asks().unit())
+        }
         _ => String::new(),
     };
     let right = question.kind.words(&Answer::right(right), &[]);
