@@ -54,7 +54,7 @@ sub, sup { font-size: 0.72em; line-height: 0; }
 :lang(zh) em { font-style: normal; font-weight: bold; }
 figure { margin: 0; break-inside: avoid; }
 figcaption { font-size: 9pt; color: #555; }
-svg { display: block; max-width: 100%; height: auto; }
+svg { display: block; max-width: 100%; height: auto; overflow: visible; }
 svg text { font-family: inherit; fill: #1a1a1a; }
 .quiet { color: #555; }
 @media print { body { max-width: none; padding: 0; } }

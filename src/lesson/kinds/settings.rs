@@ -2,7 +2,7 @@
 
 use super::extreme::Extreme;
 use super::kind::{AnyKind, Predictions, Printed, QuestionKind};
-use super::number::{control_line, number_chart, short_number, with_unit};
+use super::number::{control_line, digits, number_chart, short_number, with_unit};
 use crate::expression::Expression;
 use crate::figure::short;
 use crate::lesson::control::{
@@ -119,7 +119,12 @@ impl QuestionKind for Settings {
         let at = |value: &f64| Ok((*value, self.reached(place, *value)?));
         let tried: Result<Vec<(f64, f64)>, String> = tried.iter().map(at).collect();
         match self.goal {
-            Goal::Extreme(_) => self.summit(place, &slider, &tried?),
+            Goal::Extreme(_) => {
+                // With more digits than the tolerance has, it would depend on the picture's pixels.
+                let found = self.summit(place, &slider, &tried?)?;
+                let scale = 10f64.powi(digits(self.tolerance) as i32);
+                Ok((found * scale).round() / scale)
+            }
             _ => self.crossing(place, &slider, &tried?),
         }
     }
