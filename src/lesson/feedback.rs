@@ -1,8 +1,8 @@
 //! What a wrong answer is told: the wrong model that it agrees with, or where it is off.
 
-use super::kinds::short_number;
+use super::kinds::{digits, short_number, with_unit};
 use super::{CurveFault, Grade, Hint, Kind, Question, Side, control_name, without_marks};
-use crate::text::text;
+use crate::text::{fixed, text};
 
 impl Question {
     /// Says which wrong model an answer agrees with, or where it is off; nothing of a right answer. `says` and `names` are the
@@ -91,7 +91,9 @@ fn curve_words(kind: &Kind, fault: CurveFault, [from, to]: [f64; 2]) -> String {
         CurveFault::Shallow => "lesson-hint-shallow",
         CurveFault::Bent => "lesson-hint-bent",
     });
-    let number = |x: f64| short_number(x) + &curve.unit;
+    // No finer than a hand draws.
+    let digits = digits((curve.x[1] - curve.x[0]) / 20.0);
+    let number = |x: f64| with_unit(&fixed(x, digits), &curve.unit);
     let span = match (from <= curve.x[0], to >= curve.x[1]) {
         (true, true) => text!("lesson-hint-everywhere").to_owned(),
         (true, false) => text!("lesson-hint-up-to", to = number(to)),

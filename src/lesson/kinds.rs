@@ -19,7 +19,7 @@ pub use extreme::Extreme;
 pub(super) use lettered::Bars;
 pub use lettered::letter;
 pub use matching::{Match, MatchValues, picture_distance};
-pub use number::{short_number, with_unit};
+pub use number::{digits, short_number, with_unit};
 pub use order::{Item, Order};
 pub use point::{Find, Point};
 pub use settings::{Goal, Settings};

@@ -284,6 +284,31 @@ fn what_is_drawn_over_panes_does_not_change_their_figures() {
     );
 }
 
+/// Checks that the figures of a picture of many samples are those of one at each pixel's centre, which the window shows: the
+/// mean of samples is one of clamped values.
+#[test]
+fn figures_do_not_depend_on_the_number_of_samples() {
+    let mut scene = scene(CompareView::Panes);
+    scene.lights[0].color = Rgb::splat(3.0);
+    let nothing = |_: &mut _, _: &mut _, _: &_| Ok::<(), Infallible>(());
+    let which = panes_on_sheet(&scene);
+    let figures = [1, 4].map(|samples| {
+        let mut renderer = Renderer::default();
+        let panes = draw_panes(
+            &mut renderer,
+            &scene,
+            &which,
+            samples,
+            &mut |_| true,
+            nothing,
+        );
+        pane_figures(&panes.unwrap_or_default())
+    });
+    assert_eq!(figures[0], figures[1]);
+    let brightest = figures[1][0].brightest.expect("the sphere").value;
+    assert!(brightest > 1.2, "{brightest}");
+}
+
 #[test]
 fn panes_stand_where_they_are_seen_largest() {
     let sizes = |count, size| {

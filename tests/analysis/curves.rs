@@ -109,6 +109,11 @@ fn microfacets_have_the_curve_of_their_distribution() {
             let beckmann = (-(phi.tan() / m).powi(2)).exp() / phi.cos().powi(4);
             near(value(&plot.curves[0], degrees), beckmann, 1e-3);
         }
+        assert!(
+            plot.title.contains("D(α)") && !plot.title.contains("cos"),
+            "{}",
+            plot.title
+        );
         assert!(plot.y.high >= 1.0 && plot.curves[0].points.iter().all(|[_, y]| *y <= plot.y.high));
     }
 }

@@ -2,7 +2,7 @@
 
 use shading_lab::analysis::probe::{Here, Product, clearest_pixel, digits, digits_below, probe};
 use shading_lab::render::Renderer;
-use shading_lab::scene::{Rgb, Scene, ShadingMode, presets};
+use shading_lab::scene::{PatternKind, Rgb, Scene, ShadingMode, presets};
 
 const MODES: [ShadingMode; 5] = [
     ShadingMode::Flat,
@@ -169,4 +169,29 @@ fn without_a_pixel_one_is_found_whose_vectors_are_apart() {
     dark.camera.target = dark.camera.eye * 2.0;
     let missed = clearest_pixel(&mut Renderer::default(), &dark);
     assert_eq!((missed.pixel, missed.hit.is_none()), ([1, 1], true));
+}
+
+/// Checks what is said of a pixel beside the object: the floor, up to its horizon or the wall that stands on it.
+#[test]
+fn beside_the_object_are_the_floor_and_the_background() {
+    let mut scene = presets::find("shadows").expect("a scene").scene();
+    scene.image.size = [120, 90];
+    let mut renderer = Renderer::default();
+    let mut beside = |scene: &Scene, x: u32, y: u32| {
+        let probe = probe(&mut renderer, scene, x, y);
+        assert!(probe.hit.is_none(), "{x}, {y}");
+        probe.beside_is_floor(scene)
+    };
+    assert!(beside(&scene, 60, 86) && beside(&scene, 4, 60));
+    scene.camera.target.y = 3.0;
+    assert!(!beside(&scene, 60, 4), "above the horizon");
+    let mut low = |scene: &Scene| (0..90).rev().find(|y| !beside(scene, 4, *y));
+    let horizon = low(&scene).expect("a horizon");
+    scene.backdrop.pattern = PatternKind::Checker;
+    scene.backdrop.distance = 0.5;
+    let wall = low(&scene).expect("a wall");
+    assert!(wall > horizon, "{wall}, {horizon}");
+    scene.backdrop.pattern = PatternKind::None;
+    scene.ground.visible = false;
+    assert!(!beside(&scene, 60, 86));
 }

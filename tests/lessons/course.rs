@@ -316,6 +316,30 @@ fn every_lesson_asks_before_it_tells() {
     }
 }
 
+#[test]
+fn a_setting_has_the_unit_of_its_control() {
+    let mut seen = 0;
+    for (name, step, right) in [("orientation", 3, -45.0), ("light-sources", 4, 29.25)] {
+        let lesson = shading_lab::lesson::find(name).expect("a lesson");
+        for language in Language::ALL {
+            let lesson = lesson.lesson_in(language);
+            let question = lesson.steps[step].question.as_ref().expect("a question");
+            in_language(language, || {
+                let (words, short) = (
+                    question.kind.words(&Answer::Settings(right), &[]),
+                    question.kind.short_solution(&Solution::Settings(right)),
+                );
+                assert!(
+                    words.ends_with("5°") && short.ends_with("5°"),
+                    "{words}, {short}"
+                );
+            });
+            seen += 1;
+        }
+    }
+    assert_eq!(seen, 4);
+}
+
 /// A word, or a picture, that a step has to explain before others may use it.
 struct Explained {
     /// What it looks like in a lesson, by language.

@@ -55,11 +55,19 @@ fn a_test_keeps_the_last_answer_and_says_nothing_of_it() {
         question.is_some_and(|question| question.kind.name() == "settings")
     });
     let settings = settings.expect("a question with a control");
+    let mut hints = 0;
     while step(&harness) < lesson().steps.len() - 1 {
         next(&mut harness);
         harness.run_ok();
         assert!(answered(&harness).is_none(), "step {}", step(&harness));
+        // No hint speaks of checking.
+        assert!(!has(&harness, "course-curve") && !has(&harness, "course-settings"));
+        hints += ["course-curve.test", "course-settings.test"]
+            .iter()
+            .filter(|key| has(&harness, key))
+            .count();
     }
+    assert_eq!(hints, 3, "two curves and a control");
     while step(&harness) > settings {
         harness.key_press_modifiers(Modifiers::NONE, Key::PageUp);
         harness.run_ok();

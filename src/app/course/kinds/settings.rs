@@ -12,6 +12,9 @@ pub struct SettingsWidget;
 
 impl Widget for SettingsWidget {
     fn ui(&mut self, ui: &mut Ui, asked: &mut WidgetContext<'_>) -> bool {
+        if asked.revealed {
+            return false;
+        }
         let words = if asked.test {
             text!("course-settings.test")
         } else {
