@@ -25,4 +25,4 @@ pub use plot::{
 };
 pub use qr::QrCode;
 pub(crate) use text::inked_size;
-pub use text::{Set, lowered, raised};
+pub use text::{Set, lowered, raised, with_raised_n};

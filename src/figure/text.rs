@@ -157,6 +157,11 @@ pub fn lowered(number: usize) -> String {
     small(&number.to_string(), 0)
 }
 
+/// Raises the exponent n of a name, as in `(R·V)^n`, to the letter that drawings set above the line.
+pub fn with_raised_n(name: &str) -> String {
+    name.replace("^n", "ⁿ")
+}
+
 /// Formats a number in superscript digits.
 pub fn raised(number: i32) -> String {
     small(&with_minus(&number.to_string()), 1)

@@ -289,7 +289,7 @@ fn what_is_drawn_over_panes_does_not_change_their_figures() {
 #[test]
 fn figures_do_not_depend_on_the_number_of_samples() {
     let mut scene = scene(CompareView::Panes);
-    scene.lights[0].color = Rgb::splat(3.0);
+    scene.lights[0].color = Rgb::splat(9.0);
     let nothing = |_: &mut _, _: &mut _, _: &_| Ok::<(), Infallible>(());
     let which = panes_on_sheet(&scene);
     let figures = [1, 4].map(|samples| {

@@ -4,7 +4,7 @@
 use super::{ErrorFigures, LinearPicture, PaneFigures, brightest, error_figures};
 use crate::analysis::perception::luminance;
 use crate::figure::palette::{Rgb8, Vector};
-use crate::figure::{Area, Drawing, Shape, Text};
+use crate::figure::{Area, Drawing, Shape, Text, with_raised_n};
 use crate::render::{Frame, Renderer};
 use crate::scene::{CompareView, DifferenceKind, Rgb, Scene};
 use crate::text;
@@ -272,7 +272,7 @@ pub fn comparison_sheet(scene: &Scene, panes: &[DrawnPane], captions: Captions) 
     let mut letter = |text: &str, em: f64, at: DVec2, align: f64| {
         let text = Text {
             halo: drawing.breadth,
-            ..Text::new(text, at, em, [255; 3]).aligned(align)
+            ..Text::new(with_raised_n(text), at, em, [255; 3]).aligned(align)
         };
         drawing.texts.push(text);
     };

@@ -9,13 +9,13 @@ use crate::app::session::action::{Action, Requests};
 use crate::app::session::place::Place;
 use crate::app::session::window::{Grip, WindowState};
 use crate::app::views::compare::menu_ui;
-use crate::app::widgets::letter::letter;
+use crate::app::widgets::letter::{letter, set};
 use crate::app::widgets::{focus, palette};
 use crate::figure::palette::Vector;
+use crate::figure::with_raised_n;
 use crate::scene::{AmbientSource, CompareView, View};
 use crate::text;
 use eframe::egui::accesskit::Role;
-use eframe::egui::text::LayoutJob;
 use eframe::egui::{
     Align2, Color32, CursorIcon, FontId, Galley, Painter, Popup, Pos2, Rect, Sense, Stroke,
     StrokeKind, TextStyle, Ui, Vec2, pos2, vec2,
@@ -282,15 +282,19 @@ fn halves(ui: &Ui, session: &Session, pane: &PanePlace, captioned: bool, font: &
 /// that the part that distinguishes the panes can be read.
 fn name_galley(ui: &Ui, name: &str, room: f32) -> Arc<Galley> {
     let font = TextStyle::Body.resolve(ui.style());
-    let lay = |text: String, font: FontId| ui.painter().layout_no_wrap(text, font, Color32::WHITE);
-    let signed = lay(format!("{name} ▾"), font.clone());
+    let name = with_raised_n(name);
+    let lay = |text: &str, font: &FontId| {
+        let job = set(text, font.clone(), Color32::WHITE);
+        ui.painter().layout_job(job)
+    };
+    let signed = lay(&format!("{name} ▾"), &font);
     if signed.size().x <= room {
         return signed;
     }
-    let width = lay(name.to_owned(), font.clone()).size().x;
+    let width = lay(&name, &font).size().x;
     let font = smaller(&font, room / width.max(1.0));
-    let mut job = LayoutJob::simple(name.to_owned(), font, Color32::WHITE, room.max(1.0));
-    job.wrap.max_rows = NAME_LINES;
+    let mut job = set(&name, font, Color32::WHITE);
+    (job.wrap.max_width, job.wrap.max_rows) = (room.max(1.0), NAME_LINES);
     ui.painter().layout_job(job)
 }
 
@@ -468,6 +472,8 @@ mod tests {
             let name = "Vertex normals: averaged";
             let room = wide(name);
             assert!(name_galley(ui, name, 1.5 * room).text().ends_with('▾'));
+            let raised = name_galley(ui, "Phong  (R·V)^n", 9.0 * room);
+            assert_eq!(raised.text(), "Phong  (R·V)n ▾", "n is above the line");
             for share in [1.0, 0.8, 0.5] {
                 let galley = name_galley(ui, name, share * room);
                 assert!(!galley.elided && galley.text() == name, "{share}");
