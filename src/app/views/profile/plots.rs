@@ -21,7 +21,7 @@ const ASPECT: [f64; 2] = [0.5, 5.5];
 /// Minimum height of a plot, in points.
 const LEAST: f32 = 96.0;
 /// Minimum height of a wide pane whose plots have headings, in points.
-const HEADED: f32 = 190.0;
+const HEADED: f32 = 260.0;
 /// Minimum height of a wide pane that holds all plots, in points.
 const ALL: f32 = 480.0;
 /// Space between two plots, in points.
