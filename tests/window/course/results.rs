@@ -83,7 +83,8 @@ fn a_lesson_ends_with_its_results_and_hands_in_by_keyboard_alone() {
     harness.key_press(Key::PageDown);
     harness.run_ok();
     let far = english!("course-answers-right", right = 0, count = 8);
-    assert!(harness.query_by_label(&far).is_some());
+    let listed = |harness: &Harness<'_, App>| harness.query_by_label(&far).is_some();
+    assert!(wait(&mut harness, listed));
 }
 
 #[test]
