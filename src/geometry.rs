@@ -3,6 +3,7 @@
 mod bezier;
 mod concave;
 mod mesh;
+mod mtl;
 mod obj;
 mod primitives;
 mod sizes;
@@ -12,6 +13,7 @@ mod vector;
 mod vertex_normals;
 
 pub use mesh::{Corner, Mesh, NO_NORMAL, VertexMesh};
+pub use mtl::{ModelMaterial, NO_MATERIAL};
 pub use obj::{ObjError, read_obj};
 pub use primitives::{divisions_for, tessellate, triangles};
 pub use surface::{Ray, Surface, SurfaceHit, TOGETHER};

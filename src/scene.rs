@@ -11,6 +11,7 @@ pub mod compare;
 mod format;
 pub mod light;
 pub mod material;
+mod material_override;
 pub mod materials;
 mod nearest;
 pub mod object;
@@ -34,11 +35,13 @@ pub use camera::{
 pub(crate) use choice::choices;
 pub use choice::{Choice, ChoiceOption};
 pub use compare::{Compare, CompareView, DifferenceKind, Pane};
+pub use format::Coefficient;
 pub use light::{AreaShape, Attenuation, Light, LightKind};
 pub use material::{
-    Ambient, AmbientSource, Backfacing, Distribution, Material, Pattern, PatternKind, Reflectance,
-    Reflection, ReflectionModel, Through, Transparency,
+    Ambient, AmbientSource, Backfacing, Distribution, Material, MaterialSource, Pattern,
+    PatternKind, Reflectance, Reflection, ReflectionModel, Through, Transparency,
 };
+pub use material_override::MaterialOverride;
 pub use nearest::{did_you_mean, nearest};
 pub use object::{NormalSource, Object, ObjectKind, Weighting};
 pub use parameter::{GREATEST_INTENSITY, GREATEST_LENGTH, LEAST_LENGTH};
@@ -77,7 +80,7 @@ macro_rules! scene {
         }
 
         /// The parameters of each table, in the order of the scene file.
-        const TABLES: &[&[&parameter::Parameter]] = &[$($table::PARAMETERS,)+ Pane::PARAMETERS, Light::PARAMETERS];
+        const TABLES: &[&[&parameter::Parameter]] = &[$($table::PARAMETERS,)+ Pane::PARAMETERS, MaterialOverride::PARAMETERS, Light::PARAMETERS];
     };
 }
 

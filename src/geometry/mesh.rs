@@ -1,6 +1,7 @@
 //! Meshes of n-sided polygons, and the test for whether they are closed.
 
 use super::concave;
+use super::mtl::{ModelMaterial, NO_MATERIAL};
 use crate::scene::area_vector;
 use glam::{DVec3, Vec3};
 use serde::{Deserialize, Serialize};
@@ -71,6 +72,10 @@ pub struct Mesh<C = Corner> {
     pub convex: bool,
     /// True if the file names materials (`mtllib`, `usemtl`), which are not drawn.
     pub names_materials: bool,
+    /// The model's materials that faces have, at most [`ModelMaterial::MAX`].
+    pub materials: Vec<ModelMaterial>,
+    /// The material of each face: an index into `materials`, or [`NO_MATERIAL`](super::NO_MATERIAL). Empty where `materials` is.
+    pub face_materials: Vec<u16>,
 }
 
 /// A mesh ready to be shaded: a vertex is a point with one normal, at the same index in `positions` and `normals`, and a
@@ -116,6 +121,11 @@ impl<C: AtPoint> Mesh<C> {
             Some((_, triangle)) => triangle.map(|c| self.corners[c as usize]),
             None => [face[0], face[k + 1], face[k + 2]],
         })
+    }
+
+    /// Returns the material of face `f`: an index into `materials`, or [`NO_MATERIAL`].
+    pub fn face_material(&self, f: usize) -> u16 {
+        self.face_materials.get(f).copied().unwrap_or(NO_MATERIAL)
     }
 
     /// Returns the points of face `f`, relative to `origin`, in double precision.

@@ -58,6 +58,8 @@ impl Mesh {
             closed,
             convex,
             names_materials,
+            materials: vec![],
+            face_materials: self.face_materials.clone(),
         }
     }
 

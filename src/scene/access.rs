@@ -8,7 +8,7 @@ use std::fmt::Debug;
 use toml::de::DeValue;
 use toml::{Spanned, Value};
 
-/// The field of a scene that holds a value. The `usize` is the number of its light or pane.
+/// The field of a scene that holds a value. The `usize` is the number of its element of a list: of its light, pane or model's material.
 #[derive(Debug)]
 pub struct Access<T: 'static> {
     /// A function that returns the value, in the list's entry of this number; `None` where the list is shorter.
@@ -100,20 +100,26 @@ pub enum List {
     Lights,
     /// `Scene::compare.panes`.
     Panes,
+    /// `Scene::object.materials`.
+    Materials,
 }
 
 impl List {
+    /// Every list.
+    pub const ALL: [Self; 3] = [Self::Lights, Self::Panes, Self::Materials];
+
     /// Returns the beginning of its elements' keys.
     pub const fn key(self) -> &'static str {
         match self {
             Self::Lights => "light",
             Self::Panes => "compare.pane",
+            Self::Materials => "object.material",
         }
     }
 
     /// Returns the list that a key of the table of parameters belongs to.
     pub fn of(key: &str) -> Option<Self> {
-        [Self::Lights, Self::Panes].into_iter().find(|list| {
+        Self::ALL.into_iter().find(|list| {
             key.strip_prefix(list.key())
                 .is_some_and(|rest| rest.starts_with(".N"))
         })
@@ -124,6 +130,7 @@ impl List {
         match self {
             Self::Lights => scene.lights.len(),
             Self::Panes => scene.compare.panes.len(),
+            Self::Materials => scene.object.materials.len(),
         }
     }
 
@@ -132,6 +139,7 @@ impl List {
         match self {
             Self::Lights => scene.lights = vec![Default::default(); count],
             Self::Panes => scene.compare.panes = vec![Default::default(); count],
+            Self::Materials => scene.object.materials = vec![Default::default(); count],
         }
     }
 }

@@ -7,6 +7,7 @@ mod datum;
 mod reader;
 
 use super::Scene;
+use super::material::SOURCE;
 use super::parameter::{Kind, List, Parameter, defaults};
 use super::problem::{Cause, ProblemLocation, SceneError, UnlocatedProblem};
 use crate::text::{text, with_short_names};
@@ -15,7 +16,8 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use toml::Value;
 use toml::de::{DeTable, DeValue};
 
-pub(super) use datum::{Datum, list_of, read_coefficient, value_text};
+pub use datum::Coefficient;
+pub(super) use datum::{Datum, NO_VALUE, is_grey, list_of, read_coefficient, value_text};
 pub(super) use reader::set;
 
 /// Tables that are left out if all their keys have their defaults.
@@ -148,7 +150,8 @@ fn write_table(
     }
 }
 
-/// Returns whether a value is left out: empty texts and lists, and keys of a light that have their default and no effect.
+/// Returns whether a value is left out: empty texts and lists, and keys of a light, or the source of a model's materials, that have
+/// their default and no effect.
 fn is_left_out(parameter: &Parameter, value: &Value, scene: &Scene, index: usize) -> bool {
     let empty = match value {
         Value::String(text) => text.is_empty(),
@@ -158,7 +161,8 @@ fn is_left_out(parameter: &Parameter, value: &Value, scene: &Scene, index: usize
     let off = matches!(parameter.kind, Kind::Switch(_)) || parameter.idle(scene, index).is_some();
     // Compared as texts, which distinguish 0 from −0.
     let default = || parameter.default().as_ref().map(value_text);
-    empty || (parameter.of_light() && off && Some(value_text(value)) == default())
+    let optional = parameter.of_light() || parameter.key == SOURCE.key;
+    empty || (optional && off && Some(value_text(value)) == default())
 }
 
 /// Returns the offset of `key` in the document, or of the innermost enclosing table that is in it.

@@ -2,6 +2,7 @@
 
 use super::Rgb;
 use super::choice::choices;
+use super::object::ObjectKind;
 use super::parameter::{Limits, Reason, Slider, Unit, table};
 use super::symbol::Symbol;
 use std::ops::RangeInclusive;
@@ -40,6 +41,8 @@ table! {
         /// Extinction coefficient k, 0 to 100 per channel. `reflectance = "custom"` only.
         EXTINCTION extinction: Rgb = Rgb::ZERO, Channels(Limits::new(0.0, *Material::IOR.end()), INDEX)
             .letter("k", Symbol::Reflectance).idle_if(&[NO_LIGHT, NO_HIGHLIGHT, NO_INDEX]);
+        /// The material of a model's faces: their own from its MTL file, or this one.
+        SOURCE source: MaterialSource = MaterialSource::Model, Choice.idle_if(&[NO_MODEL]);
     }
 }
 
@@ -54,7 +57,28 @@ impl Material {
 
     /// The range of indices of refraction: no known material lies outside.
     pub const IOR: RangeInclusive<f64> = 0.01..=100.0;
+
+    /// Returns the roughness whose highlight is as narrow as that of the exponent `n`: m = √(2/(n + 2)).
+    pub(crate) fn roughness_of(n: f64) -> f64 {
+        let m = (2.0 / (n + 2.0)).sqrt();
+        m.clamp(*Self::ROUGHNESS.start(), *Self::ROUGHNESS.end())
+    }
 }
+
+choices! {
+    /// The material of a model's faces.
+    pub enum MaterialSource = "material-source" {
+        /// Each face has the material that the model gives it; the scene's, where it gives none.
+        Model = "model";
+        /// Every face has the scene's material.
+        Scene = "scene";
+    }
+}
+
+const NO_MODEL: Reason = (
+    |scene, _| scene.object.kind != ObjectKind::Obj,
+    "idle-no-model",
+);
 
 // The reasons why no effect of a light, the ambient term, the specular term and the surface's own colour are not visible.
 pub(super) const NO_LIGHT: Reason = (|scene, _| scene.lights.is_empty(), "idle-no-light");

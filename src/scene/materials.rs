@@ -5,7 +5,7 @@
 //! which times 128 is the exponent. OpenGL measures it from N to H, as Blinn's model does; under Phong's the same n makes
 //! a highlight twice as wide.
 
-use super::{Material, Rgb};
+use super::{Material, MaterialSource, Rgb};
 use crate::text::text;
 
 /// A material with a name.
@@ -83,7 +83,11 @@ pub fn find(name: &str) -> Option<&'static NamedMaterial> {
 
 /// Finds the named material that equals `material`, if there is one.
 pub fn recognise(material: &Material) -> Option<&'static NamedMaterial> {
-    NAMED.iter().find(|named| named.material() == *material)
+    let own = Material {
+        source: MaterialSource::Model,
+        ..material.clone()
+    };
+    NAMED.iter().find(|named| named.material() == own)
 }
 
 impl NamedMaterial {
@@ -92,8 +96,7 @@ impl NamedMaterial {
         text!(&format!("material-{}", self.name))
     }
 
-    /// Returns the material: its colours are in its coefficients, and its roughness is that whose highlight is as narrow as
-    /// that of its n, m = √(2/(n + 2)).
+    /// Returns the material: its colours are in its coefficients, and its roughness is [that of its n](Material::roughness_of).
     pub fn material(&self) -> Material {
         let Self { ka, kd, ks, n, .. } = *self;
         Material {
@@ -101,7 +104,7 @@ impl NamedMaterial {
             kd,
             ks,
             n,
-            roughness: (2.0 / (n + 2.0)).sqrt(),
+            roughness: Material::roughness_of(n),
             color: Rgb::ONE,
             ..Material::default()
         }

@@ -2,6 +2,7 @@
 
 use super::Shared;
 use super::choice::choices;
+use super::material_override::MaterialOverride;
 use super::parameter::{Limits, Reason, Slider, Unit, at_most, table};
 use super::shading::{FlatAt, ShadingMode};
 use super::symbol::Symbol;
@@ -14,7 +15,8 @@ const DIVISIONS: Slider = Slider::logarithmic(1.0, 512.0).decimals(0);
 
 table! {
     /// The object: its shape, the fineness of its polygons, and the source of its vertex normals.
-    pub struct Object = [object] in object {
+    pub struct Object = [object] in object with (/// `[[object.material]]`: changes of the model's materials, for the kind `obj`; at most [`Self::MAX_MATERIALS`].
+        materials: Vec<MaterialOverride> = vec![]) {
         /// The shape.
         KIND kind: ObjectKind = ObjectKind::Sphere, Choice;
         /// Polygons round the axis, 3 to 4096 (a plane's from 1, a corrugated sheet's from 2).

@@ -8,7 +8,7 @@
 
 pub use super::access::{Access, ChoiceField, Field, List};
 use super::choice::ChoiceOption;
-use super::format::{Datum, read_coefficient, value_text};
+use super::format::{Datum, NO_VALUE, is_grey, read_coefficient, value_text};
 use super::problem::UnlocatedProblem;
 use super::symbol::Symbol;
 use super::{Rgb, Scene};
@@ -346,7 +346,12 @@ impl Parameter {
     }
 
     fn message(&self, part: &str) -> &'static str {
-        text!(&format!("parameter-{}{part}", self.key.replace('.', "-")))
+        // A key of a model's material is called as the scene's own.
+        let key = match self.key.strip_prefix("object.material.N.") {
+            Some(key) if key != "name" => format!("material.{key}"),
+            _ => self.key.to_owned(),
+        };
+        text!(&format!("parameter-{}{part}", key.replace('.', "-")))
     }
 
     /// Returns its unit; empty where it has none.
@@ -474,6 +479,7 @@ impl Parameter {
     pub fn setting(&self, scene: &Scene, index: usize) -> String {
         match self.value(scene, index) {
             Some(Value::String(word)) if is_word(&word) => word,
+            None if List::of(self.key) == Some(List::Materials) => NO_VALUE.to_owned(),
             value => value.as_ref().map_or_else(String::new, value_text),
         }
     }
@@ -581,12 +587,6 @@ fn is_word(text: &str) -> bool {
     let plain = |c: char| c.is_ascii_alphanumeric() || c == '-';
     // `5` and `true` would be read as a number and a switch.
     !text.is_empty() && text.chars().all(plain) && DeValue::parse(text).is_err()
-}
-
-/// Returns whether a coefficient is the same in all channels, bit by bit.
-pub(super) fn is_grey(value: Rgb) -> bool {
-    let [r, g, b] = value.to_array().map(f64::to_bits);
-    r == g && g == b
 }
 
 /// Returns a scene of only defaults.

@@ -28,10 +28,10 @@ impl Parameter {
 
 impl Scene {
     /// Returns the settings, as `--set` takes them, that turn `base` into this scene, bit by bit. Where the two have
-    /// different numbers of lights or panes, that list begins anew. A model's path cannot be removed.
+    /// different numbers of lights, panes or changed materials, that list begins anew. A model's path cannot be removed.
     pub fn settings_from(&self, base: &Self) -> Vec<String> {
         let (mut base, mut settings) = (base.clone(), Vec::new());
-        for list in [List::Lights, List::Panes] {
+        for list in List::ALL {
             let count = list.len(self);
             if list.len(&base) != count {
                 list.renew(&mut base, count);

@@ -5,9 +5,7 @@ use super::compare;
 use super::format::list_of;
 use super::light::Attenuation;
 use super::object::ObjectKind;
-use super::parameter::{
-    GREATEST_LENGTH, Kind, LEAST_LENGTH, Limits, Parameter, Unit, at_most, is_grey,
-};
+use super::parameter::{GREATEST_LENGTH, Kind, LEAST_LENGTH, Limits, Parameter, Unit, at_most};
 use super::problem::{Cause, ProblemLocation, SceneError, UnlocatedProblem};
 use super::{Image, Rgb, Scene};
 use crate::text::text;
@@ -70,6 +68,7 @@ impl Scene {
         self.check_image(&mut checks);
         self.check_path(&mut checks);
         self.object.check_polygons(&mut checks);
+        self.object.check_materials(&mut checks);
         self.check_attenuation(&mut checks);
         let cue = &self.depth_cueing;
         if checks.sound("depth_cueing.front")
@@ -218,7 +217,7 @@ impl Checks {
 
 impl Parameter {
     /// Returns the value and what was expected, if it is outside its limits.
-    fn outside(&self, scene: &Scene, index: usize) -> Option<(String, String)> {
+    pub(super) fn outside(&self, scene: &Scene, index: usize) -> Option<(String, String)> {
         let in_unit = |limits: Limits| match self.unit {
             Some(Unit::Degrees) => text!("expected-degrees", range = limits.to_string()),
             _ => limits.to_string(),

@@ -18,6 +18,8 @@ problem-up-parallel = is parallel to the viewing direction, expected a direction
 problem-path-missing = is missing, expected the path of a model since `object.kind` is "obj"
 problem-attenuation-zero = is 0 like `c2` and `c3`, expected one of c1, c2, c3 above 0
 problem-shadow-pixels = has too many pixels for so many shadows, expected a smaller picture, fewer samples of area lights, or no shadows
+problem-material-unnamed = is empty, expected the name of one of the model's materials
+problem-material-twice = is the name of an earlier `[[object.material]]`, expected another
 problem-no-faces = is empty, expected at least one polygon since there are `object.vertices`
 problem-nothing-to-compare = has nothing to compare with, expected a [[compare.pane]]
 

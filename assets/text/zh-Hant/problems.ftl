@@ -18,6 +18,8 @@ problem-up-parallel = 與視線平行，應為與視線相交的方向
 problem-path-missing = 沒有指定，因為 `object.kind` 是 "obj"，應為模型的路徑
 problem-attenuation-zero = 與 `c2`、`c3` 都是 0，c1、c2、c3 之一應大於 0
 problem-shadow-pixels = 的像素太多，無法計算這麼多陰影，應縮小圖片、減少分布光源的取樣點，或關閉陰影
+problem-material-unnamed = 是空的，應為模型中一個材質的名稱
+problem-material-twice = 與前面的 `[[object.material]]` 同名，應為其他名稱
 problem-no-faces = 是空的，因為有 `object.vertices`，應至少有一個多邊形
 problem-nothing-to-compare = 沒有可比較的對象，應有 [[compare.pane]]
 

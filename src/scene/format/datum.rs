@@ -154,6 +154,58 @@ impl Datum for Vec<String> {
     }
 }
 
+/// A value that another one replaces where it is missing; `"model"` in an override stands for none.
+impl<T: Datum> Datum for Option<T> {
+    fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, UnlocatedProblem> {
+        if value.get_ref().as_str() == Some(NO_VALUE) {
+            return Ok(None);
+        }
+        T::read(value).map(Some)
+    }
+
+    fn value(&self) -> Option<Value> {
+        self.as_ref().and_then(Datum::value)
+    }
+
+    fn same(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Some(a), Some(b)) => a.same(b),
+            (a, b) => a.is_none() && b.is_none(),
+        }
+    }
+}
+
+/// The word for a value that is left to the model.
+pub const NO_VALUE: &str = "model";
+
+/// RGB values that are written as one number where they agree.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Coefficient(pub DVec3);
+
+impl Datum for Coefficient {
+    fn read(value: &Spanned<DeValue<'_>>) -> Result<Self, UnlocatedProblem> {
+        read_coefficient(value).map(Self)
+    }
+
+    fn value(&self) -> Option<Value> {
+        if is_grey(self.0) {
+            self.0.x.value()
+        } else {
+            self.0.value()
+        }
+    }
+
+    fn same(&self, other: &Self) -> bool {
+        self.0.same(&other.0)
+    }
+}
+
+/// Returns whether a coefficient is the same in all channels, bit by bit.
+pub fn is_grey(value: DVec3) -> bool {
+    let [r, g, b] = value.to_array().map(f64::to_bits);
+    r == g && g == b
+}
+
 /// Reads a coefficient: one number for all channels, or three.
 pub fn read_coefficient(value: &Spanned<DeValue<'_>>) -> Result<DVec3, UnlocatedProblem> {
     const EXPECTED: &str = "expected-coefficient";

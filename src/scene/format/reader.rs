@@ -258,6 +258,12 @@ impl Reader<'_> {
                 Some(List::Lights) => self.scene.lights[key.index] = Default::default(),
                 Some(List::Panes) if key.pattern == "compare" => self.scene.compare.panes.clear(),
                 Some(List::Panes) => self.scene.compare.panes[key.index] = Default::default(),
+                Some(List::Materials) if key.pattern == "object" => {
+                    self.scene.object.materials.clear();
+                }
+                Some(List::Materials) => {
+                    self.scene.object.materials[key.index] = Default::default();
+                }
                 None => parameter.field().copy(defaults(), self.scene, 0),
             }
         }
