@@ -16,7 +16,7 @@ use crate::analysis::{Answer, Format, ReportContext, Subject};
 use crate::animation::{FilmFormat, Sweep, write_film};
 use crate::export::Export;
 use crate::figure::{Drawing, Paper};
-use crate::geometry::{Mesh, ObjError, read_obj};
+use crate::geometry::{Mesh, ObjError, Remark, read_model};
 use crate::link::{self, Link, Shown};
 use crate::picture::{PictureError, PictureText, read_scene_text, write_png};
 use crate::render::{Frame, Renderer, can_be_had};
@@ -29,8 +29,9 @@ pub use disk::STDOUT;
 #[cfg(target_arch = "wasm32")]
 pub use disk::give;
 pub use disk::{check_target, write_whole};
+use error::{LIBRARY, MODEL, PICTURE, SCENE_FILE};
 pub use error::{LoadError, SaveError};
-use error::{MODEL, PICTURE, SCENE_FILE};
+use names::beside;
 pub use names::ending;
 pub(crate) use names::stays_here;
 use std::io::{self, BufRead, BufReader, Cursor, Read, Seek};
@@ -70,8 +71,8 @@ impl Loaded {
         Renderer::default().with_model(self.model.clone())
     }
 
-    /// Describes the parts of its model's file that are not drawn, if any.
-    pub fn warning(&self) -> Option<String> {
+    /// Returns a sentence for each part of its model's files that is not drawn, with its file and line.
+    pub fn warnings(&self) -> Vec<String> {
         undrawn(&self.scene.object, self.model.as_deref())
     }
 }
@@ -86,12 +87,36 @@ impl From<Loaded> for Subject {
     }
 }
 
-/// Describes the parts of the file of a scene's model that are not drawn, if any.
-pub(crate) fn undrawn(object: &Object, model: Option<&Mesh>) -> Option<String> {
-    model.filter(|mesh| mesh.names_materials)?;
-    let name = object.path.as_deref().and_then(Path::file_name);
-    let name = name.unwrap_or_default().to_string_lossy();
-    Some(text!("document-no-materials", name = name.as_ref()))
+/// Returns a sentence for each part of the files of a scene's model that is not drawn, with its file and line.
+pub(crate) fn undrawn(object: &Object, model: Option<&Mesh>) -> Vec<String> {
+    /// The most textures that are named.
+    const MOST_NAMED: usize = 5;
+    let Some(mesh) = model else {
+        return vec![];
+    };
+    let own = object.path.as_deref().and_then(Path::file_name);
+    let own = own.unwrap_or_default().to_string_lossy();
+    let said = |remark: &Remark| {
+        let file = remark.library.as_deref().unwrap_or(&own);
+        format!("{}:{}: {}", excerpt(file), remark.line, remark.words)
+    };
+    let mut warnings: Vec<String> = mesh.remarks.iter().map(said).collect();
+    let mut textures: Vec<&str> = vec![];
+    for name in mesh.materials.iter().flat_map(|material| &material.maps) {
+        if !textures.contains(&name.as_str()) && textures.len() <= MOST_NAMED {
+            textures.push(name);
+        }
+    }
+    if !textures.is_empty() {
+        let more = textures.len() > MOST_NAMED;
+        textures.truncate(MOST_NAMED);
+        let names = textures.join(", ") + if more { ", …" } else { "" };
+        warnings.push(format!(
+            "{own}: {}",
+            text!("document-textures", names = names)
+        ));
+    }
+    warnings
 }
 
 /// A callback for progress: the number of bytes of a model that have been read, and their total.
@@ -212,12 +237,35 @@ fn load_model(object: &Object, progress: Progress<'_>) -> Result<Option<Arc<Mesh
             problem,
         }
     };
-    let mesh = read_obj(BufReader::new(file), &mut told).map_err(refused)?;
+    let mut library = |name: &str| read_library(path, name);
+    let mesh = read_model(BufReader::new(file), &mut told, &mut library).map_err(refused)?;
     Ok(Some(Arc::new(if object.fit {
         mesh.fitted()
     } else {
         mesh
     })))
+}
+
+/// Reads a material library of the model at `path`, or says why not. It lies beside the model, and nowhere else.
+fn read_library(path: &Path, name: &str) -> Result<Vec<u8>, String> {
+    /// The largest library, in bytes: some ten thousand materials.
+    const MOST: u64 = 1 << 22;
+    let beside = beside(name).ok_or_else(|| text!("document-library-beside"))?;
+    let path = path.with_file_name(beside);
+    let problem = |error: LoadError| match error {
+        // A page has no folder to look into.
+        _ if cfg!(target_arch = "wasm32") => text!("document-library-drop").to_owned(),
+        LoadError::File { problem, .. } => problem,
+        error => error.to_string(),
+    };
+    let (file, length) = disk::open(&path, LIBRARY).map_err(problem)?;
+    if length > MOST {
+        return Err(text!("document-library-size", megabytes = MOST >> 20));
+    }
+    let mut bytes = Vec::new();
+    let read = file.take(MOST).read_to_end(&mut bytes);
+    read.map_err(|error| problem(LoadError::unreadable(&path, LIBRARY, &error)))?;
+    Ok(bytes)
 }
 
 /// Reads everything but the model.

@@ -13,8 +13,8 @@ mod vector;
 mod vertex_normals;
 
 pub use mesh::{Corner, Mesh, NO_NORMAL, VertexMesh};
-pub use mtl::{ModelMaterial, NO_MATERIAL};
-pub use obj::{ObjError, read_obj};
+pub use mtl::{ModelMaterial, NO_MATERIAL, Remark};
+pub use obj::{ObjError, OpenLibrary, read_model, read_obj};
 pub use primitives::{divisions_for, tessellate, triangles};
 pub use surface::{Ray, Surface, SurfaceHit, TOGETHER};
 pub(crate) use vector::{angle, cross, dot, load, splat, sub};

@@ -7,7 +7,7 @@ mod scripts;
 
 use crate::app::widgets::dialog::{FileKind, Picked};
 use crate::app::widgets::theme;
-use crate::document::give;
+use crate::document::{ending, give};
 use crate::lesson::{are_there, take_texts};
 use crate::text::{Language, language, set_chinese_font};
 use eframe::egui::{Context, DroppedFile, InputState, OutputCommand};
@@ -38,6 +38,8 @@ const COPY: &str = "copy";
 thread_local! {
     /// The files that have arrived since the last frame.
     static ARRIVED: RefCell<Vec<PathBuf>> = const { RefCell::new(Vec::new()) };
+    /// The file that was opened last.
+    static OPENED: RefCell<Option<PathBuf>> = const { RefCell::new(None) };
     /// The context of the window, once it has drawn a frame.
     static CONTEXT: RefCell<Option<Context>> = const { RefCell::new(None) };
     static FONT_ASKED: Cell<bool> = const { Cell::new(false) };
@@ -86,16 +88,20 @@ pub fn dropped(ctx: &Context) -> Vec<PathBuf> {
     if !dropped.is_empty() {
         spawn_local(read_dropped(dropped));
     }
-    let mut arrived = ARRIVED.take();
-    // Of a scene and its model, the scene is opened.
-    if let Some(scene) = arrived
-        .iter()
-        .position(|path| path.extension().is_some_and(|ending| ending == "toml"))
-    {
-        arrived = vec![arrived.swap_remove(scene)];
+    let arrived = ARRIVED.take();
+    let ends = |path: &PathBuf, with: &str| ending(path).as_deref() == Some(with);
+    // Of a scene, its model and the model's libraries, the scene is opened, or else the model.
+    let first = |with: &str| arrived.iter().find(|path| ends(path, with));
+    let main = first("toml").or_else(|| first("obj")).or(arrived.first());
+    // Libraries alone belong to the model that was given before them.
+    let main = match main {
+        Some(path) if ends(path, "mtl") => OPENED.with_borrow(Clone::clone),
+        main => main.cloned(),
+    };
+    if main.is_some() {
+        OPENED.set(main.clone());
     }
-    arrived.truncate(1);
-    arrived
+    main.into_iter().collect()
 }
 
 async fn read_dropped(files: Vec<Arc<dyn DroppedFile + Send + Sync>>) {
@@ -173,7 +179,10 @@ pub fn pick(_opens: bool, kind: &FileKind) -> Picked {
     let input: HtmlInputElement = input.unchecked_into();
     input.set_type("file");
     input.set_multiple(true);
-    let endings: Vec<String> = kind.endings.iter().map(|e| format!(".{e}")).collect();
+    let mut endings: Vec<String> = kind.endings.iter().map(|e| format!(".{e}")).collect();
+    if kind.endings.contains(&"obj") {
+        endings.push(".mtl".to_owned());
+    }
     input.set_accept(&endings.join(","));
     let chosen = {
         let input = input.clone();

@@ -22,7 +22,7 @@ pub mod window;
 
 use crate::document::undrawn;
 use crate::render::check_mesh_memory;
-use crate::scene::parameter::Parameter;
+use crate::scene::parameter::{List, Parameter};
 use crate::scene::{Choice as _, Compare, CompareView, Pane, Scene, SceneError, ShadingMode};
 use crate::text::text;
 use action::Action;
@@ -260,7 +260,12 @@ impl Session {
             };
         }
         if document.model_differs(shown) {
-            self.warning = undrawn(&document.scene.object, document.model.as_deref());
+            let mut said = undrawn(&document.scene.object, document.model.as_deref());
+            let more = said.len().saturating_sub(1);
+            self.warning = said.drain(..).next().map(|first| match more {
+                0 => first,
+                _ => text!("document-and-more", first = first, count = more),
+            });
         }
         (shown.model, shown.origin) = (document.model.clone(), document.origin.clone());
         self.keep_chosen();
@@ -407,14 +412,18 @@ fn is_shared(parameter: &Parameter) -> bool {
 /// kept from the other panes, which get the previous value as a setting.
 fn distribute(document: &mut Scene, panes: &Panes, after: &Scene, changes: &[Change]) {
     let before = panes.scene(panes.active);
-    // Lights are added and removed for all.
-    let renewed = before.lights.len() != after.lights.len();
-    if renewed {
+    // Lights, and changes of a model's materials, are added and removed for all.
+    let renewed = |list: List| list.len(before) != list.len(after);
+    if renewed(List::Lights) {
         document.lights.clone_from(&after.lights);
+    }
+    if renewed(List::Materials) {
+        let materials = &mut document.object.materials;
+        materials.clone_from(&after.object.materials);
     }
     for &(parameter, index) in changes
         .iter()
-        .filter(|(parameter, _)| !(renewed && parameter.of_light()))
+        .filter(|(parameter, _)| !List::of(parameter.key).is_some_and(renewed))
     {
         let key = parameter.key(index);
         let alone = panes.own && !is_shared(parameter);

@@ -1,6 +1,7 @@
 //! The services of the system for a window. The counterpart for a web page is `page.rs`.
 
 use crate::app::widgets::dialog::{FileKind, Picked};
+use crate::document::ending;
 use crate::link::encoded;
 use eframe::egui::{Context, InputState, OpenUrl, ViewportCommand};
 use log::{Level, LevelFilter, Log, Metadata, Record};
@@ -16,10 +17,13 @@ pub fn begin_frame(_: &Context) {}
 /// Returns the files that were dropped on the window.
 pub fn dropped(ctx: &Context) -> Vec<PathBuf> {
     let dropped = ctx.input(|input| input.raw.dropped_files.clone());
-    dropped
-        .iter()
-        .map(|file| file.path().to_path_buf())
-        .collect()
+    let paths = dropped.iter().map(|file| file.path().to_path_buf());
+    let mut paths: Vec<PathBuf> = paths.collect();
+    if paths.len() > 1 {
+        // A model finds its libraries itself.
+        paths.retain(|path| ending(path).as_deref() != Some("mtl"));
+    }
+    paths
 }
 
 /// A logger that detects that neither the desktop nor zenity has a dialog; `rfd` reports that to its caller as a

@@ -131,9 +131,8 @@ impl Sound {
             }
             Self::Scene(loaded) => {
                 let scene = &loaded.scene;
-                let warnings: Vec<String> = loaded.warning().into_iter().collect();
                 json!({
-                    "kind": "scene", "warnings": warnings, "object": scene.object.kind, "polygons": polygons(loaded),
+                    "kind": "scene", "warnings": loaded.warnings(), "object": scene.object.kind, "polygons": polygons(loaded),
                     "lights": scene.lights.len(), "mode": scene.shading.mode, "size": scene.image.size,
                 })
             }

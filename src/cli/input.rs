@@ -94,7 +94,7 @@ impl SceneArguments {
     /// are not drawn are noted on stderr.
     pub fn load(&self, earlier: &[String]) -> Result<Loaded, LoadError> {
         let loaded = self.load_quietly(earlier)?;
-        if let Some(warning) = loaded.warning() {
+        for warning in loaded.warnings() {
             note(&warning);
         }
         Ok(loaded)

@@ -10,6 +10,7 @@ use std::path::{Path, PathBuf};
 /// The expected content of a file.
 pub(super) const SCENE_FILE: Message = Message("document-scene-file");
 pub(super) const MODEL: Message = Message("document-model");
+pub(super) const LIBRARY: Message = Message("document-library");
 pub(super) const PICTURE: Message = Message("document-picture");
 
 /// The reason why something could not be opened. Displayed, it names the file, and the line if there is one; several

@@ -50,3 +50,13 @@ pub(crate) fn stays_here(path: &str) -> bool {
     };
     !elsewhere && !DEVICES.contains(&stem) && !PORTS.iter().any(port)
 }
+
+/// Returns the name of a file that lies beside the one in which `path` was found; none where the path leads anywhere else.
+/// MeshLab writes `./` before it.
+pub(super) fn beside(path: &str) -> Option<&str> {
+    let name = path.strip_prefix("./").or_else(|| path.strip_prefix(".\\"));
+    let name = name.unwrap_or(path);
+    let elsewhere = |c: char| SEPARATORS.contains(&c) || c == ':' || c.is_control();
+    let sound = !name.is_empty() && !name.contains(elsewhere) && !matches!(name, "." | "..");
+    (sound && stays_here(name)).then_some(name)
+}

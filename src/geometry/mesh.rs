@@ -1,7 +1,7 @@
 //! Meshes of n-sided polygons, and the test for whether they are closed.
 
 use super::concave;
-use super::mtl::{ModelMaterial, NO_MATERIAL};
+use super::mtl::{ModelMaterial, NO_MATERIAL, Remark};
 use crate::scene::area_vector;
 use glam::{DVec3, Vec3};
 use serde::{Deserialize, Serialize};
@@ -70,12 +70,12 @@ pub struct Mesh<C = Corner> {
     pub closed: bool,
     /// True if the mesh is closed and convex: from outside no two front faces cover the same pixel.
     pub convex: bool,
-    /// True if the file names materials (`mtllib`, `usemtl`), which are not drawn.
-    pub names_materials: bool,
     /// The model's materials that faces have, at most [`ModelMaterial::MAX`].
     pub materials: Vec<ModelMaterial>,
     /// The material of each face: an index into `materials`, or [`NO_MATERIAL`](super::NO_MATERIAL). Empty where `materials` is.
     pub face_materials: Vec<u16>,
+    /// What could not be read of the file's materials.
+    pub remarks: Vec<Remark>,
 }
 
 /// A mesh ready to be shaded: a vertex is a point with one normal, at the same index in `positions` and `normals`, and a

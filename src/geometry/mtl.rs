@@ -25,7 +25,7 @@ pub struct ModelMaterial {
     pub ior: Option<f64>,
     /// `illum`, the number of the illumination model: 0 and 1 have no highlight.
     pub illum: Option<u32>,
-    /// The statements that name textures, such as `map_Kd`, which are not drawn.
+    /// The textures' files, without their folders, which are not drawn.
     pub maps: Vec<String>,
 }
 
@@ -62,4 +62,15 @@ impl ModelMaterial {
             ..Material::default()
         }
     }
+}
+
+/// A sentence about the materials of a model, and its place in the files.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Remark {
+    /// The library; none for the model's own file.
+    pub library: Option<String>,
+    /// The line, counted from 1.
+    pub line: u64,
+    /// The sentence, in the language in which the model was read.
+    pub words: String,
 }

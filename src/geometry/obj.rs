@@ -1,22 +1,24 @@
 //! Wavefront OBJ models.
 //!
 //! In: the file's bytes. Out: one [`Mesh`] of all its polygons, or the first error with its line. The file is read once,
-//! line by line.
+//! line by line. The libraries of its materials are read last, so that `usemtl` may come before `mtllib`.
 //!
-//! Texture coordinates, materials, groups, lines, points and free-form surfaces are ignored; [`Mesh::names_materials`]
-//! records that there are materials, so that the caller can say so.
+//! Texture coordinates, groups, lines, points and free-form surfaces are ignored.
 
 mod lines;
+mod materials;
 
 use super::mesh::{Corner, FAR, Mesh, NO_NORMAL};
 use crate::text::text;
 use glam::{DVec3, Vec3};
 pub use lines::ObjError;
-use lines::{Line, Lines, error_at};
+use lines::{Line, Lines, error_at, malformed, quoted};
+pub use materials::OpenLibrary;
+use materials::Uses;
 use std::collections::HashMap;
 use std::io::BufRead;
 
-/// Reads a model, reporting to `progress` now and then how many bytes have been read.
+/// Reads a model without the libraries of its materials, see [`read_model`].
 ///
 /// Vertices with equal coordinates become one point, so that averaging sees every face there; consecutive duplicate
 /// corners, and faces that this leaves with fewer than three, are dropped; a concave polygon stays one, see
@@ -42,6 +44,24 @@ use std::io::BufRead;
 /// # Errors
 /// [`ObjError`], with the line where there is one.
 pub fn read_obj(reader: impl BufRead, progress: &mut dyn FnMut(u64)) -> Result<Mesh, ObjError> {
+    read_model(reader, progress, &mut |_| {
+        Err(text!(
+            "document-no-such-file",
+            expected = text!("document-library")
+        ))
+    })
+}
+
+/// Reads a model, reporting to `progress` now and then how many bytes have been read. The libraries of its materials are
+/// asked for by name; what cannot be read of them is among [`Mesh::remarks`].
+///
+/// # Errors
+/// [`ObjError`], with the line where there is one.
+pub fn read_model(
+    reader: impl BufRead,
+    progress: &mut dyn FnMut(u64),
+    open: OpenLibrary<'_>,
+) -> Result<Mesh, ObjError> {
     let (mut lines, mut builder) = (Lines::new(reader, progress), Builder::default());
     builder.mesh.starts.push(0);
     while let Some(line) = lines.next()? {
@@ -52,7 +72,7 @@ pub fn read_obj(reader: impl BufRead, progress: &mut dyn FnMut(u64)) -> Result<M
     if lines.bytes == 0 {
         return Err(ObjError::Empty);
     }
-    let mesh = builder.finish();
+    let mesh = builder.finish(open);
     if mesh.face_count() == 0 {
         Err(ObjError::NoFace)
     } else if u32::try_from(mesh.corners.len()).is_err() {
@@ -75,6 +95,7 @@ struct Builder {
     normals: Vec<(Vec3, u32)>,
     /// The point at each place, by the bits of its coordinates.
     points: HashMap<[u32; 3], u32>,
+    materials: Uses,
 }
 
 impl Builder {
@@ -87,8 +108,14 @@ impl Builder {
             Some(b"v") => self.position(words),
             Some(b"vn") => self.normal(words),
             Some(b"f" | b"fo") => self.face(line, words),
-            Some(b"mtllib" | b"usemtl") => {
-                self.mesh.names_materials = true;
+            Some(b"mtllib") => {
+                self.materials
+                    .library(after_keyword(line.text), line.number);
+                Ok(())
+            }
+            Some(b"usemtl") => {
+                self.materials
+                    .material(after_keyword(line.text), line.number);
                 Ok(())
             }
             _ => Ok(()),
@@ -143,6 +170,7 @@ impl Builder {
         }
         if corners.len() >= 3 {
             self.mesh.corners.extend(corners);
+            self.materials.face(self.mesh.face_count());
             self.mesh.starts.push(self.mesh.corners.len() as u32);
         }
         Ok(())
@@ -197,8 +225,9 @@ impl Builder {
         *number
     }
 
-    fn finish(self) -> Mesh {
+    fn finish(self, open: OpenLibrary<'_>) -> Mesh {
         let mut mesh = self.mesh;
+        self.materials.resolve(&mut mesh, open);
         mesh.positions.shrink_to_fit();
         mesh.normals.shrink_to_fit();
         mesh.starts.shrink_to_fit();
@@ -207,24 +236,11 @@ impl Builder {
     }
 }
 
-/// Returns the error that says `word` is not what was `expected`.
-fn malformed(word: &[u8], expected: &str) -> String {
-    text!(
-        "obj-malformed",
-        word = quoted(word),
-        expected = text!(expected)
-    )
-}
-
-/// Quotes a word of the file for a message: as valid text of a limited length.
-fn quoted(word: &[u8]) -> String {
-    const LONGEST_QUOTE: usize = 40;
-    let text = String::from_utf8_lossy(&word[..word.len().min(LONGEST_QUOTE)]);
-    if word.len() > LONGEST_QUOTE {
-        format!("{text}…")
-    } else {
-        text.into_owned()
-    }
+/// Returns what follows the keyword of a line.
+fn after_keyword(line: &[u8]) -> &[u8] {
+    let line = line.trim_ascii_start();
+    let keyword = line.iter().position(u8::is_ascii_whitespace);
+    line[keyword.unwrap_or(line.len())..].trim_ascii()
 }
 
 /// Reads three numbers, finite or not, and returns them with their words.

@@ -44,7 +44,6 @@ impl Mesh {
             origin,
             closed,
             convex,
-            names_materials,
             ..
         } = self;
         VertexMesh {
@@ -57,9 +56,9 @@ impl Mesh {
             mirrored: vec![],
             closed,
             convex,
-            names_materials,
             materials: vec![],
             face_materials: self.face_materials.clone(),
+            remarks: vec![],
         }
     }
 

@@ -22,8 +22,9 @@ fn a_model_drawn_without_its_materials_says_so_once() {
     let folder = Folder::new("materials-of-a-model");
     folder.write("plain.obj", TRIANGLE);
     folder.write("red.obj", format!("mtllib red.mtl\nusemtl red\n{TRIANGLE}"));
-    let drawn = english!("document-no-materials", name = "red.obj");
-    let note = english!("cli-note", message = drawn) + "\n";
+    let missing = missing("document-library");
+    let message = format!("red.obj:1: red.mtl: {missing}");
+    let note = english!("cli-note", message = message) + "\n";
     for arguments in [
         &["check", "MODEL"][..],
         &["render", "MODEL", "-o", "a.png", "--size", "8x8"],

@@ -1,6 +1,6 @@
 //! Files written whole or not at all, and the path of a model in a scene file.
 
-use shading_lab::document::{SaveError, ending, load_bytes, save_scene, write_whole};
+use shading_lab::document::{SaveError, ending, load_bytes, load_scene, save_scene, write_whole};
 use shading_lab::scene::Scene;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
@@ -183,4 +183,104 @@ fn a_path_in_a_file_stays_on_this_machine() {
     ] {
         assert!(refused(path), "{path}");
     }
+}
+
+const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl red\nf 1 2 3 4\n";
+
+/// Returns what is said about the model in a folder, and the number of its materials.
+fn read_model(path: &Path) -> (Vec<String>, usize) {
+    let loaded = load_scene(path).expect("the model is drawn in any case");
+    let model = loaded.model.as_ref().expect("a model");
+    (loaded.warnings(), model.materials.len())
+}
+
+#[test]
+fn a_library_lies_beside_its_model_and_nowhere_else() {
+    let folder = Folder::new("libraries");
+    let models = folder.0.join("models");
+    fs::create_dir_all(models.join("in")).expect("a folder");
+    let library = "newmtl red\nKd 1 0 0\nKs spectral a.rfl\nmap_Kd in/wood.png\n";
+    for place in ["a.mtl", "models/a.mtl", "models/in/a.mtl", "models/con.mtl"] {
+        fs::write(folder.0.join(place), library).expect("a library");
+    }
+    fs::create_dir_all(models.join("dir.mtl")).expect("a folder");
+    let large = fs::File::create(models.join("large.mtl")).expect("a file");
+    large.set_len((1 << 22) + 1).expect("a hole");
+    let path = models.join("a.obj");
+    let read = |name: &str| {
+        fs::write(&path, format!("mtllib {name}\n{SQUARE}")).expect("a model");
+        read_model(&path)
+    };
+    let spectral = english!("mtl-spectral", word = "spectral");
+    let textures = english!("document-textures", names = "wood.png");
+    for name in ["a.mtl", "./a.mtl", ".\\a.mtl", "\"a.mtl\""] {
+        let (said, count) = read(name);
+        let shown = name.trim_matches('"');
+        assert_eq!(
+            said,
+            [
+                format!("{shown}:3: {spectral}"),
+                format!("a.obj: {textures}")
+            ]
+        );
+        assert_eq!(count, 1, "{name}");
+    }
+    let absolute = folder.0.join("a.mtl").display().to_string();
+    for name in [
+        "../a.mtl",
+        "./../a.mtl",
+        "..",
+        ".",
+        "./",
+        "in/a.mtl",
+        "in\\a.mtl",
+        "C:a.mtl",
+        "\\\\host\\share\\a.mtl",
+        "con.mtl",
+        "/dev/zero",
+        &absolute,
+    ] {
+        let (said, count) = read(name);
+        let beside = english!("document-library-beside");
+        assert_eq!((said.len(), count), (1, 0), "{name}: {said:?}");
+        assert!(
+            said[0].ends_with(beside) && said[0].starts_with("a.obj:1: "),
+            "{said:?}"
+        );
+    }
+    let expected = english!("document-library");
+    for (name, problem) in [
+        (
+            "b.mtl",
+            english!("document-no-such-file", expected = expected),
+        ),
+        (
+            "dir.mtl",
+            english!("document-directory-not-file", expected = expected),
+        ),
+        (
+            "large.mtl",
+            english!("document-library-size", megabytes = 4),
+        ),
+    ] {
+        assert_eq!(read(name), (vec![format!("a.obj:1: {name}: {problem}")], 0));
+    }
+    // A scene file names the model by another path; its library still lies beside the model.
+    fs::write(&path, format!("mtllib a.mtl\n{SQUARE}")).expect("a model");
+    let scene = folder.0.join("scene.toml");
+    fs::write(&scene, "object = {kind = 'obj', path = 'models/a.obj'}\n").expect("a scene");
+    let loaded = load_scene(&scene).expect("a scene");
+    assert_eq!(loaded.model.expect("a model").materials.len(), 1);
+}
+
+#[test]
+fn a_few_textures_are_named_and_each_once() {
+    let folder = Folder::new("textures");
+    let maps: String = (0..9).map(|k| format!("map_Kd {}.png\n", k % 7)).collect();
+    fs::write(folder.0.join("a.mtl"), format!("newmtl red\n{maps}")).expect("a library");
+    let path = folder.0.join("a.obj");
+    fs::write(&path, format!("mtllib a.mtl\n{SQUARE}")).expect("a model");
+    let names = "0.png, 1.png, 2.png, 3.png, 4.png, …";
+    let expected = format!("a.obj: {}", english!("document-textures", names = names));
+    assert_eq!(read_model(&path), (vec![expected], 1));
 }

@@ -29,6 +29,7 @@ mod levels;
 mod link;
 mod memory;
 mod obj_files;
+mod obj_materials;
 mod obj_memory;
 mod omissions;
 mod parameters;

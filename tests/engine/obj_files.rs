@@ -418,21 +418,6 @@ fn an_index_into_a_list_of_none_or_one_is_refused_in_words_that_make_sense() {
 }
 
 #[test]
-fn a_model_says_whether_its_file_names_materials() {
-    for (rest, names) in [
-        ("f 1 2 3\n", false),
-        ("mtllib a.mtl\nf 1 2 3\n", true),
-        ("usemtl red\nf 1 2 3\n", true),
-        ("f 1 2 3\nusemtl\n", true),
-        ("# mtllib a.mtl\no usemtl\ng mtllib\nf 1 2 3\n", false),
-    ] {
-        let mesh = good(square(rest));
-        assert_eq!(mesh.names_materials, names, "{rest:?}");
-        assert_eq!(mesh.fitted().names_materials, names, "{rest:?}");
-    }
-}
-
-#[test]
 fn errors_name_the_line_and_what_was_expected() {
     let vertex = |number: u32| english!("obj-no-such-vertex", number = number, count = 4);
     let normal = english!("obj-no-such-normal", number = 1, count = 0);

@@ -1,6 +1,7 @@
 # Files that cannot be opened or written. The path comes before each of these, in the same line.
 document-scene-file = a scene file
 document-model = an OBJ model
+document-library = a material library
 document-picture = a picture
 document-no-such-file = no such file, expected { $expected }
 document-unreadable = cannot be read ({ $error }), expected { $expected }
@@ -20,5 +21,9 @@ document-target-no-folder = its folder does not exist, expected a file in an exi
 document-unwritable = cannot be written ({ $error })
 document-nothing-to-draw = there is nothing to draw
 document-figure-too-large = the figure is too large
+document-library-beside = expected a file beside the model, without a folder
+document-library-size = larger than { $megabytes } MB, expected a material library
+document-library-drop = drop this file on the page together with the model
 # On stderr and in the window, beside a picture that is drawn.
-document-no-materials = { $name }: drawn with the scene's material; its own materials are not drawn
+document-textures = textures are not drawn: { $names }
+document-and-more = { $first } (and { $count } more)

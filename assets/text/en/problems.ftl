@@ -103,6 +103,14 @@ obj-no-such-normal = the face names normal { $number }, { $count ->
    *[other] expected 1 to { $count } or -{ $count } to -1, as { $count } of them come before this line
  }
 
+# Material libraries (MTL) beside models.
+mtl-name-too-long = the name of a material is longer than { $longest } characters; its faces have the scene's material
+mtl-too-many = more than { $most } materials; the faces of the others have the scene's material
+mtl-not-found = no library defines the material `{ $name }`; its faces have the scene's material
+mtl-halo = `-halo` is not drawn, the material is equally transparent from every side
+mtl-spectral = a colour given by `{ $word }` is not read, expected red, green and blue
+mtl-number = a number from 0 to 1000000
+
 # Pictures with a scene inside.
 png-damaged = not a valid PNG picture ({ $error }), expected one that shading-lab exported
 png-cut-off = the file ends early

@@ -1,6 +1,7 @@
 # 無法開啟或寫入的檔案。同一行的前面是檔案路徑。
 document-scene-file = 場景檔
 document-model = OBJ 模型
+document-library = 材質庫
 document-picture = 圖片
 document-no-such-file = 找不到檔案，應為{ $expected }
 document-unreadable = 無法讀取（{ $error }），應為{ $expected }
@@ -20,5 +21,9 @@ document-target-no-folder = 所在的資料夾不存在，應為現有資料夾�
 document-unwritable = 無法寫入（{ $error }）
 document-nothing-to-draw = 沒有可繪製的內容
 document-figure-too-large = 圖形太大
+document-library-beside = 應為模型旁的檔案，不含資料夾
+document-library-size = 超過 { $megabytes } MB，應為材質庫
+document-library-drop = 請將此檔案與模型一起拖放到網頁上
 # 在標準錯誤輸出與視窗中，隨圖一起出現。
-document-no-materials = { $name }：使用場景的材質繪製，模型本身的材質不會繪出
+document-textures = 不繪製紋理：{ $names }
+document-and-more = { $first }（另有 { $count } 項）

@@ -103,6 +103,14 @@ obj-no-such-normal = 面使用法向量 { $number }，{ $count ->
    *[other] 此行之前有 { $count } 個，應為 1 到 { $count } 或 -{ $count } 到 -1
  }
 
+# 模型旁的材質庫（MTL）。
+mtl-name-too-long = 材質名稱超過 { $longest } 個字元；其面使用場景的材質
+mtl-too-many = 材質超過 { $most } 種；其餘材質的面使用場景的材質
+mtl-not-found = 沒有材質庫定義材質 `{ $name }`；其面使用場景的材質
+mtl-halo = 不繪製 `-halo`，材質從各方向看都同樣透明
+mtl-spectral = 以 `{ $word }` 給定的顏色不會讀取，應為紅、綠、藍
+mtl-number = 0 到 1000000 的數字
+
 # 內含場景的圖片。
 png-damaged = 不是有效的 PNG 圖片（{ $error }），應為 shading-lab 匯出的圖片
 png-cut-off = 檔案不完整

@@ -147,8 +147,17 @@ impl<'a, R: BufRead> Lines<'a, R> {
         if self.count == 1 && self.text.starts_with(BYTE_ORDER_MARK) {
             self.text.drain(..BYTE_ORDER_MARK.len());
         }
-        if let Some(comment) = self.text[before..].iter().position(|&byte| byte == b'#') {
-            self.text.truncate(before + comment);
+        let mut from = before;
+        while let Some(k) = self.text[from..].iter().position(|&byte| byte == b'#') {
+            from += k;
+            let keyword = self.text.trim_ascii_start();
+            // Some exporters call a material `color_#ff8000`.
+            let named = keyword.starts_with(b"usemtl") || keyword.starts_with(b"mtllib");
+            if !named || from == 0 || self.text[from - 1].is_ascii_whitespace() {
+                self.text.truncate(from);
+            } else {
+                from += 1;
+            }
         }
         while self.text.len() > before && self.text.last().is_some_and(u8::is_ascii_whitespace) {
             self.text.pop();
@@ -165,4 +174,24 @@ pub fn error_at(line: u64, what: impl Into<String>) -> ObjError {
 
 fn not_text(line: u64) -> ObjError {
     error_at(line, text!("obj-not-text"))
+}
+
+/// Returns the error that says `word` is not what was `expected`.
+pub fn malformed(word: &[u8], expected: &str) -> String {
+    text!(
+        "obj-malformed",
+        word = quoted(word),
+        expected = text!(expected)
+    )
+}
+
+/// Quotes a word of the file for a message: as valid text of a limited length.
+pub fn quoted(word: &[u8]) -> String {
+    const LONGEST_QUOTE: usize = 40;
+    let text = String::from_utf8_lossy(&word[..word.len().min(LONGEST_QUOTE)]);
+    if word.len() > LONGEST_QUOTE {
+        format!("{text}…")
+    } else {
+        text.into_owned()
+    }
 }

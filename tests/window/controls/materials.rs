@@ -154,7 +154,9 @@ fn a_model_drawn_without_its_materials_says_so_until_it_is_dismissed_or_gone() {
     let path = folder.join("red.obj");
     let model = "mtllib red.mtl\nusemtl red\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     std::fs::write(&path, model).expect("a model");
-    let warning = &english!("document-no-materials", name = "red.obj");
+    let expected = english!("document-library");
+    let missing = english!("document-no-such-file", expected = expected);
+    let warning = &format!("red.obj:1: red.mtl: {missing}");
     let mut harness = window_of(load_scene(&path).expect("a model"));
     let says = |harness: &Harness<'_, App>| harness.query_by_label_contains(warning).is_some();
     // The warning outlasts four seconds, and a notice of four seconds takes precedence over it.
