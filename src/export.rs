@@ -10,12 +10,12 @@ mod sources;
 mod text;
 
 pub use fixed::{MAX_PROGRAM_TRIANGLES, opengl_c, opengl_c_snippet};
-pub use glsl::glsl_330;
+pub use glsl::{glsl_330, glsl_330_of_model};
 pub use limit::Limit;
 
 use crate::geometry::{Mesh, VertexMesh};
 use crate::render::Plan;
-use crate::scene::Scene;
+use crate::scene::{MaterialSource, Scene};
 use crate::text::Message;
 use std::path::{Path, PathBuf};
 
@@ -64,5 +64,9 @@ pub enum ExportError {
 
 /// Returns the mesh with the vertex normals with which the scene's shading mode evaluates the equation.
 pub fn export_mesh(scene: &Scene, mesh: &Mesh) -> VertexMesh {
-    mesh.with_vertex_normals(Plan::normals(scene), scene.object.weighting)
+    let mut vertices = mesh.with_vertex_normals(Plan::normals(scene), scene.object.weighting);
+    if scene.material.source == MaterialSource::Scene {
+        vertices.face_materials.clear();
+    }
+    vertices
 }

@@ -9,12 +9,14 @@
 mod lens;
 mod model;
 mod node;
+mod palette;
 mod raster;
 mod rays;
 mod renderer;
 mod simd;
 
 pub use node::Memory;
+pub(crate) use palette::{Palette, for_each_material};
 pub use rays::Transmission;
 pub use renderer::{
     Cued, Frame, FrameReport, Per, Plan, Renderer, Stage, StageRun, Term, TermName, TooLarge,

@@ -16,8 +16,8 @@ use super::{Question, Subject, Watch};
 use crate::geometry::{Mesh, angle};
 use crate::render::{Cued, Plan, Renderer};
 use crate::scene::{
-    Attenuation, Compare, FlatAt, Light, LightKind, NormalSource, PatternKind, Rgb, Scene,
-    ShadingMode, Viewer,
+    Attenuation, Compare, FlatAt, Light, LightKind, Material, NormalSource, PatternKind, Rgb,
+    Scene, ShadingMode, Viewer,
 };
 use crate::text;
 use glam::DVec3;
@@ -139,6 +139,8 @@ pub fn conditions(renderer: &mut Renderer, scene: &Scene) -> Conditions {
     } else {
         vec![true; flat.pixels.len()]
     };
+    // The flat picture was drawn last.
+    let materials = renderer.for_each_material(scene, |scene| scene.material.clone());
     Conditions {
         light: light_variation(mesh, scene),
         // In parallel projection, too, V of a local viewer points to the eye.
@@ -148,10 +150,9 @@ pub fn conditions(renderer: &mut Renderer, scene: &Scene) -> Conditions {
         },
         surface,
         has_surface,
-        // The flat picture was drawn last.
         further: renderer
             .plan()
-            .map_or_else(Vec::new, |plan| assumptions(mesh, scene, plan)),
+            .map_or_else(Vec::new, |plan| assumptions(mesh, scene, plan, &materials)),
         error: region_errors(flat, exact, &inside).interior,
         everywhere: error_figures(flat, exact),
     }
@@ -201,21 +202,24 @@ fn light_variation(mesh: &Mesh, scene: &Scene) -> Variation {
         .fold(Variation::default(), Variation::or_more)
 }
 
-/// Returns the assumptions of the three conditions that the scene violates; `plan` is that of its flat picture.
-fn assumptions(mesh: &Mesh, scene: &Scene, plan: &Plan) -> Vec<Assumption> {
+/// Returns the assumptions of the three conditions that the scene violates; `plan` is that of its flat picture, `materials` are those
+/// of its faces.
+fn assumptions(mesh: &Mesh, scene: &Scene, plan: &Plan, materials: &[Material]) -> Vec<Assumption> {
     let any = |varies: fn(&Light) -> bool| {
         let mut lights = scene.lights.iter().zip(&plan.lights);
         lights.any(|(light, shines)| *shines && varies(light))
     };
-    let (material, pattern) = (&scene.material, &scene.pattern);
-    let colored = material.ka != Rgb::ZERO || material.kd != Rgb::ZERO;
-    let patterned = pattern.kind != PatternKind::None && pattern.color != material.color;
+    let pattern = &scene.pattern;
+    let patterned = |own: &Material| {
+        let colored = own.ka != Rgb::ZERO || own.kd != Rgb::ZERO;
+        pattern.kind != PatternKind::None && pattern.color != own.color && colored
+    };
     let own_normals = || {
         scene.shading.flat_at == FlatAt::Centre
             || leaning(mesh, scene, scene.object.normal_source()) < ROUNDING
     };
     let broken = [
-        (Assumption::Pattern, patterned && colored),
+        (Assumption::Pattern, materials.iter().any(patterned)),
         (
             Assumption::ViewerDistance,
             any(|light| light.attenuation == Attenuation::Viewer),

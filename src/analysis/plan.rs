@@ -26,6 +26,8 @@ pub struct FramePlan {
     pub terms: Vec<Term>,
     /// Runs of the stages in the last frame.
     pub runs: Vec<StageRun>,
+    /// The materials of a model, each with its evaluations; the name of the scene's is empty.
+    pub materials: Vec<(String, u64)>,
     /// Times with and without the omissions, if they were measured.
     pub measured: Option<Saved>,
 }
@@ -74,6 +76,7 @@ impl Question for PlanQuestion {
         let [planned, all] = &mut renderers;
         let evaluations = [count(planned), count(all)];
         let (terms, runs) = (planned.terms(), planned.report().stages.clone());
+        let materials = planned.material_counts();
         let changes = CHANGES.map(|(name, change)| {
             (
                 name,
@@ -90,6 +93,7 @@ impl Question for PlanQuestion {
         Ok(FramePlan {
             terms,
             runs,
+            materials,
             measured,
         })
     }
@@ -187,6 +191,29 @@ impl Answer for FramePlan {
                 ));
             }
         }
+        if !self.materials.is_empty() {
+            let heads = [
+                text!("engine-plan-material"),
+                text!("engine-plan-material-count"),
+            ];
+            let mut table = Table::new(heads.map(|head| Column::shown(head, as_it_is)));
+            table
+                .rows
+                .extend(self.materials.iter().map(|(name, count)| {
+                    let of_scene = text!("engine-plan-material-scene");
+                    cells![
+                        if name.is_empty() {
+                            of_scene
+                        } else {
+                            name.as_str()
+                        },
+                        *count
+                    ]
+                }));
+            report
+                .section(text!("engine-plan-materials"))
+                .push(Part::Table(table));
+        }
         let Some(saved) = &self.measured else {
             return report;
         };
@@ -256,6 +283,11 @@ impl Answer for FramePlan {
     fn value(&self, about: &ReportContext<'_>) -> Value {
         let mut object =
             json!({ "scene": about.name, "size": about.scene.image.size, "terms": self.terms });
+        if !self.materials.is_empty() {
+            let material =
+                |(name, count): &(String, u64)| json!({ "name": name, "evaluations": count });
+            object["materials"] = self.materials.iter().map(material).collect();
+        }
         let Some(saved) = &self.measured else {
             return object;
         };

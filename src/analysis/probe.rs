@@ -23,10 +23,14 @@ pub use zero::{ZeroCause, ZeroCauses};
 
 use crate::illumination::Equation;
 use crate::render::{Evaluation, Renderer, Transmission};
-use crate::scene::{Backfacing, LightKind, PatternKind, ReflectionModel, Rgb, Scene, View};
+use crate::scene::{
+    Backfacing, LightKind, Material, PatternKind, ReflectionModel, Rgb, Scene, View,
+};
 use crate::text;
 use glam::{DVec2, DVec3};
+use serde::ser::SerializeStruct;
 use serde::{Serialize, Serializer};
+use std::borrow::Cow;
 use std::ops::RangeInclusive;
 use zero::zero_causes;
 
@@ -79,6 +83,9 @@ pub struct ProbeHit {
     pub depth: f64,
     /// Index of the face in the mesh; none where the true surface was hit without one.
     pub face: Option<u32>,
+    /// The model's material of the face; none where it is the scene's.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub material: Option<HitMaterial>,
     /// `ka·color·Ia`, or one bounce of light from other surfaces in its place.
     pub ambient: Rgb,
     /// True if `ambient` is light from other surfaces.
@@ -105,6 +112,48 @@ pub struct ProbeHit {
     pub divisor: f64,
     /// Stored value of the pixel in the scene's own picture, without the panes of a comparison.
     pub stored: [u8; 3],
+}
+
+/// The material that a model gives to a face.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HitMaterial {
+    /// The name in the model.
+    pub name: String,
+    /// The numbers of the equation, with the scene's changes.
+    pub numbers: Material,
+}
+
+impl HitMaterial {
+    /// Returns the scene as a point shows it that has this material.
+    fn scene_of<'s>(this: Option<&Self>, scene: &'s Scene) -> Cow<'s, Scene> {
+        let mut own = Cow::Borrowed(scene);
+        if let Some(Self { numbers, .. }) = this {
+            own.to_mut().material = numbers.clone();
+        }
+        own
+    }
+}
+
+impl Serialize for HitMaterial {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Self { name, numbers } = self;
+        let mut object = serializer.serialize_struct("material", 7)?;
+        object.serialize_field("name", name)?;
+        object.serialize_field("ka", &numbers.ka)?;
+        object.serialize_field("kd", &numbers.kd)?;
+        object.serialize_field("ks", &numbers.ks)?;
+        object.serialize_field("n", &numbers.n)?;
+        object.serialize_field("color", &numbers.color)?;
+        object.serialize_field("specular_color", &numbers.specular_color)?;
+        object.end()
+    }
+}
+
+impl ProbeHit {
+    /// Returns the scene as this point shows it: its material is the face's.
+    pub fn scene_of<'s>(&self, scene: &'s Scene) -> Cow<'s, Scene> {
+        HitMaterial::scene_of(self.material.as_ref(), scene)
+    }
 }
 
 /// Depth cueing at a pixel: the intensity is `kept + veil`.
@@ -242,15 +291,21 @@ pub fn probe(renderer: &mut Renderer, scene: &Scene, x: u32, y: u32) -> Probe {
     let hit = stored
         .zip(renderer.evaluation(x, y))
         .map(|(stored, evaluation)| {
+            let material = renderer.model_material(scene, evaluation.material);
+            let material = material.map(|(name, numbers)| HitMaterial { name, numbers });
+            let own = HitMaterial::scene_of(material.as_ref(), scene);
+            let scene = &*own;
             let mixture = renderer.mixture(x, y);
             let bounced = mixture.and_then(|mixture| mixture.bounced);
             // Where light bounces, the picture's equation has no ambient term.
-            let [equation, shining] = [renderer.equation(scene), renderer.shining_equation(scene)]
-                .map(|equation| match bounced {
-                    Some(_) => equation.without_ambient(),
-                    None => equation,
-                });
-            let equations = [&equation, &shining];
+            let with_ambient = |equation: Equation<f64>| match bounced {
+                Some(_) => equation.without_ambient(),
+                None => equation,
+            };
+            let equation = with_ambient(renderer.equation(scene));
+            let shining = renderer.shining_equations(scene);
+            let shining: Vec<_> = shining.into_iter().map(with_ambient).collect();
+            let equations = [&equation, &shining[evaluation.material]];
             let lights = (0..scene.lights.len())
                 .map(|light| light_terms(scene, equations, &evaluation, light))
                 .collect();
@@ -286,6 +341,7 @@ pub fn probe(renderer: &mut Renderer, scene: &Scene, x: u32, y: u32) -> Probe {
                 view: equation.view_at(evaluation.position),
                 depth: evaluation.depth,
                 face: evaluation.face,
+                material,
                 ambient: constant + scattered,
                 bounced: bounced.is_some(),
                 color: if equation.has_pattern() {

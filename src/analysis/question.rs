@@ -2,9 +2,9 @@
 
 use super::codec::Codec;
 use super::report::Answer;
-use crate::geometry::Mesh;
+use crate::geometry::{Mesh, NO_MATERIAL};
 use crate::render::Renderer;
-use crate::scene::{Scene, choices};
+use crate::scene::{MaterialSource, ObjectKind, Scene, choices};
 use Format::{Csv, Json, Png, Svg};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -64,6 +64,17 @@ impl Subject {
             model: None,
             clock: || 0,
         }
+    }
+
+    /// Returns whether faces of its model have materials of the model.
+    pub fn has_own_materials(&self) -> bool {
+        let model = self.model.as_deref().filter(|_| {
+            let Scene {
+                object, material, ..
+            } = &self.scene;
+            object.kind == ObjectKind::Obj && material.source == MaterialSource::Model
+        });
+        model.is_some_and(|mesh| mesh.face_materials.iter().any(|own| *own != NO_MATERIAL))
     }
 
     /// Returns a renderer that has the model and the clock.

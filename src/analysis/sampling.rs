@@ -51,7 +51,7 @@ pub fn sampling_error(
             samples,
             ..chosen.clone()
         }];
-        Equation::<f64>::new(&alone)
+        renderer.for_each_material(&alone, Equation::<f64>::new)
     };
     let (coarse, fine) = (of(chosen.samples), of(REFERENCE_SAMPLES));
     // On this thread alone: the others are left to any drawing in the meantime.
@@ -60,8 +60,8 @@ pub fn sampling_error(
     let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
     for pixel in pixels.filter_map(|(x, y)| renderer.evaluation(x, y)) {
         let difference = pixel.points.iter().map(|at| {
-            let [coarse, fine] = [&coarse, &fine].map(|equation| {
-                let light = equation.respond_world(0, at.point, at.normal, None);
+            let [coarse, fine] = [&coarse, &fine].map(|equations| {
+                let light = equations[pixel.material].respond_world(0, at.point, at.normal, None);
                 (light.diffuse + light.specular) * at.weight
             });
             coarse - fine

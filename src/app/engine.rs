@@ -438,6 +438,11 @@ impl Engine {
         self.terms.get_or_init(|| self.active().renderer().terms())
     }
 
+    /// Returns the materials of the active pane's model, each with its evaluations.
+    pub fn material_counts(&self) -> Vec<(String, u64)> {
+        self.active().renderer().material_counts()
+    }
+
     /// Returns the curves that apply at the probe, for the light of index `light`.
     pub fn curves(&self, light: usize) -> Option<Curves> {
         let pane = self.active();

@@ -6,7 +6,7 @@ use super::output::{Failure, note, print, print_json, spinner};
 use clap::{Args, ValueEnum};
 use serde_json::{Value, json};
 use shading_lab::document::{Loaded, STDOUT, save_code};
-use shading_lab::export::{Export, Part, glsl_330, opengl_c, opengl_c_snippet};
+use shading_lab::export::{Export, Part, glsl_330_of_model, opengl_c, opengl_c_snippet};
 use shading_lab::geometry::tessellate;
 use shading_lab::render::check_memory_for;
 use shading_lab::scene::materials::{NAMED, NamedMaterial};
@@ -163,12 +163,16 @@ impl Code {
             check_memory_for(&scene, model.as_deref(), 1).map_err(Failure::work)?;
         }
         let working = spinner(text!("cli-working"));
-        let mesh = || model.unwrap_or_else(|| Arc::new(tessellate(&scene.object)));
+        let mesh = || {
+            model
+                .clone()
+                .unwrap_or_else(|| Arc::new(tessellate(&scene.object)))
+        };
         let export = match self.target {
             Target::C => opengl_c(&scene, &mesh())
                 .map_err(|error| Failure::input(format!("{name}: {error}")))?,
             Target::CSnippet => opengl_c_snippet(&scene, &mesh()),
-            Target::Glsl => glsl_330(&scene),
+            Target::Glsl => glsl_330_of_model(&scene, model.as_deref()),
         };
         if self.json {
             drop(working);

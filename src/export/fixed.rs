@@ -7,7 +7,7 @@ mod concave;
 mod lights;
 
 use super::limit::{Limit, holding, limit};
-use super::sources::{flat, interpolation, surroundings};
+use super::sources::{Materials, flat, interpolation, surroundings};
 use super::text::{c_double, c_float, c_four, c_three, filled, head, said};
 use super::{Export, ExportError, Part, export_mesh};
 use crate::geometry::{Mesh, VertexMesh};
@@ -127,8 +127,15 @@ fn limits(scene: &Scene, mesh: &VertexMesh) -> Vec<Limit> {
         ShadingMode::Interpolated | ShadingMode::Gouraud => interpolation(scene, false),
     };
     limits.extend(shading);
-    if SpecularForm::of(scene) != SpecularForm::None {
-        limits.extend(specular_limits(scene));
+    let (materials, _) = Materials::of(scene, Some(mesh));
+    let specular = materials.each(scene, |scene| match SpecularForm::of(scene) {
+        SpecularForm::None => vec![],
+        _ => specular_limits(scene),
+    });
+    for limit in specular.into_iter().flatten() {
+        if !limits.contains(&limit) {
+            limits.push(limit);
+        }
     }
     limits.extend(holding([
         (
@@ -341,8 +348,8 @@ fn exponent(scene: &Scene) -> f64 {
     }
 }
 
-/// Writes `set_up_material()`: `glMaterial*`, the shading of polygons and the culling of their faces.
-fn material(scene: &Scene, mesh: &VertexMesh) -> String {
+/// Writes the four coefficients of a material: of each, its array in C and its meaning.
+fn coefficients(scene: &Scene) -> [(String, String); 4] {
     let material = &scene.material;
     let index = Index::of(material);
     let head_on = index.map_or(Rgb::ONE, |index| index.reflectance(1.0));
@@ -359,6 +366,66 @@ fn material(scene: &Scene, mesh: &VertexMesh) -> String {
             "as wide as roughness {}, up to 128",
             said(material.roughness)
         ),
+    };
+    let specular_means = match index {
+        Some(_) => "Ks*Os, times W at normal incidence",
+        None => "Ks*Os",
+    };
+    let specular = material.ks * material.specular_color * head_on;
+    [
+        (
+            c_four(material.ka * material.color, 1.0),
+            "Ka*Od".to_owned(),
+        ),
+        (
+            c_four(material.kd * material.color, 1.0),
+            "Kd*Od".to_owned(),
+        ),
+        (c_four(specular, 1.0), specular_means.to_owned()),
+        (c_float(exponent(scene).min(GREATEST_EXPONENT)), n_means),
+    ]
+}
+
+/// Writes `use_material()`, where there are several materials.
+fn use_material(scene: &Scene, materials: &Materials) -> String {
+    if materials.all.len() == 1 {
+        return String::new();
+    }
+    let rows = materials.each(scene, |scene| {
+        coefficients(scene).map(|(numbers, _)| numbers)
+    });
+    let row = |(index, row): (usize, &[String; 4])| {
+        format!(
+            "    {{{}}}, /* {index}: {} */\n",
+            row.join(", "),
+            materials.name(index)
+        )
+    };
+    let rows: String = rows.iter().enumerate().map(row).collect();
+    filled(include_str!("fixed/materials.c"), &[("rows", &rows)]) + "\n"
+}
+
+/// Writes `set_up_material()`: `glMaterial*`, the shading of polygons and the culling of their faces.
+fn material(scene: &Scene, mesh: &VertexMesh) -> String {
+    let (materials, _) = Materials::of(scene, Some(mesh));
+    let own = if materials.all.len() == 1 {
+        let [coefficients] = &materials.each(scene, coefficients)[..] else {
+            return String::new();
+        };
+        let [ambient, diffuse, specular, n] = coefficients;
+        let values: [(&str, &str); 8] = [
+            ("ambient", &ambient.0),
+            ("ambient_means", &ambient.1),
+            ("diffuse", &diffuse.0),
+            ("diffuse_means", &diffuse.1),
+            ("specular", &specular.0),
+            ("specular_means", &specular.1),
+            ("n", &n.0),
+            ("n_means", &n.1),
+        ];
+        filled(include_str!("fixed/coefficients.c"), &values)
+    } else {
+        include_str!("fixed/first.c").to_owned()
     };
     let (model, model_means) = match scene.shading.mode {
         ShadingMode::Flat => ("GL_FLAT", "the shade of each triangle's last vertex"),
@@ -381,31 +448,17 @@ fn material(scene: &Scene, mesh: &VertexMesh) -> String {
         Backfacing::Clamp => "counter-clockwise polygons are seen from outside",
         Backfacing::Flip => "clockwise polygons are seen from behind: there N is turned",
     };
-    filled(
-        include_str!("fixed/material.c"),
-        &[
-            ("ambient", &c_four(material.ka * material.color, 1.0)),
-            ("diffuse", &c_four(material.kd * material.color, 1.0)),
-            (
-                "specular",
-                &c_four(material.ks * material.specular_color * head_on, 1.0),
-            ),
-            (
-                "reflectance",
-                if index.is_some() {
-                    ", times W at normal incidence"
-                } else {
-                    ""
-                },
-            ),
-            ("n", &c_float(exponent(scene).min(GREATEST_EXPONENT))),
-            ("n_means", &n_means),
-            ("model", model),
-            ("model_means", model_means),
-            ("front", front),
-            ("culling", culling),
-        ],
-    )
+    use_material(scene, &materials)
+        + &filled(
+            include_str!("fixed/material.c"),
+            &[
+                ("own", &own),
+                ("model", model),
+                ("model_means", model_means),
+                ("front", front),
+                ("culling", culling),
+            ],
+        )
 }
 
 /// Writes the polygons as arrays, and off-screen drawing. For flat shading each is a fan from its first vertex, which
@@ -420,13 +473,46 @@ fn main(scene: &Scene, mesh: &VertexMesh) -> String {
             format!("    {{{a}, {b}, {c}}},\n")
         }
     };
+    let (materials, palette) = Materials::of(scene, Some(mesh));
+    let several = materials.all.len() > 1;
     let concave = if flat {
-        Concave::of(mesh)
+        Concave::of(mesh, several.then_some(&palette))
     } else {
         Concave::default()
     };
-    let faces = (0..mesh.face_count()).filter(|f| !concave.has(*f));
-    let triangles: Vec<[u32; 3]> = faces.flat_map(|f| mesh.face_triangles(f)).collect();
+    let mut faces: Vec<usize> = (0..mesh.face_count())
+        .filter(|f| !concave.has(*f))
+        .collect();
+    let own = |f: &usize| palette.of_face(*f as u32);
+    faces.sort_by_key(own);
+    let run = |faces: &[usize]| {
+        let triangles: usize = faces.iter().map(|f| mesh.face_triangles(*f).len()).sum();
+        format!("    {{{}, {triangles}}},\n", own(&faces[0]))
+    };
+    let runs: String = faces.chunk_by(|a, b| own(a) == own(b)).map(run).collect();
+    let declared = if several {
+        "    const GLuint *from = triangles[0];\n    size_t i;\n\n"
+    } else {
+        ""
+    };
+    let (runs, draw) = if several {
+        let runs = if runs.is_empty() {
+            "    {0, 0},"
+        } else {
+            &runs
+        };
+        let drawn = include_str!("fixed/draw_runs.c").to_owned();
+        (
+            filled(include_str!("fixed/runs.c"), &[("runs", runs)]) + "\n",
+            drawn,
+        )
+    } else {
+        (String::new(), include_str!("fixed/draw_all.c").to_owned())
+    };
+    let triangles: Vec<[u32; 3]> = faces
+        .into_iter()
+        .flat_map(|f| mesh.face_triangles(f))
+        .collect();
     let order = match (flat, mesh.cut.is_empty()) {
         (true, true) => ", which gives the shade and so comes last",
         (true, false) => ", which gives the shade and so comes last; some concave ones follow",
@@ -457,6 +543,9 @@ fn main(scene: &Scene, mesh: &VertexMesh) -> String {
             ("positions", &list(&mesh.positions)),
             ("normals", &list(&mesh.normals)),
             ("order", order),
+            ("runs", &runs),
+            ("draw", &draw),
+            ("declared", declared),
             ("concave", &concave.text()),
             ("draw_concave", concave.draw()),
             ("stencil", concave.stencil()),

@@ -3,22 +3,25 @@
 //! Phong and exact shading evaluate the equation in the fragment shader, the other modes in the vertex shader: the
 //! code of the equation is the same.
 
+mod numbers;
+
 use super::limit::limit;
-use super::sources::{Emitter, EmitterPosition, emitters, flat, interpolation, surroundings};
+use super::sources::{
+    Emitter, EmitterPosition, Materials, emitters, flat, interpolation, surroundings,
+};
 use super::text::{filled, float, head, said, vec3};
-use super::{Export, Part};
+use super::{Export, Part, export_mesh};
+use crate::geometry::Mesh;
 use crate::illumination::{Index, SpecularForm};
 use crate::render::srgb;
 use crate::scene::{
-    Attenuation, Backfacing, Camera, CuedBy, Distribution, Encoding, Interpolation, Light,
-    LightKind, NormalSource, Object, ObjectKind, Overflow, PatternKind, Projection, Scene,
-    ShadingMode, View, Viewer,
+    Attenuation, Backfacing, Camera, CuedBy, Encoding, Interpolation, Light, LightKind,
+    NormalSource, Object, ObjectKind, Overflow, PatternKind, Projection, Scene, ShadingMode, View,
+    Viewer,
 };
 use crate::text::{Language, Message, in_language};
 use glam::{DMat4, DVec3, DVec4};
-
-/// Value that stands for n = ∞.
-const MIRROR: f64 = 1e30;
+use numbers::{constants, own};
 
 /// Radius about the origin that contains every built-in shape: √2 for the corners of the plane, a little more for
 /// rounding.
@@ -50,6 +53,15 @@ const DIRECTION: &str = "    float d = max(length(to_light), 1e-9);\n    vec3 L 
 /// assert!(vertex.text.contains("#version 330 core") && fragment.text.contains("#version 330 core"));
 /// ```
 pub fn glsl_330(scene: &Scene) -> Export {
+    glsl_330_of_model(scene, None)
+}
+
+/// Returns the shaders as [`glsl_330`] does, for the mesh of an object of kind `obj`: where its faces have several materials, a
+/// uniform chooses among them.
+pub fn glsl_330_of_model(scene: &Scene, model: Option<&Mesh>) -> Export {
+    let model = model.filter(|_| scene.object.kind == ObjectKind::Obj);
+    let mesh = model.map(|mesh| export_mesh(scene, mesh));
+    let (materials, _) = Materials::of(scene, mesh.as_ref());
     let mut limits = surroundings(scene);
     let shading = match scene.shading.mode {
         ShadingMode::Exact if scene.object.kind.has_surface() => {
@@ -61,7 +73,12 @@ pub fn glsl_330(scene: &Scene) -> Export {
     };
     let scale = (scene.display.overflow == Overflow::Scale).then(|| limit!("export-limit-scale"));
     limits.extend([shading, scale].into_iter().flatten());
-    let equation = format!("{}\n{}\n{}", constants(scene), terms(scene), lights(scene));
+    let equation = format!(
+        "{}\n{}\n{}",
+        constants(scene, &materials),
+        terms(scene, &materials),
+        lights(scene)
+    );
     let [in_vertex, in_fragment] = if per_pixel(scene) {
         ["", equation.as_str()]
     } else {
@@ -72,7 +89,12 @@ pub fn glsl_330(scene: &Scene) -> Export {
             format!("A scene of shading-lab: the {} of a pair.", title.text())
         });
         let head = head(
-            &[&what, &host(scene), "The equation, per channel:", EQUATION],
+            &[
+                &what,
+                &host(scene, &materials),
+                "The equation, per channel:",
+                EQUATION,
+            ],
             &limits,
             "// ",
         );
@@ -98,7 +120,7 @@ pub fn glsl_330(scene: &Scene) -> Export {
 }
 
 /// Describes the duties of the program around the shaders.
-fn host(scene: &Scene) -> String {
+fn host(scene: &Scene, materials: &Materials) -> String {
     let normals = match (scene.shading.mode, scene.object.normal_source()) {
         (ShadingMode::Interpolated, _) | (_, NormalSource::Facet) => {
             "each polygon's own, so that no vertex is shared"
@@ -125,68 +147,55 @@ fn host(scene: &Scene) -> String {
         .map(|v| said(encoded(v)))
         .join(", ");
     let [width, height] = scene.image.size;
-    format!(
-        "The program around them gives positions and unit normals ({normals}), enables GL_DEPTH_TEST and clears a picture \
-         of {width}x{height} pixels to ({background}).{provoking}"
-    )
-}
-
-/// Writes the numbers that do not depend on the point.
-fn constants(scene: &Scene) -> String {
-    let (camera, material, form) = (&scene.camera, &scene.material, SpecularForm::of(scene));
-    let towards_viewer = match camera.viewer {
-        Viewer::Local => String::new(),
-        Viewer::Infinite => {
-            let v = vec3((camera.eye - camera.target).normalize_or_zero());
-            format!("uniform vec3 towards_viewer = {v}; // V, constant: the viewer is at infinity")
-        }
-    };
-    let (ks, os) = (vec3(material.ks), vec3(material.specular_color));
-    let lobe = match form {
-        _ if form.has_microfacets() => {
-            let means = if scene.reflection.distribution == Distribution::Ggx {
-                "alpha"
-            } else {
-                "the microfacets' root mean square slope"
-            };
-            format!(
-                "const float m = {}; // roughness: {means}",
-                float(material.roughness)
-            )
-        }
-        _ if material.n > MIRROR => format!("const float n = {}; // a mirror", float(MIRROR)),
-        _ => format!("const float n = {};", float(material.n)),
-    };
-    let specular = match form {
-        SpecularForm::None => String::new(),
+    let chosen = match materials.all.len() {
+        1 => String::new(),
         _ => format!(
-            "const vec3 Ks = {ks};\nconst vec3 Os = {os}; // the highlight's colour\n{lobe}"
+            " Before the polygons of each material it sets the uniform `material` to its number: {}.",
+            materials.list()
         ),
     };
-    filled(
-        include_str!("glsl/constants.glsl"),
-        &[
-            ("eye", &vec3(camera.eye)),
-            ("towards_viewer", &towards_viewer),
-            ("Ia", &vec3(scene.ambient.color)),
-            ("Ka", &vec3(material.ka)),
-            ("Kd", &vec3(material.kd)),
-            ("Od", &vec3(material.color)),
-            ("specular", &specular),
-        ],
+    format!(
+        "The program around them gives positions and unit normals ({normals}), enables GL_DEPTH_TEST and clears a picture \
+         of {width}x{height} pixels to ({background}).{provoking}{chosen}"
     )
 }
 
 /// Writes the functions for the lights' contributions, and `reflected`, which combines them.
-fn terms(scene: &Scene) -> String {
-    let form = SpecularForm::of(scene);
-    let index = Index::of(&scene.material).filter(|_| form != SpecularForm::None);
-    let mut text = pattern(scene) + &specular(form);
-    if let Some(Index { eta, k, .. }) = index {
+fn terms(scene: &Scene, materials: &Materials) -> String {
+    let mut forms = materials.each(scene, SpecularForm::of);
+    forms.retain(|form| *form != SpecularForm::None);
+    let form = forms.first().copied().unwrap_or(SpecularForm::None);
+    let indices: Vec<Option<Index>> = match form {
+        SpecularForm::None => vec![],
+        _ => materials.all.iter().map(Index::of).collect(),
+    };
+    let by_angle = indices.iter().any(Option::is_some);
+    let always = indices.iter().all(Option::is_some);
+    let mut text = pattern(scene) + &specular(&forms);
+    if by_angle {
         let fresnel = include_str!("glsl/fresnel.glsl");
-        let (eta, k) = (vec3(eta), vec3(k));
+        let of = |number: fn(&Index) -> DVec3| -> Vec<String> {
+            let number = |index: &Option<Index>| vec3(index.as_ref().map_or(DVec3::ONE, number));
+            indices.iter().map(number).collect()
+        };
+        let (eta, k) = (of(|index| index.eta), of(|index| index.k));
         text += "// The complex index of refraction, per channel.\n";
-        text += &format!("const vec3 eta = {eta}, kappa = {k};\n\n{fresnel}\n");
+        text += &format!(
+            "{}\n{}\n",
+            own("vec3", "eta", &eta),
+            own("vec3", "kappa", &k)
+        );
+        if !always {
+            let flags: Vec<String> = indices
+                .iter()
+                .map(|index| index.is_some().to_string())
+                .collect();
+            text += &format!(
+                "{} // whether W depends on the angle\n",
+                own("bool", "by_angle", &flags)
+            );
+        }
+        text += &format!("\n{fresnel}\n");
     }
     let turn = match scene.reflection.backfacing {
         Backfacing::Clamp => "",
@@ -198,11 +207,19 @@ fn terms(scene: &Scene) -> String {
     }"
         }
     };
-    let (incidence, w) = match (index.is_some(), form.at_halfway()) {
-        (false, _) => ("", ""),
-        // |L + V|/2 is the cosine of half the angle between them.
-        (true, true) => ("    vec3 W = reflectance(0.5 * length(L + V));", " * W"),
-        (true, false) => ("    vec3 W = reflectance(NL);", " * W"),
+    // |L + V|/2 is the cosine of half the angle between them.
+    let cosine = if form.at_halfway() {
+        "0.5 * length(L + V)"
+    } else {
+        "NL"
+    };
+    let (incidence, w) = match (by_angle, always) {
+        (false, _) => (String::new(), ""),
+        (true, true) => (format!("    vec3 W = reflectance({cosine});"), " * W"),
+        (true, false) => (
+            format!("    vec3 W = by_angle ? reflectance({cosine}) : vec3(1.0);"),
+            " * W",
+        ),
     };
     let specular = match form {
         SpecularForm::None => String::new(),
@@ -210,18 +227,23 @@ fn terms(scene: &Scene) -> String {
     };
     let values: [(&str, &str); 3] = [
         ("turn", turn),
-        ("incidence", incidence),
+        ("incidence", &incidence),
         ("specular", &specular),
     ];
     text + &filled(include_str!("glsl/reflected.glsl"), &values)
 }
 
-/// Writes `specular_factor`, the S of the equation.
-fn specular(form: SpecularForm) -> String {
+/// Writes `specular_factor`, the S of the equation, in the forms that the materials need: up to two, where n decides.
+fn specular(forms: &[SpecularForm]) -> String {
+    let form = forms.first().copied().unwrap_or(SpecularForm::None);
     const PHONG: &str = "S = (R.V)^n with R = 2N(N.L) - L (Phong)";
     const BLINN: &str = "S = (N.H)^n with H = (L + V)/|L + V| (Blinn)";
     const BECKMANN: &str = "S = pi*D*G/(4*(N.V)) (Cook and Torrance, Beckmann)";
     const GGX: &str = "S = pi*D*G/(4*(N.V)) (Cook and Torrance, Walter et al.)";
+    const PHONG_COSINE: &str = "power(2.0 * NL * dot(N, V) - dot(L, V))";
+    const PHONG_CHORD: &str = "power(2.0 * NL * N - L, V)";
+    const BLINN_COSINE: &str = "power(dot(N, normalize(L + V)))";
+    const BLINN_CHORD: &str = "power(N, normalize(L + V))";
     const FACETS: &str = "facets(N, L, V, NL)";
     let (by_cosine, by_chord) = (
         include_str!("glsl/gap_of_cosine.glsl"),
@@ -235,12 +257,26 @@ fn specular(form: SpecularForm) -> String {
         include_str!("glsl/beckmann.glsl"),
         include_str!("glsl/ggx.glsl"),
     );
+    let (both, either);
     let (gap, helpers, doc, body) = match form {
         SpecularForm::None => return String::new(),
-        SpecularForm::PhongCosine => ("", power, PHONG, "power(2.0 * NL * dot(N, V) - dot(L, V))"),
-        SpecularForm::PhongChord => ("", chord, PHONG, "power(2.0 * NL * N - L, V)"),
-        SpecularForm::BlinnCosine => ("", power, BLINN, "power(dot(N, normalize(L + V)))"),
-        SpecularForm::BlinnChord => ("", chord, BLINN, "power(N, normalize(L + V))"),
+        _ if forms.iter().any(|other| *other != form) => {
+            let (doc, cosine, chord_of) = if form.at_halfway() {
+                (BLINN, BLINN_COSINE, BLINN_CHORD)
+            } else {
+                (PHONG, PHONG_COSINE, PHONG_CHORD)
+            };
+            both = format!("{power}\n{chord}");
+            either = format!(
+                "n < {} ? {cosine} : {chord_of}",
+                float(SpecularForm::CHORD_FROM)
+            );
+            ("", &*both, doc, &*either)
+        }
+        SpecularForm::PhongCosine => ("", power, PHONG, PHONG_COSINE),
+        SpecularForm::PhongChord => ("", chord, PHONG, PHONG_CHORD),
+        SpecularForm::BlinnCosine => ("", power, BLINN, BLINN_COSINE),
+        SpecularForm::BlinnChord => ("", chord, BLINN, BLINN_CHORD),
         SpecularForm::Beckmann => (by_chord, beckmann, BECKMANN, FACETS),
         SpecularForm::BeckmannCosine => (by_cosine, beckmann, BECKMANN, FACETS),
         SpecularForm::Ggx => (by_chord, ggx, GGX, FACETS),

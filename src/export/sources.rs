@@ -1,15 +1,61 @@
 //! Common parts of both languages: the lights that shine, and the features that neither expresses.
 
 use super::limit::{Limit, holding, limit};
+use crate::geometry::VertexMesh;
 use crate::illumination::{SpecularForm, area_samples, attenuation_at, direction};
+use crate::render::{Palette, for_each_material};
 use crate::scene::{
-    AmbientSource, Attenuation, FlatAt, Interpolation, Light, LightKind, PatternKind, Projection,
-    Scene, Viewer,
+    AmbientSource, Attenuation, FlatAt, Interpolation, Light, LightKind, Material, PatternKind,
+    Projection, Scene, Viewer,
 };
 use glam::DVec3;
 
 /// Distance, in camera distances, beyond which a light is parallel, as in the equation.
 const PARALLEL_BEYOND: f64 = 1e9;
+
+/// The materials of what is drawn.
+pub(super) struct Materials {
+    /// The materials, one or more, in the order of their first polygons.
+    pub all: Vec<Material>,
+    /// The name of each, for comments; empty for the scene's.
+    names: Vec<String>,
+}
+
+impl Materials {
+    /// Returns those of `mesh`, or the scene's.
+    pub fn of(scene: &Scene, mesh: Option<&VertexMesh>) -> (Self, Palette) {
+        let palette = mesh.map_or_else(Palette::default, Palette::of);
+        let all = palette.materials(scene);
+        let name = |index| plain(palette.name(index).unwrap_or_default());
+        let names = (0..all.len()).map(name).collect();
+        (Self { all, names }, palette)
+    }
+
+    /// Returns a material's name for a comment.
+    pub fn name(&self, index: usize) -> &str {
+        let name = &self.names[index];
+        if name.is_empty() { "the scene's" } else { name }
+    }
+
+    /// Returns their numbers and names in a line.
+    pub fn list(&self) -> String {
+        let numbered = |index| format!("{index} {}", self.name(index));
+        let all: Vec<String> = (0..self.all.len()).map(numbered).collect();
+        all.join(", ")
+    }
+
+    /// Calls `each` with the scene once for each of them, and collects what it returns.
+    pub fn each<T>(&self, scene: &Scene, each: impl FnMut(&Scene) -> T) -> Vec<T> {
+        for_each_material(scene, &self.all, each)
+    }
+}
+
+/// Returns a name as plain ASCII that ends no comment.
+fn plain(name: &str) -> String {
+    let sound = |c: char| c.is_ascii_alphanumeric() || " -_.,'".contains(c);
+    let name = name.chars().map(|c| if sound(c) { c } else { '_' });
+    name.collect::<String>().trim().to_owned()
+}
 
 /// Length up to which, and down to its inverse, squares and products of a few of them stay within single precision.
 const GREATEST_LENGTH: f64 = 1e9;

@@ -5,6 +5,7 @@ use super::mesh::{ByPoint, Mesh, NO_NORMAL, VertexMesh};
 use crate::scene::{NormalSource, Weighting};
 use glam::{DVec3, DVec4, Vec3};
 use serde::Serialize;
+use std::collections::HashMap;
 use std::f64::consts::TAU;
 
 /// The share of their weights below which a sum of cancelling face normals is rounding and has no direction.
@@ -21,17 +22,20 @@ impl Mesh {
     ///   pair of point and normal.
     /// - `Facet`: every face has vertices of its own, with its own normal.
     ///
+    /// A vertex at which faces of different materials meet is one for each of them.
+    ///
     /// # Guarantees
     /// Every normal has unit length. Where the average is zero (opposed faces), it is the normal of the first face there
     /// that has an area; where none has, +z.
     pub fn with_vertex_normals(&self, source: NormalSource, weighting: Weighting) -> VertexMesh {
-        match source {
-            NormalSource::Facet => self.faceted(),
+        let vertices = match source {
+            NormalSource::Facet => return self.faceted(),
             NormalSource::Averaged => {
                 self.with_one_normal_per_point(self.averaged_normals(weighting))
             }
             NormalSource::Exact | NormalSource::File => self.with_given_normals(weighting),
-        }
+        };
+        vertices.with_one_material_per_vertex()
     }
 
     fn vertex_mesh(
@@ -56,7 +60,7 @@ impl Mesh {
             mirrored: vec![],
             closed,
             convex,
-            materials: vec![],
+            materials: self.materials.clone(),
             face_materials: self.face_materials.clone(),
             remarks: vec![],
         }
@@ -208,6 +212,37 @@ impl Mesh {
             .iter_mut()
             .filter(|normal| **normal == Vec3::ZERO)
             .for_each(|normal| *normal = NO_DIRECTION);
+    }
+}
+
+impl VertexMesh {
+    /// Splits the vertices at which faces of different materials meet. The first material's vertex stays; the others are
+    /// appended.
+    fn with_one_material_per_vertex(mut self) -> Self {
+        if self.face_materials.is_empty() {
+            return self;
+        }
+        let mut own = vec![None; self.positions.len()];
+        let mut others: HashMap<(u32, u16), u32> = HashMap::new();
+        for f in 0..self.face_count() {
+            let material = self.face_material(f);
+            for c in self.starts[f] as usize..self.starts[f + 1] as usize {
+                let vertex = self.corners[c];
+                if *own[vertex as usize].get_or_insert(material) == material {
+                    continue;
+                }
+                self.corners[c] = *others.entry((vertex, material)).or_insert_with(|| {
+                    let (position, normal) = (
+                        self.positions[vertex as usize],
+                        self.normals[vertex as usize],
+                    );
+                    self.positions.push(position);
+                    self.normals.push(normal);
+                    self.positions.len() as u32 - 1
+                });
+            }
+        }
+        self
     }
 }
 

@@ -49,6 +49,26 @@ impl Reached<'_> {
         Some(Self { first, ..reached })
     }
 
+    /// Returns words of bits of other points in the order given, each from its own row and its place there, with `stride`
+    /// words for each source; empty where the rows have no bits.
+    pub(crate) fn gathered<'a>(
+        points: impl ExactSizeIterator<Item = (Option<Reached<'a>>, usize)>,
+        sources: usize,
+    ) -> (Vec<u64>, usize) {
+        let stride = points.len().div_ceil(64);
+        let mut words = vec![];
+        for (place, (reached, point)) in points.enumerate() {
+            let Some(reached) = Reached::starting_at(reached, point) else {
+                return (vec![], stride);
+            };
+            words.resize(sources * stride + 1, 0);
+            for source in (0..sources).filter(|source| reached.holds(*source)) {
+                words[source * stride + place / 64] |= 1 << (place % 64);
+            }
+        }
+        (words, stride)
+    }
+
     /// Returns whether `source` reaches the first shading point.
     pub(crate) fn holds(self, source: usize) -> bool {
         self.bits(source) & 1 == 1

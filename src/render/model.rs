@@ -2,6 +2,7 @@
 
 use super::lens::DEEPEST;
 use super::node::{Memory, capacity, capacity_of_planes};
+use super::palette::Palette;
 use crate::geometry::{Mesh, VertexMesh, tessellate};
 use crate::illumination::direction;
 use crate::scene::{Camera, Object, area_vector};
@@ -50,8 +51,10 @@ impl MeshSource {
         if let Some(mesh) = self.mesh.get() {
             memory.vertices +=
                 capacity(&mesh.positions) + capacity(&mesh.normals) + capacity(&mesh.mirrored);
-            memory.triangles +=
-                capacity(&mesh.starts) + capacity(&mesh.corners) + capacity(&mesh.cut);
+            memory.triangles += capacity(&mesh.starts)
+                + capacity(&mesh.corners)
+                + capacity(&mesh.cut)
+                + capacity(&mesh.face_materials);
         }
     }
 }
@@ -76,6 +79,10 @@ pub struct Model {
     pub indices: Vec<u32>,
     pub closed: bool,
     pub convex: bool,
+    /// The materials of the faces.
+    pub palette: Palette,
+    /// The material of each vertex, an index into the palette; empty where all have the same.
+    pub vertex_materials: Vec<u16>,
     /// The centre and normal of each face of many corners.
     pub large: OnceLock<HashMap<u32, [DVec3; 2]>>,
 }
@@ -84,6 +91,8 @@ impl Model {
     pub fn new(mut mesh: VertexMesh) -> Self {
         mesh.starts.shrink_to_fit();
         mesh.corners.shrink_to_fit();
+        let palette = Palette::of(&mesh);
+        let vertex_materials = vertex_materials(&mesh, &palette.faces);
         let count = mesh.triangle_count();
         let (mut triangles, mut faces) = (Vec::with_capacity(count), Vec::with_capacity(count));
         for face in 0..mesh.face_count() {
@@ -102,6 +111,8 @@ impl Model {
             indices: mesh.corners,
             closed: mesh.closed,
             convex: mesh.convex,
+            palette,
+            vertex_materials,
             large: OnceLock::new(),
         }
     }
@@ -111,7 +122,9 @@ impl Model {
         memory.triangles += capacity(&self.triangles)
             + capacity(&self.faces)
             + capacity(&self.starts)
-            + capacity(&self.indices);
+            + capacity(&self.indices)
+            + capacity(&self.palette.faces);
+        memory.vertices += capacity(&self.vertex_materials);
     }
 
     /// Returns the world units to one camera distance.
@@ -195,6 +208,20 @@ impl Model {
             .map(|&v| vector_at(&self.position, v).as_dvec3());
         direction(area_vector(corners))
     }
+}
+
+/// Returns the material of each vertex, which that of its faces is, padded as the vertices are.
+fn vertex_materials(mesh: &VertexMesh, face_materials: &[u16]) -> Vec<u16> {
+    if face_materials.is_empty() {
+        return vec![];
+    }
+    let mut materials = vec![0; mesh.positions.len().next_multiple_of(PADDING)];
+    for (face, material) in face_materials.iter().enumerate() {
+        for vertex in mesh.face(face) {
+            materials[*vertex as usize] = *material;
+        }
+    }
+    materials
 }
 
 fn vector_at(planes: &[Vec<f32>; 3], vertex: u32) -> Vec3 {

@@ -2,7 +2,7 @@
 
 use super::camera::Camera;
 use super::compare;
-use super::format::list_of;
+use super::format::{is_grey, list_of};
 use super::light::Attenuation;
 use super::object::ObjectKind;
 use super::parameter::{GREATEST_LENGTH, Kind, LEAST_LENGTH, Limits, Parameter, Unit, at_most};

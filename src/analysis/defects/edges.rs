@@ -275,14 +275,15 @@ pub fn shared_vertices(
         return Err("picture-missing-unshared");
     }
     let edges = touched.len();
-    let equation = renderer.shining_equation(scene);
-    let each = mesh.corners.len() + SAMPLES as usize * PER_SOURCE * (1 + equation.sources.len());
+    let equations = renderer.shining_equations(scene);
+    let each =
+        mesh.corners.len() + SAMPLES as usize * PER_SOURCE * (1 + equations[0].sources.len());
     let every = edges.div_ceil((MOST_WORK / each).max(LEAST_EDGES));
     let count = edges.div_ceil(every);
     let mut greatest: Option<SharedVertices> = None;
     for (index, edge) in touched.iter().step_by(every).enumerate() {
         goes_on(watch, index as f32 / count as f32)?;
-        let measured = along(renderer, scene, &equation, edge, [edges, count]);
+        let measured = along(renderer, scene, &equations, edge, [edges, count]);
         let before = greatest
             .as_ref()
             .map_or(f64::NEG_INFINITY, |greatest| greatest.greatest);
@@ -297,7 +298,7 @@ pub fn shared_vertices(
 fn along(
     renderer: &Renderer,
     scene: &Scene,
-    equation: &Equation<f64>,
+    equations: &[Equation<f64>],
     edge: &Touched,
     [edges, measured]: [usize; 2],
 ) -> Option<SharedVertices> {
@@ -319,7 +320,7 @@ fn along(
     };
     let value = |place: DVec2, piece: &Piece| {
         let evaluation = renderer.evaluation_at(place, Some(piece))?;
-        Some(luminance(evaluation.intensity(equation).max(Rgb::ZERO)))
+        Some(luminance(evaluation.intensity(equations).max(Rgb::ZERO)))
     };
     let mut samples = Vec::new();
     let (mut greatest, mut at) = (0.0, a.lerp(b, vertex));

@@ -174,14 +174,14 @@ pub fn orientation(
     turned.image.size = [SIDE; 2];
     // Shadows would be those of the small picture's pixels.
     turned.shading.shadows = false;
-    let equation = renderer.shining_equation(&turned);
+    let equations = renderer.shining_equations(&turned);
     let samples: Vec<Turned> = (0..=360 / STEP)
         .map(|step| {
             turned.camera.roll = f64::from(step * STEP);
             let [scanline, barycentric] =
                 [Interpolation::Scanline, Interpolation::Affine].map(|interpolation| {
                     turned.shading.interpolation = interpolation;
-                    turned_value(renderer, &turned, &equation, triangle, point)
+                    turned_value(renderer, &turned, &equations, triangle, point)
                 });
             Turned {
                 angle: turned.camera.roll,
@@ -213,14 +213,14 @@ pub fn orientation(
 fn turned_value(
     renderer: &Renderer,
     turned: &Scene,
-    equation: &Equation<f64>,
+    equations: &[Equation<f64>],
     triangle: u32,
     point: DVec3,
 ) -> Option<f64> {
     let (place, _) = View::new(&turned.camera, turned.image.size).project(point)?;
     let inside = place.cmpge(DVec2::ZERO).all() && place.max_element() < f64::from(SIDE);
     let intensity = renderer
-        .intensity_turned(turned, equation, triangle, place)
+        .intensity_turned(turned, equations, triangle, place)
         .filter(|_| inside)?;
     Some(luminance(intensity.max(Rgb::ZERO)))
 }

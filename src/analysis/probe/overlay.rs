@@ -81,6 +81,8 @@ impl Overlay {
             .hit
             .as_ref()
             .and_then(|hit| Some((hit, about(hit.position, options.length)?)));
+        let own = hit.as_ref().map(|(hit, _)| hit.scene_of(scene));
+        let scene = own.as_deref().unwrap_or(scene);
         let (equation, sketch) = match hit {
             Some((hit, sketch)) => (Some(Equation::new(hit, scene, options)), Some(sketch)),
             None => (None, about(view.unproject(view.centre, 1.0), None)),

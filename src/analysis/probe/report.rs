@@ -1,11 +1,11 @@
 //! The probe's question and report.
 
-use super::digits::digits;
+use super::digits::{digits, triple};
 use super::filled::FilledPart;
-use super::letters::{attenuation_law, equation_letters, plain_formula};
+use super::letters::{attenuation_law, equation_letters, exponent, plain_formula};
 use super::overlay::{VectorsShown, draw_vectors};
 use super::products::{Here, LightHere, Product};
-use super::{CueTerms, Probe, ProbeHit, probe};
+use super::{CueTerms, HitMaterial, Probe, ProbeHit, probe};
 use crate::analysis::report::{
     Answer, Cell, Column, Figure, Part, Report, ReportContext, Section, Table, cells,
 };
@@ -13,7 +13,7 @@ use crate::analysis::sampling::{REFERENCE_SAMPLES, SamplingError, sampling_error
 use crate::analysis::{Question, Subject, Watch};
 use crate::figure::palette::Vector;
 use crate::figure::{Paper, PlotStyle};
-use crate::scene::Choice;
+use crate::scene::{Choice, Material, Rgb};
 use crate::text::{fixed, text};
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
@@ -105,6 +105,15 @@ impl Answer for Probed {
             ),
             None => text!("point-report-surface", x = x, y = y, depth = depth),
         });
+        let own = hit.scene_of(scene);
+        let scene = &*own;
+        if let Some(HitMaterial { name, numbers }) = &hit.material {
+            report.section("").line(text!(
+                "point-report-material",
+                name = name,
+                numbers = numbers_of(numbers)
+            ));
+        }
         let here = Here { scene, hit };
         vectors(report.section(""), &here.vectors());
         let letters: String = equation_letters(scene)
@@ -167,7 +176,8 @@ impl Answer for Probed {
         paper: Paper,
     ) -> Option<Figure> {
         let (scene, hit) = (about.scene, self.probe.hit.as_ref()?);
-        let here = Here { scene, hit };
+        let own = hit.scene_of(scene);
+        let here = Here { scene: &own, hit };
         let is_lit = |light: &LightHere<'_>| light.terms.theta < FRAC_PI_2;
         let light = self
             .light
@@ -233,6 +243,27 @@ fn light_title(light: LightHere<'_>) -> String {
         kind = source.kind.label(),
         law = attenuation_law(source)
     )
+}
+
+/// Returns the numbers of a material in the equation, in a line.
+fn numbers_of(material: &Material) -> String {
+    let Material {
+        ka,
+        kd,
+        ks,
+        n,
+        color,
+        specular_color,
+        ..
+    } = *material;
+    let mut numbers = vec![("Ka", ka), ("Kd", kd), ("Ks", ks)];
+    let others = [("Od", color), ("Os", specular_color)];
+    numbers.extend(others.into_iter().filter(|(_, color)| *color != Rgb::ONE));
+    let numbers = numbers
+        .iter()
+        .map(|(letter, value)| format!("{letter} = {}", triple(*value)));
+    let n = format!("n = {}", exponent(n));
+    numbers.chain([n]).collect::<Vec<_>>().join(", ")
 }
 
 /// Adds the vectors and angles of a light that shines.

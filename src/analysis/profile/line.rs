@@ -167,7 +167,7 @@ fn in_picture(from: DVec2, along: DVec2, size: DVec2) -> (f64, f64) {
 pub struct Source<'a> {
     line: &'a Line,
     renderer: &'a Renderer,
-    equation: Equation<f64>,
+    equations: Vec<Equation<f64>>,
     background: f64,
     size: [u32; 2],
     /// Pieces that the line sees, by t.
@@ -201,7 +201,7 @@ impl<'a> Source<'a> {
         Self {
             line,
             renderer,
-            equation: renderer.shining_equation(scene),
+            equations: renderer.shining_equations(scene),
             background: luminance(scene.image.background),
             size: scene.image.size,
             pieces,
@@ -297,7 +297,7 @@ impl<'a> Source<'a> {
         }
         let seen = self.renderer.evaluation_at(self.place(t), piece);
         seen.map_or(self.background, |seen| {
-            luminance(seen.shown(&self.equation).max(Rgb::ZERO))
+            luminance(seen.shown(&self.equations).max(Rgb::ZERO))
         })
     }
 }

@@ -151,7 +151,8 @@ fn seen(renderer: &Renderer, scene: &Scene, face: u32) -> Result<(Scan, Shading)
     if !polygon.before_the_eye {
         return Err(ScanError::BehindTheEye { face });
     }
-    let equation = renderer.shining_equation(scene);
+    let own = renderer.material_of(face);
+    let equation = renderer.shining_equations(scene).swap_remove(own);
     let mode = if scene.shading.mode == ShadingMode::Exact {
         ShadingMode::Phong
     } else {

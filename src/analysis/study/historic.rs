@@ -32,8 +32,8 @@ const NEAR: f64 = 1e-3;
 /// Sine below which two normals count as one: the arc between them is its chord to 10⁻¹².
 const SAME: f64 = 1e-6;
 
-/// Returns the reason why the scalar code cannot draw a scene by `method`, if so.
-pub fn cannot_draw(method: Method, scene: &Scene) -> Option<Message> {
+/// Returns the reason why the scalar code cannot draw a scene by `method`, if so; `own` says that faces have materials of the model.
+pub fn cannot_draw(method: Method, scene: &Scene, own: bool) -> Option<Message> {
     let rays = scene.shading.shadows
         || scene.ground.visible
         || scene.backdrop.pattern != PatternKind::None
@@ -43,6 +43,7 @@ pub fn cannot_draw(method: Method, scene: &Scene) -> Option<Message> {
     let two_cosines = scene.reflection.model != ReflectionModel::CookTorrance
         && scene.material.reflectance == Reflectance::Constant;
     match method {
+        _ if own => Some(Message("engine-cannot-materials")),
         _ if rays => Some(Message("engine-cannot-rays")),
         _ if scene.depth_cueing.by != CuedBy::Off => Some(Message("engine-cannot-depth-cueing")),
         _ if angular => Some(Message("engine-cannot-perspective")),

@@ -16,7 +16,8 @@ const INSIDE: f64 = 0.2;
 
 /// Measures a subject. `watch` is called after each frame; when it stops the work, the results so far are returned.
 pub fn study(subject: &Subject, request: &StudyQuestion, watch: &dyn Watch<Study>) -> Study {
-    let (settings, omitted) = settings(request, &subject.scene);
+    let own = subject.has_own_materials();
+    let (settings, omitted) = settings(request, &subject.scene, own);
     let repeats = request.repeats.max(1);
     let total = settings.len() as u64 * u64::from(repeats);
     let mut measure = Measure::new(subject);
@@ -50,7 +51,8 @@ pub fn study(subject: &Subject, request: &StudyQuestion, watch: &dyn Watch<Study
 }
 
 /// Returns the settings of `request`, those of one method together from coarse to fine, and the omissions.
-fn settings(request: &StudyQuestion, scene: &Scene) -> (Vec<Setting>, Vec<Omission>) {
+/// `own` says that faces have materials of the model.
+fn settings(request: &StudyQuestion, scene: &Scene, own: bool) -> (Vec<Setting>, Vec<Omission>) {
     let (mut settings, mut omissions) = (Vec::new(), Vec::new());
     let divisions = divisions(request, scene);
     let exponents = if request.n.is_empty() {
@@ -65,7 +67,7 @@ fn settings(request: &StudyQuestion, scene: &Scene) -> (Vec<Setting>, Vec<Omissi
                 drawn.shading.interpolation = interpolation.unwrap_or(scene.shading.interpolation);
                 if let Some(reason) = method
                     .is_scalar()
-                    .then(|| cannot_draw(method, &drawn))
+                    .then(|| cannot_draw(method, &drawn, own))
                     .flatten()
                 {
                     let omission = Omission {
@@ -274,8 +276,8 @@ impl Exact {
         let [width, height] = scene.image.size;
         let mut pixels = renderer.linear().to_vec();
         let mut inside = vec![false; pixels.len()];
-        let (equation, view) = (
-            Equation::<f64>::new(scene),
+        let (equations, view) = (
+            renderer.for_each_material(scene, Equation::<f64>::new),
             View::new(&scene.camera, scene.image.size),
         );
         let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
@@ -288,7 +290,7 @@ impl Exact {
             };
             inside[index] = evaluation.normal.dot(view.towards_eye(evaluation.position)) >= INSIDE;
             if renderer.mixture(x, y).is_none() {
-                let [r, g, b] = evaluation.shown(&equation).as_vec3().to_array();
+                let [r, g, b] = evaluation.shown(&equations).as_vec3().to_array();
                 pixels[index] = [r, g, b, pixels[index][3]];
             }
         }

@@ -26,6 +26,9 @@ impl Question for StudyQuestion {
     const CODEC: Option<Codec<Study>> = Some(Codec::plain());
 
     fn answer(&self, subject: &Subject, watch: &dyn Watch<Study>) -> Result<Study, String> {
+        if subject.has_own_materials() && !self.n.is_empty() {
+            return Err(text!("engine-study-own-materials").to_owned());
+        }
         let found = study(subject, self, watch);
         match (found.rows.is_empty(), found.omitted.first()) {
             (false, _) => Ok(found),

@@ -10,7 +10,7 @@ use crate::app::widgets::background::wake;
 use crate::app::widgets::dialog::{Choice, both, buttons_ui, path_ui};
 use crate::app::widgets::focus::{heading, named, switch_named};
 use crate::document::save_code;
-use crate::export::{Export, Limit, Part, glsl_330, opengl_c, opengl_c_snippet};
+use crate::export::{Export, Limit, Part, glsl_330_of_model, opengl_c, opengl_c_snippet};
 use crate::geometry::{Mesh, tessellate};
 use crate::jobs::{Background, Request, Work};
 use crate::scene::Scene;
@@ -54,7 +54,7 @@ fn write(language: Language, scene: &Scene, model: Option<&Arc<Mesh>>) -> Result
     };
     match language {
         Language::Calls => Ok(opengl_c_snippet(scene, &mesh())),
-        Language::Shaders => Ok(glsl_330(scene)),
+        Language::Shaders => Ok(glsl_330_of_model(scene, model.map(|mesh| &**mesh))),
         Language::Program => opengl_c(scene, &mesh()).map_err(|error| error.to_string()),
     }
 }

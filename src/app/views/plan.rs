@@ -38,6 +38,7 @@ pub fn plan_ui(
     let frame_plan = || FramePlan {
         terms: engine.terms().to_vec(),
         runs: engine.report().stages.clone(),
+        materials: engine.material_counts(),
         measured: None,
     };
     let made = own.made.as_ref();

@@ -70,7 +70,10 @@ pub fn point_ui(
             window,
             requests,
             engine,
-            Here { scene, hit },
+            Here {
+                scene: &hit.scene_of(scene),
+                hit,
+            },
             probe,
         ),
     }

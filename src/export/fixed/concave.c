@@ -5,7 +5,7 @@ $fans$
 };
 
 /* Of each such polygon: its triangles, and those that turn as it does. */
-static const GLsizei concave[][2] = {
+static const GLsizei concave[][$numbers$] = {
 $counts$
 };
 
@@ -25,6 +25,7 @@ static void draw_concave(void) {
         glDepthMask(GL_FALSE);
         glDisable(GL_CULL_FACE);
         glDrawElements(GL_TRIANGLES, 3 * concave[i][0], GL_UNSIGNED_INT, fan);
+$use_material$
         glStencilFunc(GL_EQUAL, 1, 1);
         glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);

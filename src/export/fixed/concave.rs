@@ -3,6 +3,7 @@
 
 use crate::export::text::filled;
 use crate::geometry::VertexMesh;
+use crate::render::Palette;
 
 /// A face drawn through the stencil buffer, as a fan about its first vertex, which comes last.
 struct Fan {
@@ -11,13 +12,13 @@ struct Fan {
     triangles: [Vec<[u32; 3]>; 2],
 }
 
-/// The faces that their fans do not cover.
+/// The faces that their fans do not cover, and their materials where there are several.
 #[derive(Default)]
-pub struct Concave(Vec<Fan>);
+pub struct Concave<'a>(Vec<Fan>, Option<&'a Palette>);
 
-impl Concave {
-    /// Finds the faces of `mesh` that their fans do not cover.
-    pub fn of(mesh: &VertexMesh) -> Self {
+impl<'a> Concave<'a> {
+    /// Finds the faces of `mesh` that their fans do not cover; `palette` has their materials if there are several.
+    pub fn of(mesh: &VertexMesh, palette: Option<&'a Palette>) -> Self {
         let runs = mesh.cut.chunk_by(|a, b| a.0 == b.0);
         let fan = |run: &[(u32, [u32; 3])]| {
             let face = run[0].0 as usize;
@@ -34,7 +35,7 @@ impl Concave {
                 triangles: triangles.partition(turns_along).into(),
             }
         };
-        Self(runs.map(fan).collect())
+        Self(runs.map(fan).collect(), palette)
     }
 
     /// Returns whether face `f` is among them.
@@ -49,20 +50,29 @@ impl Concave {
         }
         let row = |[a, b, c]: &[u32; 3]| format!("    {{{a}, {b}, {c}}},\n");
         let count = |Fan {
+                         face,
                          triangles: [along, against],
-                         ..
                      }: &Fan| {
-            format!(
-                "    {{{}, {}}},\n",
-                along.len() + against.len(),
-                along.len()
-            )
+            let (all, along) = (along.len() + against.len(), along.len());
+            match self.1 {
+                None => format!("    {{{all}, {along}}},\n"),
+                Some(palette) => format!(
+                    "    {{{all}, {along}, {}}},\n",
+                    palette.of_face(*face as u32)
+                ),
+            }
+        };
+        let (numbers, use_material) = match self.1 {
+            None => ("2", ""),
+            Some(_) => ("3", "        use_material(concave[i][2]);"),
         };
         let triangles = self.0.iter().flat_map(|fan| fan.triangles.iter().flatten());
         let text = filled(
             include_str!("concave.c"),
             &[
                 ("fans", &triangles.map(row).collect::<String>()),
+                ("numbers", numbers),
+                ("use_material", use_material),
                 ("counts", &self.0.iter().map(count).collect::<String>()),
             ],
         );

@@ -19,6 +19,7 @@ static const GLuint triangles[][3] = {
 $triangles$
 };
 
+$runs$
 $concave$
 static void fail(const char *what) {
     fprintf(stderr, "%s\n", what);
@@ -51,6 +52,7 @@ static void keep_intensities_beyond_one(void) {
 }
 
 static void draw(void) {
+$declared$
     glClearColor(background[0], background[1], background[2], 1.0f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glTranslated(origin[0], origin[1], origin[2]);
@@ -58,7 +60,7 @@ static void draw(void) {
     glEnableClientState(GL_NORMAL_ARRAY);
     glVertexPointer(3, GL_FLOAT, 0, positions);
     glNormalPointer(GL_FLOAT, 0, normals);
-    glDrawElements(GL_TRIANGLES, 3 * TRIANGLES, GL_UNSIGNED_INT, triangles);
+$draw$
 $draw_concave$
 }
 

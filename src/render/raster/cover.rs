@@ -155,6 +155,19 @@ impl Band {
         }
     }
 
+    /// Returns a band of one row whose pixels all show the object.
+    pub fn of_one_row(width: u32) -> Self {
+        Self {
+            place: BandExtent {
+                first_row: 0,
+                rows: 1,
+                width,
+            },
+            extents: vec![0..width],
+            ..Self::default()
+        }
+    }
+
     /// Groups consecutive runs that show the same face, with that face.
     #[inline(always)]
     pub fn runs_by_face<'b>(

@@ -6,12 +6,12 @@
 //! diffuse interreflection*, 1988: indirect light changes slowly except at creases).
 
 use super::packet::{Packet, RAYS};
-use super::world::{Beyond, DiffuseSurface, FloorScratch, LightScratch, World, in_range};
-use crate::illumination::{LANES, Lanes, Real, V3};
+use super::world::{Beyond, DiffuseSurface, FloorScratch, LightScratch, LitPoint, World, in_range};
+use crate::illumination::{Equation, LANES, Lanes, Real, V3};
 use crate::render::lens::FARTHEST;
 use crate::render::node::{Memory, capacity};
 use crate::render::raster::{Coverage, ROWS};
-use crate::scene::Rgb;
+use crate::scene::{Material, Rgb};
 use fearless_simd::{dispatch, prelude::*};
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
@@ -36,7 +36,8 @@ struct Receiver {
     place: Vec3,
     /// The unit normal; zero where there is no surface.
     normal: Vec3,
-    on_object: bool,
+    /// The index of the material of the object there; `None` on the floor.
+    on_object: Option<usize>,
 }
 
 impl Receiver {
@@ -59,8 +60,8 @@ pub struct Bounced {
 /// The buffers that a thread reuses from one receiver to the next.
 #[derive(Default)]
 struct Scratch {
-    on_object: Vec<(DVec3, DVec3)>,
-    on_floor: Vec<(DVec3, DVec3)>,
+    on_object: Vec<LitPoint>,
+    on_floor: Vec<LitPoint>,
     light: LightScratch,
 }
 
@@ -69,8 +70,14 @@ impl Bounced {
         memory.pixels += capacity(&self.scattered) + capacity(&self.receivers);
     }
 
-    /// Gathers light at every pixel; neither the floor nor `object` has the ambient light that the bounce replaces.
-    pub fn run(&mut self, world: &World<'_>, object: &DiffuseSurface<'_>, coverage: Coverage<'_>) {
+    /// Gathers light at every pixel; neither the floor nor `object`, whose `materials` these are, has the ambient light that the
+    /// bounce replaces.
+    pub fn run(
+        &mut self,
+        world: &World<'_>,
+        (object, materials): (&DiffuseSurface<'_>, &[Material]),
+        coverage: Coverage<'_>,
+    ) {
         let (scene, lens) = (world.scene, world.hits.lens);
         let [width, height] = scene.image.size.map(|side| side as usize);
         let Self {
@@ -95,7 +102,13 @@ impl Bounced {
                     .filter(|(_, receiver)| receiver.is_there())
                 {
                     let point = lens.world(receiver.place.as_dvec3());
-                    let [constant, diffuse] = returned(world, object, point, receiver.on_object);
+                    let [constant, diffuse] = match receiver.on_object {
+                        Some(own) => returned(&object.equations[own], &materials[own], point),
+                        None => {
+                            let ground = &scene.ground;
+                            [ground.color * ground.ka, ground.color * ground.kd]
+                        }
+                    };
                     let returned = light.as_dvec3() * diffuse;
                     products += constant * returned;
                     squares += constant * constant;
@@ -114,25 +127,14 @@ impl Bounced {
     }
 }
 
-/// Returns the light that a surface reflects of the constant ambient light, and of light from other surfaces.
-fn returned(
-    world: &World<'_>,
-    object: &DiffuseSurface<'_>,
-    point: DVec3,
-    on_object: bool,
-) -> [Rgb; 2] {
-    let (material, ground) = (&world.scene.material, &world.scene.ground);
-    if on_object {
-        let pattern = &object.equation;
-        let color = if pattern.has_pattern() {
-            pattern.pattern_color(point)
-        } else {
-            material.color
-        };
-        [material.ka * color, material.kd * color]
+/// Returns the light that the object reflects of the constant ambient light, and of light from other surfaces.
+fn returned(pattern: &Equation<f64>, material: &Material, point: DVec3) -> [Rgb; 2] {
+    let color = if pattern.has_pattern() {
+        pattern.pattern_color(point)
     } else {
-        [ground.color * ground.ka, ground.color * ground.kd]
-    }
+        material.color
+    };
+    [material.ka * color, material.kd * color]
 }
 
 /// Finds the points of the object and the floor that pixels show.
@@ -152,18 +154,18 @@ fn find_receivers(
     let parts = receivers.par_chunks_mut(ROWS * width).zip(coverage.parts());
     parts.for_each_init(FloorScratch::default, |scratch, (part, (band, fragments))| {
         hits.walk(band, fragments, |x, row, hit| {
-            part[row * width + x] = Receiver { place: near(hit.point), normal: hit.normal.as_vec3(), on_object: true };
+            part[row * width + x] = Receiver { place: near(hit.point), normal: hit.normal.as_vec3(), on_object: Some(hit.material) };
         });
         if world.ground.is_none() {
             return;
         }
         for (y, line) in (band.place.first_row as usize..).zip(part.chunks_mut(width)) {
             dispatch!(hits.solid.level, simd => {
-                world.find_row(simd, y, width, #[inline(always)] |x| !line[x].on_object, scratch)
+                world.find_row(simd, y, width, #[inline(always)] |x| line[x].on_object.is_none(), scratch)
             });
             for (x, receiver) in line.iter_mut().enumerate() {
                 if let Some(place) = scratch.seen(x) {
-                    *receiver = Receiver { place, normal: Vec3::Y, on_object: false };
+                    *receiver = Receiver { place, normal: Vec3::Y, on_object: None };
                 }
             }
         }
@@ -253,11 +255,11 @@ fn arriving(
     on_floor.clear();
     let mut see_past = |direction: DVec3| {
         if let Beyond::Floor(point) = world.meet(start, direction) {
-            on_floor.push((point, DVec3::Y));
+            on_floor.push((point, DVec3::Y, 0));
         }
     };
     // A convex solid lies behind the tangent plane of each of its points.
-    if receiver.on_object && solid.is_convex() {
+    if receiver.on_object.is_some() && solid.is_convex() {
         directions.into_iter().for_each(see_past);
     } else {
         let mut packet = Packet::default();
@@ -266,7 +268,7 @@ fn arriving(
                 packet.set(ray, start - middle, *direction, f64::INFINITY);
             }
             solid.nearest(&packet, ALL, |ray, hit| match hit {
-                Some(hit) => on_object.push((hit.point, hit.normal)),
+                Some(hit) => on_object.push((hit.point, hit.normal, hit.material)),
                 None => see_past(directions[ray]),
             });
         }

@@ -37,6 +37,8 @@ pub struct SolidHit {
     pub normal: DVec3,
     /// The outward normal of the polygon itself, of any length; the true surface's normal.
     pub facing: DVec3,
+    /// The index of the polygon's material.
+    pub material: usize,
 }
 
 impl Solid<'_> {
@@ -135,6 +137,7 @@ impl Solid<'_> {
                     point: middle + start + direction * hit.t,
                     normal: hit.normal,
                     facing: hit.normal,
+                    material: 0,
                 };
                 each(ray, hit.map(seen));
             });
@@ -151,6 +154,10 @@ impl Solid<'_> {
                     point,
                     normal: self.normal(triangle, weights),
                     facing,
+                    material: self
+                        .model
+                        .palette
+                        .of_face(self.model.faces[triangle as usize]),
                 }
             };
             each(ray, nearest.hit(ray).map(hit));
@@ -197,6 +204,8 @@ pub struct PrimaryHit {
     /// The origin of rays that leave to the side of the normal: lifted from the polygon to the rounded shape that its
     /// vertex normals stand for, so that a smooth surface's facets cast no shadow on each other.
     pub lifted: DVec3,
+    /// The index of the polygon's material.
+    pub material: usize,
 }
 
 /// The points of the object that a picture's pixels show.
@@ -263,6 +272,7 @@ impl PrimaryHits<'_> {
             point,
             normal,
             lifted: point,
+            material: 0,
         }
     }
 
@@ -302,6 +312,7 @@ struct Facet<'a> {
     lens: &'a Lens,
     corners: [DVec3; 3],
     normals: [DVec3; 3],
+    material: usize,
     /// The one normal of a facet that is not smooth.
     flat: Option<DVec3>,
     /// The two numerators and the denominator: their dot products with the vector that differs from pixel to pixel, and constants.
@@ -343,6 +354,7 @@ impl<'a> Facet<'a> {
             lens,
             corners,
             normals,
+            material: model.palette.of_face(model.faces[triangle]),
             flat,
             slopes,
             constants,
@@ -369,6 +381,7 @@ impl<'a> Facet<'a> {
                 point,
                 normal,
                 lifted: point,
+                material: self.material,
             },
             None => {
                 let normal = mean(&self.normals, share)
@@ -382,6 +395,7 @@ impl<'a> Facet<'a> {
                     point,
                     normal,
                     lifted: self.lifted(point, share),
+                    material: self.material,
                 }
             }
         }

@@ -94,7 +94,7 @@ impl World<'_> {
             });
             inside = on;
         }
-        let mut on_floor = [(0, (DVec3::ZERO, DVec3::Y)); RAYS];
+        let mut on_floor = [(0, (DVec3::ZERO, DVec3::Y, 0)); RAYS];
         let mut count = 0;
         for (ray, path) in paths
             .iter_mut()
@@ -105,7 +105,7 @@ impl World<'_> {
             match self.meet(path.point, path.direction) {
                 Beyond::Elsewhere(color) => path.told.seen = color,
                 Beyond::Floor(point) => {
-                    on_floor[count] = (ray, (point, DVec3::Y));
+                    on_floor[count] = (ray, (point, DVec3::Y, 0));
                     count += 1;
                 }
             }
@@ -189,7 +189,7 @@ impl World<'_> {
                         match self.meet(origin, direction) {
                             Beyond::Elsewhere(color) => *pixel = in_range(color),
                             Beyond::Floor(point) => {
-                                self.floor.light(&[(point, DVec3::Y)], scratch, |_, color| *pixel = in_range(color));
+                                self.floor.light(&[(point, DVec3::Y, 0)], scratch, |_, color| *pixel = in_range(color));
                             }
                         }
                     }

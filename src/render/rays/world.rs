@@ -191,7 +191,8 @@ pub fn matt_scene(scene: &Scene, [ka, kd, color]: [Rgb; 3], pattern: Pattern) ->
 
 /// A surface that pixels do not show directly, in the shadow of the object if that casts any.
 pub struct DiffuseSurface<'a> {
-    pub equation: Equation<f64>,
+    /// The equation of each of its materials.
+    pub equations: Vec<Equation<f64>>,
     caster: Option<ShadowCaster<'a>>,
 }
 
@@ -203,12 +204,24 @@ pub struct LightScratch {
     pub waiting: Waiting,
 }
 
+/// A point of such a surface, world, with its normal and the index of its material.
+pub type LitPoint = (DVec3, DVec3, usize);
+
 impl<'a> DiffuseSurface<'a> {
     /// Creates the surface whose material is that of `scene`.
     pub fn new(scene: &Scene, solid: Solid<'a>, unit: f64, shadows: bool) -> Self {
-        let equation = Equation::in_units(scene, unit);
-        let caster = shadows.then(|| ShadowCaster::new(scene, solid, &equation, false));
-        Self { equation, caster }
+        Self::of_materials(scene, vec![Equation::in_units(scene, unit)], solid, shadows)
+    }
+
+    /// Creates the surface whose materials have these equations, all with the lights of `scene`.
+    pub fn of_materials(
+        scene: &Scene,
+        equations: Vec<Equation<f64>>,
+        solid: Solid<'a>,
+        shadows: bool,
+    ) -> Self {
+        let caster = shadows.then(|| ShadowCaster::new(scene, solid, &equations[0], false));
+        Self { equations, caster }
     }
 
     /// Finds the sources that reach the points of a row; `None` where there are no shadows.
@@ -233,7 +246,7 @@ impl<'a> DiffuseSurface<'a> {
     /// Calls `each` with the index of every point, world, and I there.
     pub fn light(
         &self,
-        points: &[(DVec3, DVec3)],
+        points: &[LitPoint],
         scratch: &mut LightScratch,
         mut each: impl FnMut(usize, Rgb),
     ) {
@@ -245,16 +258,16 @@ impl<'a> DiffuseSurface<'a> {
         for (first, points) in (0..).step_by(RAYS).zip(points.chunks(RAYS)) {
             if let Some(caster) = &self.caster {
                 row.clear(points.len());
-                for (index, (point, normal)) in points.iter().enumerate() {
+                for (index, (point, normal, _)) in points.iter().enumerate() {
                     row.set(index, caster.relative(*point), *normal);
                 }
             }
             let reached = self.reached(1, row, words, waiting);
-            for (index, (point, normal)) in points.iter().enumerate() {
+            for (index, (point, normal, material)) in points.iter().enumerate() {
                 let reached = Reached::starting_at(reached, index);
                 each(
                     first + index,
-                    self.equation.illuminate_world(*point, *normal, reached),
+                    self.equations[*material].illuminate_world(*point, *normal, reached),
                 );
             }
         }

@@ -6,6 +6,7 @@ use super::frame::{FrameReport, Stage};
 use super::plan::{Cued, NO_LIGHT, Per, Plan, casts_shadows, not_cued, silences, stiff};
 use crate::illumination::{Equation, SpecularForm};
 use crate::render::model::Model;
+use crate::render::palette::for_each_material;
 use crate::scene::{
     AmbientSource, Backfacing, Encoding, LightKind, Material, ObjectKind, Overflow, PatternKind,
     Reflectance, Rgb, Scene, Viewer,
@@ -92,6 +93,9 @@ pub struct Account<'a> {
     pub backs: u64,
     /// The number of colours that flat shading prepares: one for each sequence of runs of one face.
     pub inks: u64,
+    /// The materials of the faces, and the number of evaluations of the equation with each.
+    pub materials: Vec<Material>,
+    pub counts: Vec<u64>,
 }
 
 /// Tells why no light is reflected specularly.
@@ -254,10 +258,17 @@ impl Account<'_> {
         let count = self.shading_points();
         let term = |name, count, omitted| self.term(self.stage(), name, count, omitted);
         let dark = (!self.plan.lights.contains(&true)).then_some(NO_LIGHT);
-        let mut equation = Equation::<f64>::new(scene);
-        equation.retain_lights(|light| self.plan.lights[light]);
-        let no_specular =
-            (equation.form() == SpecularForm::None && !kept).then(|| no_specular(&scene.material));
+        let equations = for_each_material(scene, &self.materials, |scene| {
+            let mut equation = Equation::<f64>::new(scene);
+            equation.retain_lights(|light| self.plan.lights[light]);
+            equation
+        });
+        let [first, ..] = &self.materials[..] else {
+            return vec![];
+        };
+        let shines = |material: usize| kept || equations[material].form() != SpecularForm::None;
+        let no_specular = (!(0..equations.len()).any(shines)).then(|| no_specular(first));
+        let each = self.materials.len() as u64;
         let infinite = scene.camera.viewer == Viewer::Infinite;
         let constant =
             (scene.pattern.kind == PatternKind::None).then_some(Message("render-why-no-pattern"));
@@ -271,14 +282,18 @@ impl Account<'_> {
             term("render-term-position", count, None),
             term(
                 "V",
-                if infinite { (Per::Frame, 1) } else { count },
+                if infinite {
+                    (Per::Frame, each)
+                } else {
+                    self.points_of(shines)
+                },
                 dark.or(no_specular),
             ),
             term("render-term-pattern", count, constant),
             term(
                 "render-term-ambient",
                 if constant.is_some() {
-                    (Per::Frame, 1)
+                    (Per::Frame, each)
                 } else {
                     count
                 },
@@ -292,7 +307,10 @@ impl Account<'_> {
                 .noted(Message("render-why-unit-but-rounding"));
         }
         if constant.is_some()
-            && scene.material.ka * scene.material.color * scene.ambient.color == Rgb::ZERO
+            && self
+                .materials
+                .iter()
+                .all(|own| own.ka * own.color * scene.ambient.color == Rgb::ZERO)
         {
             terms[4] = term(
                 "render-term-ambient",
@@ -311,7 +329,7 @@ impl Account<'_> {
         let stiff = stiff(scene, self.model).unwrap_or(Message("render-why-polygons-exact"));
         terms.push(term("render-term-double-precision", count, enough).noted(stiff));
         for light in 0..scene.lights.len() {
-            terms.extend(self.light(light, &equation, no_specular));
+            terms.extend(self.light(light, &equations, no_specular));
         }
         terms
     }
@@ -319,10 +337,10 @@ impl Account<'_> {
     fn light(
         &self,
         index: usize,
-        equation: &Equation<f64>,
+        equations: &[Equation<f64>],
         no_specular: Option<Message>,
     ) -> Vec<Term> {
-        let (scene, kept) = (self.scene, !self.plan.leaves_out);
+        let (scene, kept, equation) = (self.scene, !self.plan.leaves_out, &equations[0]);
         let light = &scene.lights[index];
         let sources = &equation.sources[equation.sources_of(index)];
         let silent = silences(scene, self.model)[index].filter(|_| !self.plan.lights[index]);
@@ -343,14 +361,29 @@ impl Account<'_> {
         } else {
             scene.pattern.color
         };
-        let matt = scene.material.kd * (scene.material.color + colour) == Rgb::ZERO && !kept;
-        let matt = matt.then_some(if scene.material.kd == Rgb::ZERO {
+        let materials = &self.materials;
+        let diffuses = |material: usize| {
+            let own = &materials[material];
+            kept || own.kd * (own.color + colour) != Rgb::ZERO
+        };
+        let shines = |material: usize| kept || equations[material].form() != SpecularForm::None;
+        let by_angle = |material: usize| {
+            shines(material) && materials[material].reflectance != Reflectance::Constant
+        };
+        let times_points = |holds: &dyn Fn(usize) -> bool| {
+            let (per, points) = self.points_of(holds);
+            (per, points * times)
+        };
+        let matt = !(0..materials.len()).any(diffuses);
+        let matt = matt.then_some(if materials.iter().all(|own| own.kd == Rgb::ZERO) {
             Message("render-why-kd-zero")
         } else {
             Message("render-why-kd-od-zero")
         });
         let spot = (light.kind != LightKind::Spot).then_some(Message("render-why-no-spotlight"));
-        let law = (scene.material.reflectance == Reflectance::Constant)
+        let law = materials
+            .iter()
+            .all(|own| own.reflectance == Reflectance::Constant)
             .then_some(Message("render-why-constant-reflectance"));
         vec![
             term("L", if parallel { (Per::Frame, times) } else { each }, None),
@@ -361,10 +394,10 @@ impl Account<'_> {
             ),
             term("render-term-cone", each, spot),
             term("N·L", each, None).noted(Message("render-why-sign-of-n-l")),
-            term("render-term-diffuse", each, matt),
-            term("render-term-specular", each, no_specular)
+            term("render-term-diffuse", times_points(&diffuses), matt),
+            term("render-term-specular", times_points(&shines), no_specular)
                 .noted(Message("render-why-specular-skipped")),
-            term("W(θ)", each, no_specular.or(law)),
+            term("W(θ)", times_points(&by_angle), no_specular.or(law)),
         ]
     }
 
@@ -445,6 +478,15 @@ impl Account<'_> {
         } else {
             Stage::VertexShading
         }
+    }
+
+    /// Returns the frequency of the equation's evaluation, and the number of evaluations with materials for which `holds` does.
+    fn points_of(&self, holds: impl Fn(usize) -> bool) -> (Per, u64) {
+        let counts = self.counts.iter().enumerate();
+        let points = counts
+            .filter(|(material, _)| holds(*material))
+            .map(|(_, count)| count);
+        (self.plan.per, points.sum())
     }
 
     /// Returns the frequency of the equation's evaluation, and the number of evaluations.

@@ -4,14 +4,14 @@ use super::display::{Linear, stored_pixel};
 use super::parts::Part;
 use super::plan::{Inputs, Per};
 use super::reference::Evaluation;
-use super::shade::{Carried, Evaluated, Stored, Target, Unstored, shade};
-use crate::illumination::SpecularForm;
+use super::shade::{Carried, Evaluated, Stored, Target, Unstored, shade, start_of_row};
+use crate::illumination::{Equation, LANES, Reached, SpecularForm};
 use crate::render::lens::pixel_centre;
 use crate::render::model::Planes;
 use crate::render::node::{Memory, capacity};
 use crate::render::raster::{
-    BAND, Band, BandExtent, Block, DepthScratch, Fragment, PlacedTriangles, ROWS, carry, fragment,
-    interpolate, is_seen, meet_band,
+    BAND, Band, BandExtent, Block, DepthScratch, Fragment, PlacedTriangles, ROWS, Run, carry,
+    fragment, interpolate, is_seen, meet_band, put,
 };
 use crate::scene::FlatAt;
 use fearless_simd::{Simd, dispatch};
@@ -56,6 +56,36 @@ pub struct BandPainter<'a> {
     pub stale: Stale,
     /// True if the bands are shaded, false if they are only covered and interpolated.
     pub shades: bool,
+}
+
+/// Pixels of one material, in the rows of a band, or gathered from them into one row.
+struct Pixels<'a> {
+    band: &'a Band,
+    fragments: &'a [Block],
+    columns: &'a Range<usize>,
+    places: Option<&'a [Block]>,
+    reached: Option<Reached<'a>>,
+}
+
+/// Pixels of a band in one row: their numbers in the band, their fragments, and the start of the ray and the column of each.
+#[derive(Default)]
+struct GatheredPixels {
+    pixels: Vec<usize>,
+    fragments: Vec<Block>,
+    places: Vec<Block>,
+}
+
+impl GatheredPixels {
+    fn push(&mut self, pixel: usize, fragment: Fragment, [x, y, z]: [f32; 3], column: usize) {
+        let place = self.pixels.len();
+        if place.is_multiple_of(LANES) {
+            self.fragments.push(Block::GAP);
+            self.places.push(Block::GAP);
+        }
+        put(&mut self.fragments, place, fragment);
+        put(&mut self.places, place, [x, y, z, column as f32]);
+        self.pixels.push(pixel);
+    }
 }
 
 struct BandTask<'a> {
@@ -252,7 +282,12 @@ impl BandPainter<'_> {
         intensity: Option<&Planes>,
         mut target: impl Target,
     ) -> u64 {
-        let Inputs { level, plan, .. } = self.inputs;
+        let Inputs {
+            level,
+            plan,
+            triangles,
+            ..
+        } = self.inputs;
         let columns = &part.columns;
         if plan.pixels_in_double() {
             return self.shade_in_double(band, fragments, part, target);
@@ -266,15 +301,123 @@ impl BandPainter<'_> {
             };
             return dispatch!(level, simd => shade(simd, band, fragments, columns, carried, &mut target));
         }
-        let evaluated = |form| Evaluated::new(&self.inputs, &part.equation, form);
-        dispatch!(level, simd => match part.equation.form() {
+        if !triangles.model.palette.faces.is_empty() {
+            return self.shade_by_material(band, fragments, part, &mut target);
+        }
+        let pixels = Pixels {
+            band,
+            fragments,
+            columns,
+            places: None,
+            reached: None,
+        };
+        self.shade_pixels(&part.equations[0], &pixels, &mut target)
+    }
+
+    /// Evaluates a material's equation at pixels.
+    fn shade_pixels(
+        &self,
+        equation: &Equation<f32>,
+        pixels: &Pixels<'_>,
+        target: &mut impl Target,
+    ) -> u64 {
+        let Pixels {
+            band,
+            fragments,
+            columns,
+            places,
+            reached,
+        } = *pixels;
+        let evaluated =
+            |form| Evaluated::new(&self.inputs, equation, form).at_places(places, reached);
+        dispatch!(self.inputs.level, simd => match equation.form() {
             // The usual form has a kernel of its own: the choice among all takes a tenth of the time.
             SpecularForm::PhongCosine => {
                 let colour = evaluated(SpecularForm::PhongCosine);
-                shade(simd, band, fragments, columns, colour, &mut target)
+                shade(simd, band, fragments, columns, colour, target)
             }
-            form => shade(simd, band, fragments, columns, evaluated(form), &mut target),
+            form => shade(simd, band, fragments, columns, evaluated(form), target),
         })
+    }
+
+    /// Shades the pixels of a part of a band that show several materials: those of each are gathered and shaded together.
+    fn shade_by_material(
+        &self,
+        band: &Band,
+        fragments: &[Block],
+        part: &Part,
+        target: &mut impl Target,
+    ) -> u64 {
+        let Inputs {
+            lens,
+            triangles,
+            visibility,
+            ..
+        } = self.inputs;
+        let (columns, width) = (&part.columns, band.place.width as usize);
+        for row in 0..band.place.rows as usize {
+            target.clear(row * width + columns.start..row * width + columns.end);
+        }
+        let shown = |run: &Run| {
+            let shown =
+                usize::from(run.x0).max(columns.start)..usize::from(run.x1).min(columns.end);
+            (!shown.is_empty()).then_some(shown)
+        };
+        let material = |run: &Run| {
+            triangles
+                .model
+                .palette
+                .of_face(triangles.face(run.triangle))
+        };
+        let mut runs: Vec<(usize, &Run)> =
+            band.runs.iter().map(|run| (material(run), run)).collect();
+        runs.sort_by_key(|(material, _)| *material);
+        let first_row = band.place.first_row as usize;
+        let starts: Vec<[f32; 3]> = (0..band.place.rows as usize)
+            .map(|row| start_of_row(lens, first_row + row))
+            .collect();
+        let (mut over, mut batch) = (0, GatheredPixels::default());
+        for runs in runs.chunk_by(|a, b| a.0 == b.0) {
+            let equation = &part.equations[runs[0].0];
+            batch.pixels.clear();
+            batch.fragments.clear();
+            batch.places.clear();
+            for (_, run) in runs {
+                let row = usize::from(run.row);
+                let line = &fragments[row * Block::count(band.place.width)..];
+                for x in shown(run).into_iter().flatten() {
+                    batch.push(row * width + x, fragment(line, x), starts[row], x);
+                }
+            }
+            let count = batch.pixels.len();
+            if count == 0 {
+                continue;
+            }
+            let bits = batch.pixels.iter().map(|pixel| {
+                let reached = visibility.and_then(|bits| bits.at(first_row + pixel / width, 0));
+                (reached, pixel % width)
+            });
+            let (words, stride) = Reached::gathered(bits, equation.sources.len());
+            let pixels = Pixels {
+                band: &Band::of_one_row(count as u32),
+                fragments: &batch.fragments,
+                columns: &(0..count),
+                places: Some(&batch.places),
+                reached: (!words.is_empty()).then_some(Reached {
+                    words: &words,
+                    stride,
+                    first: 0,
+                }),
+            };
+            let (_, background) = target.pixels();
+            let mut colors = vec![background; count];
+            over += self.shade_pixels(equation, &pixels, &mut target.over(&mut colors));
+            let (all, _) = target.pixels();
+            for (pixel, color) in batch.pixels.iter().zip(colors) {
+                all[*pixel] = color;
+            }
+        }
+        over
     }
 
     /// Fills each run with its face's colour, for flat shading.
@@ -340,13 +483,13 @@ impl BandPainter<'_> {
         mut target: impl Target,
     ) -> u64 {
         let (inputs, columns, place) = (&self.inputs, &part.columns, band.place);
-        let (equation, width) = (part.in_double(inputs), place.width as usize);
+        let (equations, width) = (part.in_double(inputs), place.width as usize);
         for row in 0..place.rows as usize {
             target.clear(row * width + columns.start..row * width + columns.end);
         }
         let mut over = 0;
         let mut put = |x: usize, row: usize, evaluation: Evaluation<'_>| {
-            let color = evaluation.intensity(&equation);
+            let color = evaluation.intensity(&equations);
             let at = row * width + x;
             let ink = dispatch!(inputs.level, simd => target.ink(simd, color.as_vec3().to_array()));
             over += target.fill(at..at + 1, ink);

@@ -59,7 +59,9 @@ fn mesh_size(scene: &Scene, model: Option<&Mesh>) -> [u64; 2] {
     let own = normals == NormalSource::Facet;
     match model {
         Some(model) if scene.object.kind == ObjectKind::Obj => {
-            let split = own || !model.normals.is_empty() && normals == NormalSource::File;
+            let split = own
+                || !model.normals.is_empty() && normals == NormalSource::File
+                || !model.face_materials.is_empty();
             let vertices = if split {
                 model.corners.len()
             } else {

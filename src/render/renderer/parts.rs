@@ -1,7 +1,7 @@
 //! The parts of a picture whose ambient light differs: one, or with `split` two halves.
 
 use super::plan::Inputs;
-use crate::illumination::Equation;
+use crate::illumination::{Equation, Scalar};
 use crate::scene::{AmbientSource, Scene};
 use std::ops::Range;
 
@@ -11,22 +11,18 @@ pub struct Part {
     pub columns: Range<usize>,
     /// True if light from other surfaces replaces the constant Ia.
     pub bounces: bool,
-    /// The equation of these columns; without an ambient term where light bounces.
-    pub equation: Equation<f32>,
+    /// The equation of each material in these columns; without an ambient term where light bounces.
+    pub equations: Vec<Equation<f32>>,
 }
 
 impl Part {
-    /// Returns the parts of the picture of `scene`, from left to right, with the lights of `equation`.
-    pub fn all(scene: &Scene, equation: &Equation<f32>) -> Vec<Self> {
+    /// Returns the parts of the picture of `scene`, from left to right, with the lights of `equations`.
+    pub fn all(scene: &Scene, equations: &[Equation<f32>]) -> Vec<Self> {
         let bouncing = bouncing(scene);
         let part = |columns: Range<usize>, bounces| Self {
             columns,
             bounces,
-            equation: if bounces {
-                equation.clone().without_ambient()
-            } else {
-                equation.clone()
-            },
+            equations: with_ambient(equations.to_vec(), !bounces),
         };
         let both = [part(0..bouncing.start, false), part(bouncing, true)];
         both.into_iter()
@@ -34,14 +30,20 @@ impl Part {
             .collect()
     }
 
-    pub fn in_double(&self, inputs: &Inputs<'_>) -> Equation<f64> {
-        let equation = inputs.equation();
-        if self.bounces {
-            equation.without_ambient()
-        } else {
-            equation
-        }
+    pub fn in_double(&self, inputs: &Inputs<'_>) -> Vec<Equation<f64>> {
+        with_ambient(inputs.equations(), !self.bounces)
     }
+}
+
+/// Returns equations, with their ambient terms or without.
+fn with_ambient<T: Scalar>(equations: Vec<Equation<T>>, ambient: bool) -> Vec<Equation<T>> {
+    if ambient {
+        return equations;
+    }
+    equations
+        .into_iter()
+        .map(Equation::without_ambient)
+        .collect()
 }
 
 /// Returns the columns that show light from other surfaces.

@@ -16,8 +16,9 @@ use crate::illumination::Equation;
 use crate::render::lens::Lens;
 use crate::render::model::{MeshSource, Model, Planes};
 use crate::render::node::Node;
+use crate::render::palette::for_each_material;
 use crate::render::raster::{Band, Coverage, PlacedTriangles};
-use crate::scene::{AmbientSource, Object, ObjectKind, Scene, Weighting};
+use crate::scene::{AmbientSource, Material, MaterialSource, Object, ObjectKind, Scene, Weighting};
 use fearless_simd::Level;
 use glam::DVec2;
 use std::fmt;
@@ -92,6 +93,7 @@ pub(super) struct PlannedFrame {
     pub scene: Scene,
     pub plan: Plan,
     pub lens: Lens,
+    pub materials: Vec<Material>,
     parts: Vec<Part>,
 }
 
@@ -203,15 +205,16 @@ impl Renderer {
         } else {
             Weighting::Equal
         };
+        let own = scene.material.source == MaterialSource::Model;
         ran |= self
             .model
-            .update((self.mesh.stamp, normals, weighting), |model| {
-                *model = Model::new(
-                    self.mesh
-                        .output
-                        .mesh()
-                        .with_vertex_normals(normals, weighting),
-                );
+            .update((self.mesh.stamp, normals, weighting, own), |model| {
+                let mesh = self.mesh.output.mesh();
+                let mut vertices = mesh.with_vertex_normals(normals, weighting);
+                if !own {
+                    vertices.face_materials.clear();
+                }
+                *model = Model::new(vertices);
                 self.mesh.output.release();
             });
         if Plan::shows_surface(scene) {
@@ -254,18 +257,23 @@ impl Renderer {
             offset,
             self.model.output.unit(&scene.camera),
         );
-        let mut equation = Equation::<f32>::in_units(scene, lens.unit);
-        equation.retain_lights(|light| plan.lights[light]);
-        if plan.leaves_out {
-            equation.leave_out_faint();
-        } else {
-            equation.leave_nothing_out(scene);
-        }
+        let materials = self.model.output.palette.materials(scene);
+        let equations = for_each_material(scene, &materials, |scene| {
+            let mut equation = Equation::<f32>::in_units(scene, lens.unit);
+            equation.retain_lights(|light| plan.lights[light]);
+            if plan.leaves_out {
+                equation.leave_out_faint();
+            } else {
+                equation.leave_nothing_out(scene);
+            }
+            equation
+        });
         PlannedFrame {
             scene: scene.clone(),
             plan,
             lens,
-            parts: Part::all(scene, &equation),
+            materials,
+            parts: Part::all(scene, &equations),
         }
     }
 
@@ -299,6 +307,7 @@ impl Renderer {
             plan,
             lens,
             parts,
+            ..
         } = planned;
         self.report.points = 0;
         if plan.per == Per::Pixel {
@@ -348,7 +357,7 @@ impl Renderer {
                 if plan.double {
                     shade_points_in_double(&inputs, &part.in_double(&inputs), at, intensity);
                 } else {
-                    shade_points(&inputs, &part.equation, at, intensity);
+                    shade_points(&inputs, &part.equations, at, intensity);
                 }
                 if plan.cued == Cued::AtPoints {
                     inputs.fade_points(model.origin, at[0], intensity);
@@ -439,6 +448,7 @@ impl Renderer {
             plan,
             lens,
             parts,
+            ..
         } = planned;
         let flat_at = (!plan.carries).then_some(scene.shading.flat_at);
         let cue = plan.cues_pixels().then(|| {
@@ -595,7 +605,11 @@ impl Renderer {
     pub(super) fn inputs<'a>(
         &'a self,
         PlannedFrame {
-            scene, plan, lens, ..
+            scene,
+            plan,
+            lens,
+            materials,
+            ..
         }: &'a PlannedFrame,
     ) -> Inputs<'a> {
         Inputs {
@@ -603,6 +617,7 @@ impl Renderer {
             scene,
             plan,
             lens,
+            materials,
             triangles: self.placed.output.triangles(&self.model.output),
             surface: self.surface.output.as_ref(),
             visibility: self.rays.visibility(plan),
@@ -658,6 +673,8 @@ impl Renderer {
             report: &self.report,
             backs,
             inks,
+            materials: planned.materials.clone(),
+            counts: self.counts_of(planned),
         }
         .terms()
     }

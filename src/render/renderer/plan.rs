@@ -8,10 +8,11 @@ use crate::geometry::Surface;
 use crate::illumination::{Equation, SpecularForm};
 use crate::render::lens::{Lens, NEAR};
 use crate::render::model::Model;
+use crate::render::palette::for_each_material;
 use crate::render::raster::Triangles;
 use crate::render::rays::{Visibility, World};
 use crate::scene::{
-    AmbientSource, Backfacing, Camera, CuedBy, FlatAt, Interpolation, Light, LightKind,
+    AmbientSource, Backfacing, Camera, CuedBy, FlatAt, Interpolation, Light, LightKind, Material,
     NormalSource, Overflow, PatternKind, Projection, Rgb, Scene, ShadingMode,
 };
 use crate::text::Message;
@@ -196,6 +197,8 @@ pub struct Inputs<'a> {
     pub scene: &'a Scene,
     pub plan: &'a Plan,
     pub lens: &'a Lens,
+    /// The materials of faces, in the order of the model's palette.
+    pub materials: &'a [Material],
     pub triangles: Triangles<'a>,
     pub surface: Option<&'a Surface>,
     /// The visibility of sources from pixels, faces or vertices, where there are shadows.
@@ -203,11 +206,23 @@ pub struct Inputs<'a> {
 }
 
 impl Inputs<'_> {
-    /// Returns the equation in double precision with the lights that the picture is shaded with.
-    pub fn equation(&self) -> Equation<f64> {
-        let mut equation = Equation::in_units(self.scene, self.lens.unit);
-        equation.retain_lights(|light| self.plan.lights[light]);
-        equation
+    /// Returns the equation of each material in double precision with the lights that the picture is shaded with.
+    pub fn equations(&self) -> Vec<Equation<f64>> {
+        for_each_material(self.scene, self.materials, |scene| {
+            let mut equation = Equation::in_units(scene, self.lens.unit);
+            equation.retain_lights(|light| self.plan.lights[light]);
+            equation
+        })
+    }
+
+    /// Returns the material of each point where the equation is evaluated, a face or a vertex; empty where there is one.
+    pub fn point_materials(&self) -> &[u16] {
+        let model = self.triangles.model;
+        if self.plan.per == Per::Face {
+            &model.palette.faces
+        } else {
+            &model.vertex_materials
+        }
     }
 
     /// Returns s0 at a point, world; 1 where nothing fades.
@@ -231,14 +246,17 @@ const FAR_FROM: f64 = 1e4;
 
 /// Tells why single precision is not enough for the equation, if it is not.
 pub fn stiff(scene: &Scene, model: &Model) -> Option<Message> {
-    let powers = matches!(
-        SpecularForm::of(scene),
-        SpecularForm::PhongCosine
-            | SpecularForm::PhongChord
-            | SpecularForm::BlinnCosine
-            | SpecularForm::BlinnChord
-    );
-    if powers && scene.material.n > STIFF_FROM {
+    let too_large = for_each_material(scene, &model.palette.materials(scene), |scene| {
+        let powers = matches!(
+            SpecularForm::of(scene),
+            SpecularForm::PhongCosine
+                | SpecularForm::PhongChord
+                | SpecularForm::BlinnCosine
+                | SpecularForm::BlinnChord
+        );
+        powers && scene.material.n > STIFF_FROM
+    });
+    if too_large.contains(&true) {
         return Some(Message("render-why-n-too-large"));
     }
     let far = model.radius > 0.0 && scene.camera.distance() > FAR_FROM * model.radius;
@@ -253,14 +271,19 @@ fn sees_inside(camera: &Camera, model: &Model) -> bool {
 
 /// Tells why each light adds nothing, if it adds nothing.
 pub fn silences(scene: &Scene, model: &Model) -> Vec<Option<Message>> {
-    let (soloing, material, pattern) = (scene.soloing(), &scene.material, &scene.pattern);
-    let color = if pattern.kind == PatternKind::None {
+    let (soloing, pattern) = (scene.soloing(), &scene.pattern);
+    let other = if pattern.kind == PatternKind::None {
         Rgb::ZERO
     } else {
         pattern.color
-    } + material.color;
-    // The largest part of a light that the material reflects, diffuse and specular together.
-    let reflected = material.kd * color + material.ks * material.specular_color;
+    };
+    // The largest part of a light that any material reflects, diffuse and specular together.
+    let reflected = model
+        .palette
+        .materials(scene)
+        .iter()
+        .map(|own| own.kd * (own.color + other) + own.ks * own.specular_color)
+        .fold(Rgb::ZERO, Rgb::max);
     let silence = |light: &Light| match light {
         Light { mute: true, .. } => Some(Message("render-why-muted")),
         _ if !light.shines(soloing) => Some(Message("render-why-not-soloed")),

@@ -2,13 +2,14 @@
 
 use super::frame::Frame;
 use super::pipeline::{PlannedFrame, Renderer};
-use super::plan::{Inputs, Plan};
+use super::plan::{Inputs, Per, Plan};
 use super::ray_nodes::Mixture;
 use super::reference::{Evaluation, WeightedPoint};
 use crate::illumination::Equation;
 use crate::render::lens::{Lens, NEAR, pixel_centre};
+use crate::render::palette::for_each_material;
 use crate::render::raster::{PlacedTriangles, UNPLACED};
-use crate::scene::{Rgb, Scene};
+use crate::scene::{Material, Rgb, Scene};
 use glam::{DVec2, DVec3};
 use std::collections::HashMap;
 
@@ -56,18 +57,97 @@ impl Renderer {
         linear
     }
 
-    /// Returns the equation of `scene`, whose picture is the last one, in double precision.
+    /// Returns what `each` makes of `scene`, whose picture is the last one, with each of the materials that its faces have, by
+    /// [`Evaluation::material`].
+    pub(crate) fn for_each_material<T>(
+        &self,
+        scene: &Scene,
+        each: impl FnMut(&Scene) -> T,
+    ) -> Vec<T> {
+        for_each_material(scene, &self.model.output.palette.materials(scene), each)
+    }
+
+    /// Returns the equation of each material in double precision, with the lights that the picture of `scene`, the last one, is
+    /// shaded with.
+    pub(crate) fn shining_equations(&self, scene: &Scene) -> Vec<Equation<f64>> {
+        let unit = self.model.output.unit(&scene.camera);
+        self.for_each_material(scene, |scene| {
+            let mut equation = Equation::in_units(scene, unit);
+            if let Some(plan) = self.plan() {
+                equation.retain_lights(|light| plan.lights[light]);
+            }
+            equation
+        })
+    }
+
+    /// Returns the number of evaluations of the equation with each material in a frame of the last picture.
+    pub(super) fn counts_of(&self, planned: &PlannedFrame) -> Vec<u64> {
+        let (model, report) = (&self.model.output, self.report());
+        let per_pixel = planned.plan.per == Per::Pixel;
+        let mut counts = vec![0; planned.materials.len()];
+        let mut add = |material: usize, count: u64| counts[material] += count;
+        match planned.plan.per {
+            Per::Pixel if model.palette.faces.is_empty() => add(0, report.covered),
+            _ if model.palette.faces.is_empty() => add(0, report.points),
+            Per::Pixel => {
+                let triangles = self.inputs(planned).triangles;
+                let bands = self.coverage(&planned.scene).bands;
+                for run in bands.iter().flat_map(|band| &band.runs) {
+                    let material = model.palette.of_face(triangles.face(run.triangle));
+                    add(material, u64::from(run.x1 - run.x0));
+                }
+            }
+            Per::Face => {
+                let faces = &model.palette.faces;
+                faces.iter().for_each(|own| add(usize::from(*own), 1));
+            }
+            _ => {
+                let vertices = &model.vertex_materials[..model.vertex_count];
+                vertices.iter().for_each(|own| add(usize::from(*own), 1));
+            }
+        }
+        // At points, each part of the picture has an evaluation of its own.
+        let sum: u64 = counts.iter().sum();
+        let parts = if per_pixel || sum == 0 {
+            1
+        } else {
+            report.points / sum
+        };
+        counts.into_iter().map(|count| count * parts).collect()
+    }
+
+    /// Returns the names of the model's materials in the last picture, empty for the scene's, each with the number of evaluations
+    /// of the equation with it; nothing for an object without materials of its own.
+    pub fn material_counts(&self) -> Vec<(String, u64)> {
+        let palette = &self.model.output.palette;
+        let Some(planned) = self.drawn.as_ref().filter(|_| !palette.is_empty()) else {
+            return vec![];
+        };
+        let counts = self.counts_of(planned).into_iter().enumerate();
+        let name = |index| palette.name(index).unwrap_or_default().to_owned();
+        counts.map(|(index, count)| (name(index), count)).collect()
+    }
+
+    /// Returns the equation of `scene`, whose picture is the last one, in double precision with its own material.
     pub(crate) fn equation(&self, scene: &Scene) -> Equation<f64> {
         Equation::in_units(scene, self.model.output.unit(&scene.camera))
     }
 
-    /// Returns the equation as [`Self::equation`] does, with the lights that the picture is shaded with.
-    pub(crate) fn shining_equation(&self, scene: &Scene) -> Equation<f64> {
-        let mut equation = self.equation(scene);
-        if let Some(plan) = self.plan() {
-            equation.retain_lights(|light| plan.lights[light]);
-        }
-        equation
+    /// Returns the index of the material of a face of the last picture.
+    pub(crate) fn material_of(&self, face: u32) -> usize {
+        self.model.output.palette.of_face(face)
+    }
+
+    /// Returns the name in the model of a material by its index, and its numbers in `scene`; `None` for the scene's own.
+    pub(crate) fn model_material(&self, scene: &Scene, index: usize) -> Option<(String, Material)> {
+        let name = self.model.output.palette.name(index)?.to_owned();
+        let material = self
+            .model
+            .output
+            .palette
+            .materials(scene)
+            .swap_remove(index);
+        Some((name, material))
     }
 
     /// Returns the inputs for evaluating the last picture's pixels.
@@ -106,7 +186,7 @@ impl Renderer {
     pub(crate) fn intensity_turned(
         &self,
         scene: &Scene,
-        equation: &Equation<f64>,
+        equations: &[Equation<f64>],
         triangle: u32,
         place: DVec2,
     ) -> Option<Rgb> {
@@ -120,17 +200,18 @@ impl Renderer {
             .corners(triangle)
             .iter()
             .all(|corner| corner[0] != UNPLACED);
-        let (plan, lens) = (&plan, &lens);
+        let (plan, lens, materials) = (&plan, &lens, model.palette.materials(scene));
         let inputs = Inputs {
             level: self.level(),
             scene,
             plan,
             lens,
+            materials: &materials,
             triangles,
             surface: None,
             visibility: None,
         };
-        whole.then(|| inputs.of_triangle(triangle, place).intensity(equation))
+        whole.then(|| inputs.of_triangle(triangle, place).intensity(equations))
     }
 
     /// Returns the light mixed into the equation's value at a pixel of the last picture that shows the object.

@@ -3,15 +3,17 @@
 
 use super::parts::{Part, bouncing};
 use super::plan::{Inputs, Per, Plan};
+use crate::illumination::Equation;
 use crate::render::lens::pixel_centre;
 use crate::render::node::{Memory, Node, capacity};
+use crate::render::palette::for_each_material;
 use crate::render::raster::Coverage;
 use crate::render::rays::{
     Bounced, Bvh, DiffuseSurface, LightScratch, PrimaryHits, ShadowCaster, Solid, Transmission,
     Visibility, World, matt_scene,
 };
 use crate::scene::{
-    AmbientSource, Backfacing, Light, PatternKind, Rgb, Scene, ShadingMode, Transparency,
+    AmbientSource, Backfacing, Light, Material, PatternKind, Rgb, Scene, ShadingMode, Transparency,
 };
 use glam::Vec3;
 
@@ -64,7 +66,7 @@ impl<'a> Inputs<'a> {
     where
         'a: 'b,
     {
-        ShadowCaster::new(self.scene, self.hits(bvh).solid, &self.equation(), true)
+        ShadowCaster::new(self.scene, self.hits(bvh).solid, &self.equations()[0], true)
     }
 
     /// Returns the inputs of the shadow bits besides the object and the coverage: the lights' positions, not their intensities.
@@ -187,13 +189,16 @@ impl RayNodes {
         [object, covered]: [u64; 2],
     ) -> bool {
         let Inputs {
-            scene, plan, lens, ..
+            scene,
+            plan,
+            lens,
+            materials,
+            ..
         } = *inputs;
         let Scene {
             transparency,
             ground,
             backdrop,
-            material,
             ambient,
             ..
         } = scene;
@@ -251,12 +256,10 @@ impl RayNodes {
         if bounces {
             let wall = (backdrop.pattern != PatternKind::None).then_some(backdrop.distance);
             // Highlights are not scattered further.
-            let surface = (
-                material.ka,
-                material.kd,
-                material.color,
-                scene.pattern.clone(),
-            );
+            let surface: Vec<_> = materials
+                .iter()
+                .map(|own| (own.ka, own.kd, own.color))
+                .collect();
             ran |= bounced.update(
                 (
                     object,
@@ -265,18 +268,20 @@ impl RayNodes {
                     *lens,
                     ground.clone(),
                     wall,
-                    surface,
+                    (surface, scene.pattern.clone()),
                     scene.lights.clone(),
                 ),
                 |bounced| {
                     let world = World::new(scene, inputs.hits(bvh), 0.0, true);
-                    let object = matt_scene(
-                        scene,
-                        [Rgb::ZERO, material.kd, material.color],
-                        scene.pattern.clone(),
-                    );
-                    let object = DiffuseSurface::new(&object, world.hits.solid, lens.unit, true);
-                    bounced.run(&world, &object, coverage);
+                    let matt = for_each_material(scene, materials, |scene| {
+                        let Material { kd, color, .. } = scene.material;
+                        let coefficients = [Rgb::ZERO, kd, color];
+                        let matt = matt_scene(scene, coefficients, scene.pattern.clone());
+                        Equation::in_units(&matt, lens.unit)
+                    });
+                    let solid = world.hits.solid;
+                    let object = DiffuseSurface::of_materials(scene, matt, solid, true);
+                    bounced.run(&world, (&object, materials), coverage);
                 },
             );
         }

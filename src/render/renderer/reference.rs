@@ -22,6 +22,8 @@ pub(crate) struct Evaluation<'a> {
     /// The distance along the viewing direction, world units.
     pub depth: f64,
     pub face: Option<u32>,
+    /// The index of the face's material, of which `equations` below have one each.
+    pub material: usize,
     /// Idc, where intensities fade with the depth.
     pub cue: Option<Rgb>,
     pub points: Vec<WeightedPoint<'a>>,
@@ -47,7 +49,8 @@ impl WeightedPoint<'_> {
 }
 
 impl Evaluation<'_> {
-    pub fn intensity(&self, equation: &Equation<f64>) -> Rgb {
+    pub fn intensity(&self, equations: &[Equation<f64>]) -> Rgb {
+        let equation = &equations[self.material];
         self.points
             .iter()
             .map(|at| at.value(equation) * at.weight)
@@ -55,7 +58,8 @@ impl Evaluation<'_> {
     }
 
     /// Returns the part of I that remains at the pixel: each point's share fades by its own s0.
-    pub fn kept(&self, equation: &Equation<f64>) -> Rgb {
+    pub fn kept(&self, equations: &[Equation<f64>]) -> Rgb {
+        let equation = &equations[self.material];
         self.points
             .iter()
             .map(|at| at.value(equation) * (at.weight * at.scale))
@@ -73,8 +77,8 @@ impl Evaluation<'_> {
     }
 
     /// Returns I at the pixel after depth cueing, before the display.
-    pub fn shown(&self, equation: &Equation<f64>) -> Rgb {
-        self.kept(equation) + self.veil()
+    pub fn shown(&self, equations: &[Equation<f64>]) -> Rgb {
+        self.kept(equations) + self.veil()
     }
 }
 
@@ -90,6 +94,7 @@ impl<'a> Inputs<'a> {
             normal,
             depth,
             face: None,
+            material: 0,
             cue: self.cue_color(),
             points,
         })
@@ -134,6 +139,7 @@ impl<'a> Inputs<'a> {
             normal,
             depth,
             face: Some(face),
+            material: self.model().palette.of_face(face),
             cue: self.cue_color(),
             points,
         }

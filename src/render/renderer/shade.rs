@@ -3,12 +3,12 @@
 use super::display::{Linear, pack, raw};
 use super::plan::Inputs;
 use crate::illumination::{BRIGHTEST, Equation, LANES, Lanes, Reached, Real, SpecularForm, V3};
-use crate::render::lens::{FARTHEST, pixel_centre};
+use crate::render::lens::{FARTHEST, Lens, pixel_centre};
 use crate::render::model::{Model, PADDING, Planes};
 use crate::render::raster::{Band, Block, SHORTEST_NORMAL, join};
 use crate::render::rays::BLOCK;
 use crate::scene::Encoding;
-use fearless_simd::{dispatch, i32x16, mask32x16, prelude::*};
+use fearless_simd::{Level, dispatch, i32x16, mask32x16, prelude::*};
 use glam::DVec3;
 use rayon::prelude::*;
 use std::ops::Range;
@@ -76,6 +76,8 @@ pub struct Evaluated<'a> {
     least_key: f32,
     /// The shadow bits of the current row.
     reached: Option<Reached<'a>>,
+    /// The ray through column 0 of its row and the column of each pixel, where the fragments come from several rows.
+    places: Option<&'a [Block]>,
 }
 
 impl<'a> Evaluated<'a> {
@@ -94,20 +96,43 @@ impl<'a> Evaluated<'a> {
             forward: lens.forward.as_vec3().to_array(),
             least_key: lens.least_key() as f32,
             reached: None,
+            places: None,
         }
     }
 
-    /// Returns the points that pixels in columns `x` show at depth key `key`.
+    /// Sets the pixels of fragments that come from several rows, and their shadow bits.
     #[inline(always)]
-    fn positions<S: Simd>(&self, simd: S, x: Lanes<S>, key: Lanes<S>) -> V3<Lanes<S>> {
+    pub fn at_places(self, places: Option<&'a [Block]>, reached: Option<Reached<'a>>) -> Self {
+        Self {
+            reached,
+            places,
+            ..self
+        }
+    }
+
+    /// Returns the points that pixels in columns `x` show at depth key `key`; `start` is the ray through column 0.
+    #[inline(always)]
+    fn positions<S: Simd>(
+        &self,
+        simd: S,
+        x: Lanes<S>,
+        start: V3<Lanes<S>>,
+        key: Lanes<S>,
+    ) -> V3<Lanes<S>> {
         let step = V3::constant(x, self.step);
-        let across = step.scale_add(x, V3::constant(x, self.start));
+        let across = step.scale_add(x, start);
         if self.perspective {
             across.scale(Lanes::splat(simd, 1.0) / key)
         } else {
             V3::constant(x, self.forward).scale_add(-key, across)
         }
     }
+}
+
+/// Returns the ray through column 0 of a pixel row, as the kernels take it.
+pub fn start_of_row(lens: &Lens, y: usize) -> [f32; 3] {
+    let (point, direction) = lens.ray(pixel_centre(0, y));
+    within_reach(if lens.perspective { direction } else { point })
 }
 
 /// Converts to single precision, with no component larger than the farthest distance.
@@ -120,11 +145,13 @@ fn within_reach(v: DVec3) -> [f32; 3] {
 impl Colour for Evaluated<'_> {
     #[inline(always)]
     fn row(&mut self, y: u32) {
+        if self.places.is_some() {
+            return;
+        }
         let Inputs {
             lens, visibility, ..
         } = self.inputs;
-        let (point, direction) = lens.ray(pixel_centre(0, y as usize));
-        self.start = within_reach(if self.perspective { direction } else { point });
+        self.start = start_of_row(lens, y as usize);
         self.reached = visibility.and_then(|bits| bits.at(y as usize, 0));
     }
 
@@ -151,8 +178,19 @@ impl Colour for Evaluated<'_> {
         } else {
             normal
         };
-        let x = Lanes::count_up(simd) + Lanes::splat(simd, column as f32);
-        let point = self.equation.site(self.positions(simd, x, key), normal);
+        let (x, start) = match self.places {
+            None => {
+                let x = Lanes::count_up(simd) + Lanes::splat(simd, column as f32);
+                (x, V3::constant(x, self.start))
+            }
+            Some(places) => {
+                let [a, b, c, x] = places[column / LANES].load(simd);
+                (x, V3::new(a, b, c))
+            }
+        };
+        let point = self
+            .equation
+            .site(self.positions(simd, x, start, key), normal);
         self.equation.illuminate_by(
             self.form,
             &point,
@@ -164,6 +202,11 @@ impl Colour for Evaluated<'_> {
 /// A destination of colours.
 pub trait Target {
     type Pixel: Copy;
+    /// The same destination over other pixels.
+    type Over<'p>: Target<Pixel = Self::Pixel>;
+
+    /// Returns the destination over other pixels.
+    fn over<'p>(&self, pixels: &'p mut [Self::Pixel]) -> Self::Over<'p>;
 
     /// Returns the pixels, and the value of those that show no object.
     fn pixels(&mut self) -> (&mut [Self::Pixel], Self::Pixel);
@@ -209,6 +252,11 @@ pub struct Stored<'a> {
 
 impl Target for Stored<'_> {
     type Pixel = [u8; 4];
+    type Over<'p> = Stored<'p>;
+
+    fn over<'p>(&self, pixels: &'p mut [[u8; 4]]) -> Stored<'p> {
+        Stored { pixels, ..*self }
+    }
 
     #[inline(always)]
     fn pixels(&mut self) -> (&mut [[u8; 4]], [u8; 4]) {
@@ -266,6 +314,11 @@ pub struct Unstored<'a> {
 
 impl Target for Unstored<'_> {
     type Pixel = Linear;
+    type Over<'p> = Unstored<'p>;
+
+    fn over<'p>(&self, pixels: &'p mut [Linear]) -> Unstored<'p> {
+        Unstored { pixels, ..*self }
+    }
 
     #[inline(always)]
     fn pixels(&mut self) -> (&mut [Linear], Linear) {
@@ -379,10 +432,10 @@ pub fn face_points(model: &Model) -> [Planes; 2] {
     ]
 }
 
-/// Evaluates the equation at the vertices or faces of the model, [`BLOCK`] of them in each task.
+/// Evaluates the equation at the vertices or faces of the model, each with its material's, [`BLOCK`] of them in each task.
 pub fn shade_points(
     inputs: &Inputs<'_>,
-    equation: &Equation<f32>,
+    equations: &[Equation<f32>],
     [position, normal]: [&Planes; 2],
     intensity: &mut Planes,
 ) {
@@ -396,6 +449,12 @@ pub fn shade_points(
     fit(intensity, position[0].len());
     let scale = (1.0 / lens.unit).min(FARTHEST / model.radius.max(f64::MIN_POSITIVE)) as f32;
     let offset = within_reach((model.origin - lens.eye) / lens.unit);
+    let shader = PointShader {
+        level: inputs.level,
+        equations,
+        scale,
+        offset,
+    };
     let [r, g, b] = intensity;
     let out = r
         .par_chunks_mut(BLOCK)
@@ -406,22 +465,79 @@ pub fn shade_points(
         let position = position.each_ref().map(|plane| &plane[range.clone()]);
         let normal = normal.each_ref().map(|plane| &plane[range.clone()]);
         let reached = visibility.and_then(|bits| bits.at(chunk, 0));
+        let materials = inputs.point_materials();
+        if materials.is_empty() {
+            return shader.shade(0, [position, normal], reached, [r, g, b]);
+        }
+        let materials =
+            &materials[range.start.min(materials.len())..range.end.min(materials.len())];
+        let mut order: Vec<usize> = (0..materials.len()).collect();
+        order.sort_by_key(|point| materials[*point]);
+        // The points of one material are shaded together.
+        for points in order.chunk_by(|a, b| materials[*a] == materials[*b]) {
+            let material = usize::from(materials[points[0]]);
+            let [position, normal] = [position, normal].map(|planes| gather(planes, points));
+            let mut colors = position.clone();
+            let sources = equations[material].sources.len();
+            let bits = points.iter().map(|point| (reached, *point));
+            let (words, stride) = Reached::gathered(bits, sources);
+            let reached = (!words.is_empty()).then_some(Reached {
+                words: &words,
+                stride,
+                first: 0,
+            });
+            let gathered = [&position, &normal].map(|planes| planes.each_ref().map(Vec::as_slice));
+            let out = colors.each_mut().map(Vec::as_mut_slice);
+            shader.shade(material, gathered, reached, out);
+            for (own, point) in points.iter().enumerate() {
+                [r[*point], g[*point], b[*point]] = colors.each_ref().map(|plane| plane[own]);
+            }
+        }
+    });
+}
+
+/// The equations of the materials, and the way from the model's coordinates to theirs.
+struct PointShader<'a> {
+    level: Level,
+    equations: &'a [Equation<f32>],
+    scale: f32,
+    offset: [f32; 3],
+}
+
+impl PointShader<'_> {
+    /// Evaluates a material's equation at points.
+    fn shade(
+        &self,
+        material: usize,
+        [position, normal]: [[&[f32]; 3]; 2],
+        reached: Option<Reached<'_>>,
+        out: [&mut [f32]; 3],
+    ) {
         let points = Points {
-            equation,
-            scale,
-            offset,
+            equation: &self.equations[material],
+            scale: self.scale,
+            offset: self.offset,
             position,
             normal,
             reached,
         };
-        dispatch!(inputs.level, simd => points.shade(simd, [r, g, b]));
-    });
+        dispatch!(self.level, simd => points.shade(simd, out));
+    }
 }
 
-/// Evaluates the equation at the vertices or faces of the model in double precision.
+/// Returns planes of the numbers at `points`, padded by zeros.
+fn gather(planes: [&[f32]; 3], points: &[usize]) -> Planes {
+    planes.map(|plane| {
+        let mut own: Vec<f32> = points.iter().map(|point| plane[*point]).collect();
+        own.resize(points.len().next_multiple_of(PADDING), 0.0);
+        own
+    })
+}
+
+/// Evaluates the equation at the vertices or faces of the model in double precision, each with its material's.
 pub fn shade_points_in_double(
     inputs: &Inputs<'_>,
-    equation: &Equation<f64>,
+    equations: &[Equation<f64>],
     [position, normal]: [&Planes; 2],
     intensity: &mut Planes,
 ) {
@@ -439,7 +555,8 @@ pub fn shade_points_in_double(
             inputs.triangles.model.origin + at(position, index),
             at(normal, index),
         );
-        [*r, *g, *b] = equation
+        let material = inputs.point_materials().get(index);
+        [*r, *g, *b] = equations[material.map_or(0, |material| usize::from(*material))]
             .illuminate_world(point, normal, reached)
             .as_vec3()
             .to_array();

@@ -1,0 +1,1 @@
+    glDrawElements(GL_TRIANGLES, 3 * TRIANGLES, GL_UNSIGNED_INT, triangles);

@@ -1,0 +1,4 @@
+/* Runs of triangles of one material: the material, and how many. */
+static const GLsizei runs[][2] = {
+$runs$
+};

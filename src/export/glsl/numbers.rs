@@ -1,0 +1,80 @@
+//! The numbers of the equation that do not depend on the point, in GLSL.
+
+use crate::export::sources::Materials;
+use crate::export::text::{filled, float, vec3};
+use crate::illumination::SpecularForm;
+use crate::scene::{Distribution, Material, Scene, Viewer};
+
+/// Value that stands for n = ∞.
+const MIRROR: f64 = 1e30;
+
+/// Declares a number of the material: a constant, or that of the material that the uniform chooses where they differ.
+pub fn own(kind: &str, name: &str, values: &[String]) -> String {
+    let (first, count) = (&values[0], values.len());
+    if values.iter().all(|value| value == first) {
+        return format!("const {kind} {name} = {first};");
+    }
+    let values = values.join(", ");
+    format!(
+        "const {kind} all_{name}[{count}] = {kind}[]({values});\n{kind} {name} = all_{name}[material];"
+    )
+}
+
+/// Writes the numbers that do not depend on the point.
+pub fn constants(scene: &Scene, materials: &Materials) -> String {
+    let (camera, forms) = (&scene.camera, materials.each(scene, SpecularForm::of));
+    let towards_viewer = match camera.viewer {
+        Viewer::Local => String::new(),
+        Viewer::Infinite => {
+            let v = vec3((camera.eye - camera.target).normalize_or_zero());
+            format!("uniform vec3 towards_viewer = {v}; // V, constant: the viewer is at infinity")
+        }
+    };
+    let numbers = |kind, name, value: fn(&Material) -> String| {
+        let values: Vec<String> = materials.all.iter().map(value).collect();
+        own(kind, name, &values)
+    };
+    let colors = |name, value: fn(&Material) -> String| numbers("vec3", name, value);
+    let form = forms.iter().find(|form| **form != SpecularForm::None);
+    let lobe = match form {
+        Some(form) if form.has_microfacets() => {
+            let means = if scene.reflection.distribution == Distribution::Ggx {
+                "alpha"
+            } else {
+                "the microfacets' root mean square slope"
+            };
+            let m = numbers("float", "m", |material| float(material.roughness));
+            format!("{m} // roughness: {means}")
+        }
+        _ => {
+            let n = numbers("float", "n", |material| float(material.n.min(MIRROR)));
+            let mirror = materials.all.iter().all(|material| material.n > MIRROR);
+            n + if mirror { " // a mirror" } else { "" }
+        }
+    };
+    let specular = match form {
+        None => String::new(),
+        Some(_) => {
+            let ks = colors("Ks", |material| vec3(material.ks));
+            let os = colors("Os", |material| vec3(material.specular_color));
+            format!("{ks}\n{os} // the highlight's colour\n{lobe}")
+        }
+    };
+    let chosen = match materials.all.len() {
+        1 => "",
+        _ => "uniform int material = 0; // its number",
+    };
+    filled(
+        include_str!("constants.glsl"),
+        &[
+            ("eye", &vec3(camera.eye)),
+            ("towards_viewer", &towards_viewer),
+            ("material", chosen),
+            ("Ia", &vec3(scene.ambient.color)),
+            ("Ka", &colors("Ka", |material| vec3(material.ka))),
+            ("Kd", &colors("Kd", |material| vec3(material.kd))),
+            ("Od", &colors("Od", |material| vec3(material.color))),
+            ("specular", &specular),
+        ],
+    )
+}
