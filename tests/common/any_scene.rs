@@ -414,6 +414,7 @@ impl Author {
             ]),
             ior: Rgb::new(index(self), index(self), index(self)),
             extinction: self.color(*Material::IOR.end()),
+            source: shading_lab::scene::MaterialSource::Model,
         }
     }
 

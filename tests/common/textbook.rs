@@ -110,6 +110,7 @@ pub fn random_scene(dice: &mut Dice, n: f64) -> Scene {
         ]),
         ior: dice.colour() * 3.0 + 0.05,
         extinction: dice.colour() * 5.0,
+        source: shading_lab::scene::MaterialSource::Model,
     };
     scene.pattern.kind = dice.of(&[
         PatternKind::None,

@@ -28,6 +28,7 @@ mod laws;
 mod levels;
 mod link;
 mod memory;
+mod model_materials;
 mod obj_files;
 mod obj_materials;
 mod obj_memory;

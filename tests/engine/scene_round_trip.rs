@@ -132,7 +132,7 @@ prop_compose! {
         (vertices, faces, vertex_normals) in polygons(),
     ) -> Object {
         let path = (named || kind == ObjectKind::Obj).then(|| path.into());
-        Object { kind, segments, rings, normals, weighting, path, fit, vertices, faces, vertex_normals }
+        Object { kind, segments, rings, normals, weighting, path, fit, vertices, faces, vertex_normals, materials: vec![] }
     }
 }
 
@@ -172,7 +172,7 @@ prop_compose! {
         extinction in triple(0.0, 100.0),
     ) -> Material {
         let [ka, kd, ks, color] = coefficients;
-        Material { ka, kd, ks, n, roughness, color, specular_color, reflectance, ior, extinction }
+        Material { ka, kd, ks, n, roughness, color, specular_color, reflectance, ior, extinction, source: shading_lab::scene::MaterialSource::Model }
     }
 }
 
