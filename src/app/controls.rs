@@ -4,6 +4,7 @@
 
 mod lights;
 pub mod materials;
+mod model;
 pub mod named;
 mod object;
 pub mod row;
@@ -52,9 +53,11 @@ enum Item {
     /// Rows shown only while the condition holds.
     While(fn(&Scene) -> bool, &'static [&'static Parameter]),
     Own(fn(&mut Ui, &mut Session, &mut WindowState, &mut Requests, &Engine)),
+    /// Items that edit the chosen material, which may be a model's.
+    Chosen(&'static [Item]),
 }
 
-use Item::{Own, Rows, Used, While};
+use Item::{Chosen, Own, Rows, Used, While};
 
 /// A foldable part of the panel.
 struct Section {
@@ -78,14 +81,21 @@ impl Section {
             Sought::Symbol(symbol) => self.symbols.contains(&symbol),
             Sought::Parameter(key) => {
                 let table = key.split('.').next().unwrap_or_default();
-                let lists = |item: &Item| match item {
-                    Rows(rows) | Used(rows) | While(_, rows) => {
-                        rows.iter().any(|parameter| parameter.key == key)
-                    }
-                    Own(_) => false,
-                };
-                self.tables.contains(&table) || self.items.iter().any(lists)
+                self.tables.contains(&table) || self.items.iter().any(|item| item.has(key))
             }
+        }
+    }
+}
+
+impl Item {
+    /// Returns whether the item is a row of the parameter with this key.
+    fn has(&self, key: &str) -> bool {
+        match self {
+            Rows(rows) | Used(rows) | While(_, rows) => {
+                rows.iter().any(|parameter| parameter.key == key)
+            }
+            Chosen(items) => items.iter().any(|item| item.has(key)),
+            Own(_) => false,
         }
     }
 }
@@ -122,33 +132,36 @@ static SECTIONS: [Section; 8] = [
         ],
         tables: &[],
         items: &[
-            Own(|ui, session, window, _, _| {
-                let material = &mut session.shown.scene.material;
-                let initial = &session.initial.material;
-                window
-                    .own
-                    .change(|gallery| gallery_ui(ui, initial, gallery, material));
-            }),
-            Rows(&[&material::KA, &material::KD, &material::KS]),
-            While(has_facets, &[&material::ROUGHNESS]),
-            While(|scene| !has_facets(scene), &[&material::N]),
-            Rows(&[&material::MODEL]),
-            While(has_facets, &[&material::DISTRIBUTION]),
-            Own(|ui, session, _, _, _| matching_ui(ui, &mut session.shown.scene)),
-            Rows(&[
-                &material::COLOR,
-                &material::SPECULAR_COLOR,
-                &material::PATTERN_KIND,
+            Own(|ui, session, window, _, engine| model::list_ui(ui, session, window, engine)),
+            Chosen(&[
+                Own(|ui, session, window, _, _| {
+                    let material = &mut session.shown.scene.material;
+                    let initial = &session.initial.material;
+                    window
+                        .own
+                        .change(|gallery| gallery_ui(ui, initial, gallery, material));
+                }),
+                Rows(&[&material::KA, &material::KD, &material::KS]),
+                While(has_facets, &[&material::ROUGHNESS]),
+                While(|scene| !has_facets(scene), &[&material::N]),
+                Rows(&[&material::MODEL]),
+                While(has_facets, &[&material::DISTRIBUTION]),
+                Own(|ui, session, _, _, _| matching_ui(ui, &mut session.shown.scene)),
+                Rows(&[
+                    &material::COLOR,
+                    &material::SPECULAR_COLOR,
+                    &material::PATTERN_KIND,
+                ]),
+                While(
+                    |scene| scene.pattern.kind != PatternKind::None,
+                    &[&material::PATTERN_COLOR, &material::PATTERN_SCALE],
+                ),
+                Rows(&[&material::REFLECTANCE]),
+                While(
+                    |scene| scene.material.reflectance == Reflectance::Custom,
+                    &[&material::IOR, &material::EXTINCTION],
+                ),
             ]),
-            While(
-                |scene| scene.pattern.kind != PatternKind::None,
-                &[&material::PATTERN_COLOR, &material::PATTERN_SCALE],
-            ),
-            Rows(&[&material::REFLECTANCE]),
-            While(
-                |scene| scene.material.reflectance == Reflectance::Custom,
-                &[&material::IOR, &material::EXTINCTION],
-            ),
             Rows(&[&material::BACKFACING]),
         ],
     },
@@ -394,12 +407,16 @@ pub fn has_row(key: &'static str) -> bool {
 }
 
 /// Changes the number whose letter is dragged in a formula, and shows it beside the pointer.
-pub fn pull_ui(ui: &Ui, session: &mut Session) {
+pub fn pull_ui(ui: &Ui, session: &mut Session, window: &WindowState) {
     let Some((symbol, points)) = symbol::pulled(ui.ctx()) else {
         return;
     };
-    let (scene, light) = (&mut session.shown.scene, session.light);
-    let Some((parameter, value)) = row::pull(scene, symbol, light, points) else {
+    let (mut pulled, number) = (None, model::chosen(session, window));
+    model::with_chosen(session, number, &mut |session| {
+        let (scene, light) = (&mut session.shown.scene, session.light);
+        pulled = row::pull(scene, symbol, light, points);
+    });
+    let Some((parameter, value)) = pulled else {
         return;
     };
     Tooltip::always_open(
@@ -507,6 +524,14 @@ fn item_ui(
         While(holds, rows) if holds(scene) => *rows,
         While(..) => &[],
         Own(control) => return control(ui, session, window, requests, engine),
+        Chosen(items) => {
+            let number = model::chosen(session, window);
+            return model::with_chosen(session, number, &mut |session| {
+                for item in *items {
+                    item_ui(ui, session, window, requests, engine, item);
+                }
+            });
+        }
     };
     let view = View {
         channels: window.appearance.channels,

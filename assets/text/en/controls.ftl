@@ -48,6 +48,7 @@ controls-field-accepts = Accepted: 0.5, 1e-3, 1/3, 2*pi, sqrt(2), 2^10, (1+2)*3,
 
 ## Material
 
+controls-model-none = The scene's own
 controls-materials = Materials
     .label = Preset
     .none = choose…

@@ -48,6 +48,7 @@ controls-field-accepts = 可輸入：0.5、1e-3、1/3、2*pi、sqrt(2)、2^10、
 
 ## Material
 
+controls-model-none = 場景本身的材質
 controls-materials = 材質範本
     .label = 範本
     .none = 選擇…

@@ -70,7 +70,7 @@ impl Layout {
     /// Shows everything but dialogs. Returns the size available to the picture, if it is visible.
     pub fn ui(&mut self, ui: &mut Ui, state: &mut AppState, engine: &mut Engine) -> Option<Room> {
         let size = ui.available_size();
-        controls::pull_ui(ui, &mut state.session);
+        controls::pull_ui(ui, &mut state.session, &state.window);
         state.window.appearance.controls |= symbol::opens_controls(ui.ctx());
         if state.window.picture_alone {
             return Some(self.picture_ui(ui, state, engine));

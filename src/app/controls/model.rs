@@ -1,0 +1,129 @@
+//! The materials of a model: their list, and the change of the chosen one.
+//!
+//! A model's material is changed by `[[object.material]]` of the scene, never in its file. While its rows are shown it takes
+//! the place of the scene's material, so that they need not know whose it is.
+
+use super::row::{View, parameter_with, swatch};
+use crate::app::engine::Engine;
+use crate::app::session::Session;
+use crate::app::session::window::WindowState;
+use crate::app::widgets::focus::switch_named;
+use crate::geometry::Mesh;
+use crate::scene::material::SOURCE;
+use crate::scene::{MaterialSource, Rgb};
+use crate::text;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Atom, Button, IdSalt, ScrollArea, Stroke, Ui, vec2};
+use std::sync::Arc;
+
+/// Side of a material's colour, in points.
+const COLOUR: f32 = 12.0;
+/// Height of the list, in lines, above which it scrolls.
+const MOST_LINES: f32 = 8.5;
+
+/// The material whose rows are shown.
+#[derive(Default)]
+pub struct ChosenMaterial {
+    /// Its number in the model; the scene's own where there is none.
+    number: Option<usize>,
+    /// The pixel and the model that were probed when it was chosen.
+    probed: Option<([u32; 2], *const Mesh)>,
+}
+
+/// Returns the model's materials, if faces have them.
+fn model(session: &Session) -> Option<&Arc<Mesh>> {
+    let own = session.shown.scene.material.source == MaterialSource::Model;
+    let model = session.shown.model.as_ref().filter(|_| own)?;
+    (!model.materials.is_empty()).then_some(model)
+}
+
+/// Shows a line for each of the model's materials. What is probed anew is chosen.
+pub fn list_ui(ui: &mut Ui, session: &mut Session, window: &mut WindowState, engine: &Engine) {
+    let has = |model: &Arc<Mesh>| !model.materials.is_empty();
+    if !session.shown.model.as_ref().is_some_and(has) {
+        return;
+    }
+    let (initial, scene) = (&session.initial, &mut session.shown.scene);
+    parameter_with(ui, initial, scene, &SOURCE, &View::default());
+    let Some(model) = model(session) else {
+        return;
+    };
+    let mut chosen: ChosenMaterial = window.own.take();
+    let probed = engine
+        .probed()
+        .map(|probe| (probe.pixel, Arc::as_ptr(model)));
+    if let Some(face) = engine.probed_face().filter(|_| probed != chosen.probed) {
+        let number = usize::from(model.face_material(face as usize));
+        chosen = ChosenMaterial {
+            number: Some(number),
+            probed,
+        };
+    }
+    chosen.number = chosen
+        .number
+        .filter(|number| *number < model.materials.len());
+    let object = &session.shown.scene.object;
+    let line = ui.spacing().interact_size.y + ui.spacing().item_spacing.y;
+    let area = ScrollArea::vertical().max_height(MOST_LINES * line);
+    area.id_salt("model").show(ui, |ui| {
+        for (number, own) in model.materials.iter().enumerate() {
+            let colour = object.material(&own.name, &own.material()).kd;
+            if line_ui(ui, &own.name, colour, chosen.number == Some(number)) {
+                chosen.number = Some(number);
+            }
+        }
+        let scene = &session.shown.scene.material;
+        let colour = scene.kd * scene.color;
+        if line_ui(
+            ui,
+            text!("controls-model-none"),
+            colour,
+            chosen.number.is_none(),
+        ) {
+            chosen.number = None;
+        }
+    });
+    window.own.put(chosen);
+}
+
+/// Shows a material's colour and name, and returns whether it was clicked.
+fn line_ui(ui: &mut Ui, name: &str, colour: Rgb, chosen: bool) -> bool {
+    let sign = Atom::custom(IdSalt::new("colour"), vec2(COLOUR, COLOUR));
+    let button = Button::selectable(chosen, (sign, name, Atom::grow())).truncate();
+    let response = ui.add(button.min_size(vec2(ui.available_width(), 0.0)));
+    let at = response.rect.left_center() + vec2(4.0 + 0.5 * COLOUR, 0.0);
+    let rim = Stroke::new(1.0, ui.visuals().weak_text_color());
+    ui.painter().circle(at, 0.5 * COLOUR, swatch(colour), rim);
+    switch_named(response, Role::Button, chosen, name).clicked()
+}
+
+/// Returns the number of the model's material whose rows are shown; none for the scene's own.
+pub fn chosen(session: &Session, window: &WindowState) -> Option<usize> {
+    let chosen: &ChosenMaterial = window.own.get()?;
+    let count = model(session)?.materials.len();
+    chosen.number.filter(|number| *number < count)
+}
+
+/// Runs `edit` with the model's material `number` in place of the scene's, and takes over its changes.
+pub fn with_chosen(
+    session: &mut Session,
+    number: Option<usize>,
+    edit: &mut dyn FnMut(&mut Session),
+) {
+    let own = number.zip(model(session));
+    let own = own.map(|(number, model)| &model.materials[number]);
+    let Some((name, own)) = own.map(|own| (own.name.clone(), own.material())) else {
+        return edit(session);
+    };
+    let before = session.shown.scene.object.material(&name, &own);
+    let opened = session.initial.object.material(&name, &own);
+    let scene = std::mem::replace(&mut session.shown.scene.material, before.clone());
+    let initial = std::mem::replace(&mut session.initial.material, opened);
+    edit(session);
+    let wanted = std::mem::replace(&mut session.shown.scene.material, scene);
+    session.initial.material = initial;
+    if wanted != before {
+        let object = &mut session.shown.scene.object;
+        object.change_material(&name, &own, &wanted);
+    }
+}
