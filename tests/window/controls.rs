@@ -2,6 +2,7 @@
 
 mod lights;
 mod materials;
+mod model;
 
 use crate::common::hands::{
     built_in, choose, drag, enter, named, open_view, picture, picture_place, press, scene, undo,
