@@ -13,6 +13,7 @@ pub mod light;
 pub mod material;
 mod material_override;
 pub mod materials;
+mod model_materials;
 mod nearest;
 pub mod object;
 mod overrides;

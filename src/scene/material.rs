@@ -2,7 +2,6 @@
 
 use super::Rgb;
 use super::choice::choices;
-use super::object::ObjectKind;
 use super::parameter::{Limits, Reason, Slider, Unit, table};
 use super::symbol::Symbol;
 use std::ops::RangeInclusive;
@@ -75,10 +74,7 @@ choices! {
     }
 }
 
-const NO_MODEL: Reason = (
-    |scene, _| scene.object.kind != ObjectKind::Obj,
-    "idle-no-model",
-);
+const NO_MODEL: Reason = (|scene, _| !scene.object.kind.is_model(), "idle-no-model");
 
 // The reasons why no effect of a light, the ambient term, the specular term and the surface's own colour are not visible.
 pub(super) const NO_LIGHT: Reason = (|scene, _| scene.lights.is_empty(), "idle-no-light");

@@ -1,12 +1,9 @@
 //! Changes of a model's materials, which belong to the scene: the model's files stay as they are.
 
-use super::format::{Coefficient, list_of};
+use super::Rgb;
+use super::format::Coefficient;
 use super::material::{self, Material, Reflectance};
-use super::object::Object;
-use super::parameter::{Parameter, at_most, defaults, table};
-use super::validation::Checks;
-use super::{Rgb, Scene};
-use crate::text::text;
+use super::parameter::{Parameter, defaults, table};
 
 table! {
     /// A change of one of a model's materials. What it does not set is as the model has it.
@@ -81,60 +78,6 @@ impl MaterialOverride {
             ior: self.ior.unwrap_or(own.ior),
             extinction: self.extinction.unwrap_or(own.extinction),
             source: own.source,
-        }
-    }
-}
-
-impl Object {
-    /// The most changes of a model's materials in a scene.
-    pub const MAX_MATERIALS: usize = 512;
-
-    /// Returns the model's material `name`, which is `own` in its file, as this scene shows it.
-    pub fn material(&self, name: &str, own: &Material) -> Material {
-        self.materials
-            .iter()
-            .find(|change| change.name == name)
-            .map_or_else(|| own.clone(), |change| change.applied_to(own))
-    }
-
-    /// Changes the model's material `name`, which is `own` in its file, to `wanted`.
-    pub fn change_material(&mut self, name: &str, own: &Material, wanted: &Material) {
-        let change = MaterialOverride::between(name, own, wanted);
-        let nothing = MaterialOverride {
-            name: name.to_owned(),
-            ..MaterialOverride::default()
-        };
-        let place = self.materials.iter().position(|one| one.name == name);
-        match place {
-            Some(place) if change == nothing => {
-                self.materials.remove(place);
-            }
-            Some(place) => self.materials[place] = change,
-            None if change == nothing => {}
-            None => self.materials.push(change),
-        }
-    }
-
-    /// Reports the problems of the changes of a model's materials, whether or not a model is shown.
-    pub(super) fn check_materials(&self, checks: &mut Checks) {
-        if self.materials.len() > Self::MAX_MATERIALS {
-            let (found, expected) = (list_of(self.materials.len()), at_most(Self::MAX_MATERIALS));
-            return checks.value("object.material", found, expected);
-        }
-        let mut scene = Scene::default();
-        for (index, change) in self.materials.iter().enumerate() {
-            let key = format!("object.material.{index}");
-            let mut before = self.materials[..index].iter();
-            if change.name.is_empty() {
-                checks.found(&format!("{key}.name"), text!("problem-material-unnamed"));
-            } else if before.any(|other| other.name == change.name) {
-                checks.found(&format!("{key}.name"), text!("problem-material-twice"));
-            }
-            scene.material = change.applied_to(&Material::default());
-            for parameter in Material::PARAMETERS {
-                let own = parameter.key.replacen("material", &key, 1);
-                checks.within(&own, parameter.outside(&scene, 0));
-            }
         }
     }
 }

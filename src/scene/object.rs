@@ -116,10 +116,7 @@ const NOT_AVERAGED: Reason = (
     |scene, _| !scene.object.averages(scene.object.normals),
     "idle-not-averaged",
 );
-const NO_MODEL: Reason = (
-    |scene, _| scene.object.kind != ObjectKind::Obj,
-    "idle-no-model",
-);
+const NO_MODEL: Reason = (|scene, _| !scene.object.kind.is_model(), "idle-no-model");
 
 choices! {
     /// The shapes. All but models and polygons fit into the unit sphere about the origin, except for the plane's corners.
@@ -153,6 +150,11 @@ impl ObjectKind {
     /// Returns whether it faces +z, so that z is its axis; otherwise y is.
     pub fn faces_viewer(self) -> bool {
         matches!(self, Self::Plane | Self::Corrugated)
+    }
+
+    /// Returns whether it is a model from a file.
+    pub fn is_model(self) -> bool {
+        self == Self::Obj
     }
 
     /// Returns whether there is a true surface that the polygons stand for. A model and a scene's own polygons have none.

@@ -50,8 +50,9 @@ fn six() -> Vec<ModelMaterial> {
         ),
         material(
             "mirror",
-            [0.0, 0.0, 0.0],
-            [0.0, 0.0, 0.0],
+            // Without any other light a kernel may leave out highlights too faint for single precision.
+            [0.02, 0.02, 0.02],
+            [0.01, 0.01, 0.01],
             [0.9, 0.8, 0.7],
             40.0,
         ),
@@ -66,7 +67,7 @@ fn six() -> Vec<ModelMaterial> {
 }
 
 /// Returns a mesh of `kind` whose faces have the materials that `of` gives them.
-fn model(kind: ObjectKind, segments: u32, of: impl Fn(usize) -> u16) -> Arc<Mesh> {
+pub fn model(kind: ObjectKind, segments: u32, of: impl Fn(usize) -> u16) -> Arc<Mesh> {
     let mut scene = Scene::default();
     (scene.object.kind, scene.object.segments, scene.object.rings) =
         (kind, segments, segments / 2 + 1);
@@ -76,15 +77,19 @@ fn model(kind: ObjectKind, segments: u32, of: impl Fn(usize) -> u16) -> Arc<Mesh
     Arc::new(mesh)
 }
 
-fn cube() -> Arc<Mesh> {
+/// Returns a cube with a material on each side.
+pub fn cube() -> Arc<Mesh> {
     let mut cube = Scene::default();
-    (cube.object.kind, cube.object.segments, cube.object.rings) = (ObjectKind::Cube, 3, 1);
+    (cube.object.kind, cube.object.segments, cube.object.rings) = (ObjectKind::Cube, 3, 2);
     let mesh = tessellate(&cube.object);
-    let sides = mesh.face_count() / 6;
-    model(ObjectKind::Cube, 3, |face| (face / sides.max(1)) as u16)
+    model(ObjectKind::Cube, 3, |face| {
+        let normal = mesh.face_normal(face);
+        let axis = normal.abs().max_position();
+        (2 * axis + usize::from(normal[axis] < 0.0)) as u16
+    })
 }
 
-fn scene(set: &[&str]) -> Scene {
+pub fn scene(set: &[&str]) -> Scene {
     let mut scene = Scene::default();
     (scene.object.kind, scene.object.path) = (ObjectKind::Obj, Some("cube.obj".into()));
     scene.image.size = [72, 60];
@@ -212,7 +217,7 @@ fn equal_to_each_alone(
 #[test]
 fn a_cube_of_six_materials_is_six_cubes_of_one_to_the_bit_in_every_mode() {
     let mesh = cube();
-    assert_eq!(mesh.face_count() % 6, 0);
+    assert!((0..6).all(|own| mesh.face_materials.contains(&own)));
     for (index, variant) in VARIANTS.iter().enumerate() {
         for mode in ShadingMode::VALUES {
             let mut scene = scene(variant);
@@ -424,16 +429,21 @@ fn changes_go_through_files_settings_and_links() {
         .with_override("object.material.0.ka=model")
         .expect("a sound override");
     assert_eq!(back.object.materials[0].ka, None);
+    let plain = Scene {
+        object: shading_lab::scene::Object {
+            materials: vec![],
+            ..scene.object.clone()
+        },
+        ..scene.clone()
+    };
     for (from, to) in [
         (&scene, &back),
         (&back, &scene),
-        (&Scene::default(), &scene),
-        (&scene, &Scene::default()),
+        (&plain, &scene),
+        (&scene, &plain),
     ] {
-        let mut settings = to.settings_from(from);
-        settings.retain(|setting| !setting.starts_with("object.path"));
-        let mut again = from.with_overrides(&settings).expect("sound settings");
-        again.object.path.clone_from(&to.object.path);
+        let settings = to.settings_from(from);
+        let again = from.with_overrides(&settings).expect("sound settings");
         assert_eq!(&again, to);
     }
 }

@@ -2,7 +2,10 @@
 
 use crate::common::program::Folder;
 use shading_lab::scene::parameter::{Kind, Parameter};
-use shading_lab::scene::{Pane, Scene, SceneDescription, presets};
+use shading_lab::scene::{
+    Material, MaterialOverride, MaterialSource, Pane, Reflectance, Rgb, Scene, SceneDescription,
+    presets,
+};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
 use std::{env, fs};
@@ -39,6 +42,22 @@ fn full() -> Scene {
         name: "Other".into(),
         set: vec!["material.n=2".into()],
     }];
+    scene.material.source = MaterialSource::Scene;
+    let whole = Material {
+        ka: Rgb::ONE,
+        kd: Rgb::ONE,
+        ks: Rgb::ONE,
+        n: 2.0,
+        color: Rgb::ONE,
+        specular_color: Rgb::ZERO,
+        roughness: 0.5,
+        reflectance: Reflectance::Gold,
+        ior: Rgb::ONE,
+        extinction: Rgb::ONE,
+        source: MaterialSource::Model,
+    };
+    let change = MaterialOverride::between("red", &Material::default(), &whole);
+    scene.object.materials = vec![change];
     scene
 }
 
@@ -105,7 +124,16 @@ fn fields(scene: &Scene) -> BTreeMap<String, String> {
             .split_once(": ")
             .filter(|(name, _)| !name.contains('"'))
             .unwrap_or(("", text));
-        path.push(name.replace("lights", "light").replace("panes", "pane"));
+        let one = [
+            ("lights", "light"),
+            ("panes", "pane"),
+            ("materials", "material"),
+        ];
+        let name = one
+            .iter()
+            .find(|(list, _)| *list == name)
+            .map_or(name, |(_, one)| one);
+        path.push(name.to_owned());
         let key = path
             .iter()
             .filter(|name| !name.is_empty())
@@ -119,7 +147,8 @@ fn fields(scene: &Scene) -> BTreeMap<String, String> {
 
 #[test]
 fn its_access_reaches_the_field_of_its_key() {
-    let scene = full();
+    let (scene, mut plain) = (full(), Scene::default());
+    plain.object.materials = vec![MaterialOverride::default()];
     for parameter in Parameter::all() {
         let mut other = scene.clone();
         match &parameter.kind {
@@ -134,7 +163,7 @@ fn its_access_reaches_the_field_of_its_key() {
             }
             Kind::Switch(at) => *(at.get_mut)(&mut other, 0).expect("a value") ^= true,
             Kind::Text(at, _) => (at.get_mut)(&mut other, 0).expect("a value").push('x'),
-            Kind::Other(..) => parameter.copy(&Scene::default(), &mut other, 0),
+            Kind::Other(..) => parameter.copy(&plain, &mut other, 0),
             // `--set` accepts every word of a choice, and the word selects its option.
             Kind::Choice(choice) => {
                 let before = choice.chosen(&scene, 0).expect("a value");

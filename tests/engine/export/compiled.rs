@@ -1,15 +1,16 @@
 //! Exported programs compile, run, and draw the same picture.
 
 use super::{program, scene, snippet};
+use crate::model_materials;
 use glam::DVec3;
-use shading_lab::export::{Limit, export_mesh, glsl_330};
-use shading_lab::geometry::{VertexMesh, tessellate};
+use shading_lab::export::{Limit, export_mesh, glsl_330_of_model, opengl_c};
+use shading_lab::geometry::{Mesh, VertexMesh, tessellate};
 use shading_lab::render::{Frame, Renderer};
-use shading_lab::scene::{Encoding, Scene, ShadingMode};
+use shading_lab::scene::{Encoding, ObjectKind, Scene, ShadingMode};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 /// Returns the folder where the programs are built.
 fn folder() -> PathBuf {
@@ -87,10 +88,12 @@ fn small(name: &str, overrides: &[&str]) -> Scene {
     scene
 }
 
-/// Checks that at least 99 % of the pixels that either picture covers agree within 2 of 255, and that there are enough of them.
+/// Checks that at least 99 % of the pixels that either picture covers agree within 2 of 255, or 1 for a model, and that there are
+/// enough of them.
 #[track_caller]
-fn agree(name: &str, scene: &Scene, theirs: &Path) {
-    let mut renderer = Renderer::default();
+fn agree(name: &str, scene: &Scene, model: Option<&Arc<Mesh>>, theirs: &Path) {
+    let within = if model.is_some() { 1 } else { 2 };
+    let mut renderer = Renderer::default().with_model(model.cloned());
     let frame = renderer.render(scene);
     let theirs = read_ppm(theirs, frame);
     let (mut covered, mut near, mut greatest) = (0, 0, 0);
@@ -106,10 +109,10 @@ fn agree(name: &str, scene: &Scene, theirs: &Path) {
             .max()
             .unwrap_or(0);
         covered += 1;
-        near += usize::from(off <= 2);
+        near += usize::from(off <= within);
         greatest = greatest.max(off);
     }
-    eprintln!("{name}: {near} of {covered} pixels within 2, greatest difference {greatest}");
+    eprintln!("{name}: {near} of {covered} pixels within {within}, greatest difference {greatest}");
     assert!(covered > 2000, "{name}: {covered} pixels covered");
     assert!(
         near * 100 >= covered * 99,
@@ -119,13 +122,17 @@ fn agree(name: &str, scene: &Scene, theirs: &Path) {
 
 /// Builds and runs the exported program of `scene` and compares its picture with ours.
 #[track_caller]
-fn compare_c(name: &str, scene: &Scene) {
+fn compare_c(name: &str, scene: &Scene, model: Option<&Arc<Mesh>>) {
     let path = |ending: &str| folder().join(format!("c-{name}{ending}"));
     let (source, program_path, picture) = (path(".c"), path(""), path(".ppm"));
-    fs::write(&source, &program(scene).parts[0].text).expect("a file");
+    let export = match model {
+        Some(mesh) => opengl_c(scene, mesh).expect("a mesh of moderate size"),
+        None => program(scene),
+    };
+    fs::write(&source, &export.parts[0].text).expect("a file");
     succeeded(compile(&source, &program_path), name);
     succeeded(run(&program_path).arg(&picture).output(), name);
-    agree(name, scene, &picture);
+    agree(name, scene, model, &picture);
 }
 
 /// Settings that fixed-function OpenGL can express.
@@ -238,7 +245,95 @@ fn the_program_in_c_draws_the_same_picture() {
             .iter()
             .all(|limit| name == "two-sided" && limit.to_string().contains("TWO_SIDE"));
         assert!(stated, "{name}: {:?}", export.limits);
-        compare_c(name, &scene);
+        compare_c(name, &scene, None);
+    }
+}
+
+/// Returns a scene of a model for a small picture on [`BACKGROUND`].
+fn small_model(set: &[&str]) -> Scene {
+    let mut scene = small("sphere", &[]);
+    let model = model_materials::scene(set);
+    scene.image.size = [144, 128];
+    Scene {
+        image: scene.image,
+        ..model
+    }
+}
+
+#[test]
+fn a_model_of_six_materials_is_drawn_by_the_program_in_c() {
+    if !mesa() {
+        return;
+    }
+    let scattered = model_materials::model(ObjectKind::Torus, 24, |face| (face % 7) as u16);
+    for (name, mesh) in [("cube", &model_materials::cube()), ("torus", &scattered)] {
+        for (mode, set) in [
+            ("gouraud", &["shading.mode=gouraud"][..]),
+            ("interpolated", &["shading.mode=interpolated"]),
+            (
+                "flat",
+                &["shading={mode=\"flat\", flat_at=\"provoking-vertex\"}"],
+            ),
+            (
+                "changed",
+                &[
+                    "shading.mode=gouraud",
+                    "object.material=[{name=\"red\", kd=[0,0.9,0.9]}]",
+                ],
+            ),
+            ("scene", &["shading.mode=gouraud", "material.source=scene"]),
+        ] {
+            let all = [
+                "reflection.model=blinn",
+                "object.material=[{name=\"green\", n=100}]",
+            ];
+            let scene = small_model(&[&all[..], set].concat());
+            // The model has a material whose n is beyond OpenGL's 128 where the scene does not change it.
+            compare_c(&format!("{name}-{mode}"), &scene, Some(mesh));
+        }
+    }
+}
+
+#[test]
+fn a_model_of_six_materials_is_drawn_by_the_shaders() {
+    if !mesa() {
+        return;
+    }
+    let host = folder().join("host-of-models");
+    let source = Path::new("tests/engine/export/host.c");
+    succeeded(compile(source, &host), "host");
+    let scattered = model_materials::model(ObjectKind::Torus, 24, |face| (face % 7) as u16);
+    for (name, mesh) in [("cube", &model_materials::cube()), ("torus", &scattered)] {
+        for (mode, set) in [
+            ("phong", &[][..]),
+            ("exact", &["shading.mode=exact"]),
+            (
+                "blinn",
+                &["reflection.model=blinn", "camera.viewer=infinite"],
+            ),
+            ("gouraud", &["shading.mode=gouraud"]),
+            (
+                "flat",
+                &["shading={mode=\"flat\", flat_at=\"provoking-vertex\"}"],
+            ),
+            ("pattern", &["pattern={kind=\"rings\", scale=0.4}"]),
+            ("microfacets", &["reflection.model=cook-torrance"]),
+            (
+                "gold",
+                &[
+                    "reflection.model=cook-torrance",
+                    "object.material=[{name=\"red\", reflectance=\"gold\"}]",
+                ],
+            ),
+            ("scene", &["material.source=scene"]),
+        ] {
+            compare_glsl(
+                &host,
+                &format!("{name}-{mode}"),
+                &small_model(set),
+                Some(mesh),
+            );
+        }
     }
 }
 
@@ -283,13 +378,36 @@ fn fan(mesh: &VertexMesh, f: usize) -> (Vec<[u32; 3]>, u32) {
 fn bytes(mesh: &VertexMesh, flat: bool) -> Vec<u8> {
     let is_concave = |f: &usize| flat && mesh.cut.iter().any(|(face, _)| *face as usize == *f);
     let (concave, plain): (Vec<usize>, Vec<usize>) = (0..mesh.face_count()).partition(is_concave);
+    let (mut plain, materials) = (plain, &mesh.face_materials);
+    // The number of a material is its place among those that faces have, in their order.
+    let mut order: Vec<u16> = vec![];
+    for own in materials {
+        if !order.contains(own) {
+            order.push(*own);
+        }
+    }
+    let place = |f: &usize| order.iter().position(|own| materials.get(*f) == Some(own));
+    plain.sort_by_key(place);
+    let run = |faces: &[usize]| {
+        let triangles: usize = faces.iter().map(|f| mesh.face_triangles(*f).len()).sum();
+        [place(&faces[0]).unwrap_or(0) as u32, triangles as u32]
+    };
+    let runs: Vec<[u32; 2]> = plain
+        .chunk_by(|a, b| place(a) == place(b))
+        .map(run)
+        .collect();
     let triangles: Vec<[u32; 3]> = plain
         .into_iter()
         .flat_map(|f| mesh.face_triangles(f))
         .collect();
     let fans: Vec<_> = concave.into_iter().map(|f| fan(mesh, f)).collect();
     let mut bytes = Vec::new();
-    for count in [mesh.positions.len(), triangles.len(), fans.len()] {
+    for count in [
+        mesh.positions.len(),
+        triangles.len(),
+        fans.len(),
+        runs.len(),
+    ] {
         bytes.extend(u32::try_from(count).expect("a small mesh").to_ne_bytes());
     }
     for (position, normal) in mesh.positions.iter().zip(&mesh.normals) {
@@ -309,18 +427,22 @@ fn bytes(mesh: &VertexMesh, flat: bool) -> Vec<u8> {
         fans.iter()
             .flat_map(|(fan, _)| fan.iter().flatten().copied()),
     );
+    let numbers = numbers.chain(runs.iter().flatten().copied());
     bytes.extend(numbers.flat_map(u32::to_ne_bytes));
     bytes
 }
 
 /// Draws `scene` with its shaders and compares the picture with ours.
 #[track_caller]
-fn compare_glsl(host: &Path, name: &str, scene: &Scene) {
+fn compare_glsl(host: &Path, name: &str, scene: &Scene, model: Option<&Arc<Mesh>>) {
     let path = |ending: &str| folder().join(format!("glsl-{name}.{ending}"));
-    let mesh = export_mesh(scene, &tessellate(&scene.object));
+    let mesh = match model {
+        Some(mesh) => export_mesh(scene, mesh),
+        None => export_mesh(scene, &tessellate(&scene.object)),
+    };
     let flat = scene.shading.mode == ShadingMode::Flat;
     fs::write(path("mesh"), bytes(&mesh, flat)).expect("a file");
-    let export = glsl_330(scene);
+    let export = glsl_330_of_model(scene, model.map(|mesh| &**mesh));
     for part in &export.parts {
         fs::write(path(part.ending), &part.text).expect("a file");
     }
@@ -329,7 +451,7 @@ fn compare_glsl(host: &Path, name: &str, scene: &Scene) {
     command.args(scene.image.size.map(|side| side.to_string()));
     command.args(BACKGROUND.map(|code| (f64::from(code) / 255.0).to_string()));
     succeeded(command.arg(path("ppm")).output(), name);
-    agree(name, scene, &path("ppm"));
+    agree(name, scene, model, &path("ppm"));
 }
 
 /// A prism over a U, none of whose corners sees all of it, and a comb behind it.
@@ -526,6 +648,6 @@ fn the_shaders_draw_the_same_picture() {
     ] {
         let scene = small(preset, set);
         assert_eq!(glsl_330(&scene).limits, [] as [Limit; 0], "{name}");
-        compare_glsl(&host, name, &scene);
+        compare_glsl(&host, name, &scene, None);
     }
 }

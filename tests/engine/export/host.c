@@ -1,8 +1,8 @@
 /* Draws a mesh by a pair of shaders with OpenGL 3.3 core, off screen.
  *     host VERTEX FRAGMENT MESH WIDTH HEIGHT RED GREEN BLUE OUT.ppm
- * MESH: three 32-bit counts, of vertices, of triangles, and of concave polygons; six floats a vertex, position and normal; three
- * indices a triangle; of each concave polygon the number of triangles of its fan, which follow those, and of the first of them that
- * turn as it does. */
+ * MESH: four 32-bit counts, of vertices, of triangles, of concave polygons, and of runs of triangles of one material; six floats a
+ * vertex, position and normal; three indices a triangle; of each concave polygon the number of triangles of its fan, which follow
+ * those, and of the first of them that turn as it does; of each run the material and the number of triangles. */
 #define GL_GLEXT_PROTOTYPES
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -64,7 +64,7 @@ static void open_context(EGLint width, EGLint height) {
     if (!eglMakeCurrent(display, surface, surface, context)) fail("no context");
 }
 
-static void use_program(const char *vertex, const char *fragment) {
+static GLuint use_program(const char *vertex, const char *fragment) {
     GLuint program = glCreateProgram();
     GLint sound;
 
@@ -74,24 +74,27 @@ static void use_program(const char *vertex, const char *fragment) {
     glGetProgramiv(program, GL_LINK_STATUS, &sound);
     if (!sound) fail("the shaders do not fit together");
     glUseProgram(program);
+    return program;
 }
 
 /* Draws the triangles, then each concave polygon where an odd number of its fan's triangles lie. */
-static void draw_mesh(const char *path) {
+static void draw_mesh(const char *path, GLuint program) {
     const uint32_t *mesh = (const uint32_t *)read_whole(path);
-    const size_t vertices = mesh[0], triangles = mesh[1], fans = mesh[2], stride = 6 * sizeof(float);
-    const uint32_t *indices = mesh + 3 + 6 * vertices, *counts = indices + 3 * triangles;
+    const size_t vertices = mesh[0], triangles = mesh[1], fans = mesh[2], count = mesh[3], stride = 6 * sizeof(float);
+    const uint32_t *indices = mesh + 4 + 6 * vertices, *counts = indices + 3 * triangles;
     const char *offset = (const char *)0 + 12 * triangles;
-    size_t all = triangles;
+    const uint32_t *runs;
+    size_t all = triangles, from = 0;
     GLuint array, buffers[2];
 
     for (size_t i = 0; i < fans; i++) all += counts[2 * i];
+    runs = counts + 2 * fans + 3 * (all - triangles);
 
     glGenVertexArrays(1, &array);
     glBindVertexArray(array);
     glGenBuffers(2, buffers);
     glBindBuffer(GL_ARRAY_BUFFER, buffers[0]);
-    glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(stride * vertices), mesh + 3, GL_STATIC_DRAW);
+    glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(stride * vertices), mesh + 4, GL_STATIC_DRAW);
     glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers[1]);
     glBufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)(12 * all), NULL, GL_STATIC_DRAW);
     glBufferSubData(GL_ELEMENT_ARRAY_BUFFER, 0, (GLsizeiptr)(12 * triangles), indices);
@@ -100,7 +103,11 @@ static void draw_mesh(const char *path) {
     glEnableVertexAttribArray(1);
     glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, (GLsizei)stride, NULL);
     glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, (GLsizei)stride, (const char *)0 + 3 * sizeof(float));
-    glDrawElements(GL_TRIANGLES, (GLsizei)(3 * triangles), GL_UNSIGNED_INT, NULL);
+    if (count == 0) glDrawElements(GL_TRIANGLES, (GLsizei)(3 * triangles), GL_UNSIGNED_INT, NULL);
+    for (size_t i = 0; i < count; from += 12 * runs[2 * i++ + 1]) {
+        glUniform1i(glGetUniformLocation(program, "material"), (GLint)runs[2 * i]);
+        glDrawElements(GL_TRIANGLES, (GLsizei)(3 * runs[2 * i + 1]), GL_UNSIGNED_INT, (const char *)0 + from);
+    }
     for (size_t i = 0; i < fans; offset += 12 * counts[2 * i++]) {
         glEnable(GL_STENCIL_TEST);
         glClear(GL_STENCIL_BUFFER_BIT);
@@ -134,14 +141,14 @@ int main(int argc, char **argv) {
     if (argc != 10) fail("VERTEX FRAGMENT MESH WIDTH HEIGHT RED GREEN BLUE OUT.ppm");
     int width = atoi(argv[4]), height = atoi(argv[5]);
     open_context(width, height);
-    use_program(argv[1], argv[2]);
+    GLuint program = use_program(argv[1], argv[2]);
     glViewport(0, 0, width, height);
     glDisable(GL_DITHER);
     glEnable(GL_DEPTH_TEST);
     glProvokingVertex(GL_FIRST_VERTEX_CONVENTION);
     glClearColor((float)atof(argv[6]), (float)atof(argv[7]), (float)atof(argv[8]), 1.0f);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    draw_mesh(argv[3]);
+    draw_mesh(argv[3], program);
     if (glGetError() != GL_NO_ERROR) fail("OpenGL reports an error");
     write_picture(argv[9], width, height);
     return EXIT_SUCCESS;
