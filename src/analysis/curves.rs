@@ -91,6 +91,8 @@ impl Curves {
     /// not reach the point.
     pub fn plot(&self, kind: PlotKind, scene: &Scene) -> Option<Plot> {
         let hit = self.hit.as_ref();
+        let own = hit.map(|hit| hit.scene_of(scene));
+        let scene = own.as_deref().unwrap_or(scene);
         let terms = hit.and_then(|hit| hit.lights.get(self.light));
         match kind {
             PlotKind::Exponent => Some(exponent_plot(

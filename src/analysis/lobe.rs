@@ -59,7 +59,7 @@ impl ReflectionLobe {
         }
         let equation = Equation::<f64>::new(&Scene {
             lights: vec![alone],
-            ..scene.clone()
+            ..hit.scene_of(scene).into_owned()
         });
         let site = equation.site(
             V3::from(equation.from_world(hit.position)),

@@ -96,6 +96,8 @@ struct Builder {
     /// The point at each place, by the bits of its coordinates.
     points: HashMap<[u32; 3], u32>,
     materials: Uses,
+    /// True if a vertex has a colour.
+    colored: bool,
 }
 
 impl Builder {
@@ -105,7 +107,7 @@ impl Builder {
             .split(u8::is_ascii_whitespace)
             .filter(|word| !word.is_empty());
         match words.next() {
-            Some(b"v") => self.position(words),
+            Some(b"v") => self.position(line, words),
             Some(b"vn") => self.normal(words),
             Some(b"f" | b"fo") => self.face(line, words),
             Some(b"mtllib") => {
@@ -122,14 +124,26 @@ impl Builder {
         }
     }
 
-    fn position<'w>(&mut self, mut words: impl Iterator<Item = &'w [u8]>) -> Result<(), String> {
+    fn position<'w>(
+        &mut self,
+        line: &Line,
+        mut words: impl Iterator<Item = &'w [u8]>,
+    ) -> Result<(), String> {
         let (mut point, xyz) = vector(&mut words, "obj-coordinate", "obj-three-coordinates")?;
-        if let (Some(weight), None) = (words.next(), words.next()) {
-            let weight = parse_number(weight, "obj-weight")?;
-            if weight == 0.0 {
-                return Err(text!("obj-weight-zero").to_owned());
+        match (words.next(), words.next()) {
+            (Some(weight), None) => {
+                let weight = parse_number(weight, "obj-weight")?;
+                if weight == 0.0 {
+                    return Err(text!("obj-weight-zero").to_owned());
+                }
+                point /= weight;
             }
-            point /= weight;
+            (_, Some(_)) if !self.colored => {
+                self.colored = true;
+                let words = text!("obj-vertex-colours").to_owned();
+                self.materials.remark(None, line.number, words);
+            }
+            _ => {}
         }
         if self.vertices.is_empty() && point.is_finite() && point.abs().max_element() > FAR {
             self.mesh.origin = point.round();

@@ -4,6 +4,8 @@ use crate::common::dice::Dice;
 use crate::common::simd::levels;
 use glam::DVec3;
 use shading_lab::analysis::probe::{HitMaterial, probe};
+use shading_lab::analysis::study::{Method, StudyQuestion};
+use shading_lab::analysis::{Question, Subject, unwatched};
 use shading_lab::geometry::{Mesh, ModelMaterial, NO_MATERIAL, tessellate};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{Choice, Material, MaterialSource, ObjectKind, Rgb, Scene, ShadingMode};
@@ -446,4 +448,67 @@ fn changes_go_through_files_settings_and_links() {
         let again = from.with_overrides(&settings).expect("sound settings");
         assert_eq!(&again, to);
     }
+}
+
+#[test]
+fn the_plan_counts_the_evaluations_with_each_material() {
+    let mesh = cube();
+    for mode in ShadingMode::VALUES {
+        let mut scene = scene(&["shading.flat_at=centre"]);
+        scene.shading.mode = *mode;
+        let mut renderer = Renderer::default().with_model(Some(Arc::clone(&mesh)));
+        renderer.render(&scene);
+        let counts = renderer.material_counts();
+        let sum: u64 = counts.iter().map(|(_, count)| count).sum();
+        let terms = renderer.terms();
+        let count = |name: &str| {
+            let term = terms.iter().find(|term| term.name.to_string() == name);
+            term.expect(name).evaluations
+        };
+        assert_eq!((counts.len(), count("light 1: N·L")), (6, sum), "{mode:?}");
+        // Blue has no highlight, so that it is evaluated for the others only.
+        let blue = counts
+            .iter()
+            .find(|(name, _)| name == "blue")
+            .expect("blue")
+            .1;
+        assert_eq!(count("light 1: specular"), sum - blue, "{mode:?}");
+        scene.material.source = MaterialSource::Scene;
+        renderer.render(&scene);
+        assert_eq!(renderer.material_counts(), []);
+    }
+}
+
+#[test]
+fn a_study_refuses_exponents_and_methods_that_know_one_material_only() {
+    let mut subject = Subject::new(scene(&["image.size=[24, 20]"]));
+    subject.model = Some(cube());
+    let question = |methods: &[Method], n: &[f64]| StudyQuestion {
+        methods: methods.to_vec(),
+        segments: vec![],
+        n: n.to_vec(),
+        repeats: 1,
+        ..StudyQuestion::default()
+    };
+    let exponents = question(&[Method::Flat], &[5.0]);
+    let refused = exponents
+        .answer(&subject, &unwatched)
+        .expect_err("exponents");
+    assert!(refused.contains("material.source=scene"), "{refused}");
+    let scalar = question(&[Method::PhongScalar], &[]);
+    assert!(scalar.answer(&subject, &unwatched).is_err());
+    let both = question(&[Method::Gouraud, Method::PhongScalar], &[]);
+    let study = both.answer(&subject, &unwatched).expect("a study");
+    assert_eq!(study.omitted.len(), 2, "{:?}", study.omitted);
+    assert!(
+        study
+            .rows
+            .iter()
+            .all(|row| row.setting.method == Method::Gouraud)
+    );
+    subject.scene.material.source = MaterialSource::Scene;
+    assert!(
+        exponents.answer(&subject, &unwatched).is_ok()
+            && scalar.answer(&subject, &unwatched).is_ok()
+    );
 }

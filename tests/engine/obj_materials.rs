@@ -3,7 +3,7 @@
 
 use crate::common::properties;
 use proptest::prelude::*;
-use shading_lab::geometry::{Mesh, ModelMaterial, NO_MATERIAL, read_model};
+use shading_lab::geometry::{Mesh, ModelMaterial, NO_MATERIAL, read_model, read_obj};
 use shading_lab::scene::{MaterialOverride, Rgb};
 use shading_lab::text::{Language, in_language};
 
@@ -403,4 +403,15 @@ proptest! {
         let mtl = [b"newmtl m\n".as_slice(), &mtl].concat();
         let _ = read_model(obj.as_slice(), &mut |_| {}, &mut |_| Ok(mtl.clone()));
     }
+}
+
+#[test]
+fn colours_of_vertices_are_said_once() {
+    let colored = "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nf 1 2 3\n";
+    let mesh = read_obj(colored.as_bytes(), &mut |_| {}).expect("a triangle");
+    let words = english!("obj-vertex-colours");
+    assert_eq!(remarks(&mesh), [(None, 1, &*words)]);
+    let weighted = "v 0 0 0 1\nv 1 0 0 1\nv 0 1 0 1\nf 1 2 3\n";
+    let mesh = read_obj(weighted.as_bytes(), &mut |_| {}).expect("a triangle");
+    assert_eq!(remarks(&mesh), []);
 }

@@ -104,6 +104,7 @@ obj-no-such-normal = the face names normal { $number }, { $count ->
  }
 
 # Material libraries (MTL) beside models.
+obj-vertex-colours = colours of vertices are not drawn
 mtl-name-too-long = the name of a material is longer than { $longest } characters; its faces have the scene's material
 mtl-too-many = more than { $most } materials; the faces of the others have the scene's material
 mtl-not-found = no library defines the material `{ $name }`; its faces have the scene's material

@@ -36,7 +36,7 @@ pub struct Uses {
 
 impl Uses {
     /// Keeps a remark, of several that are alike the first.
-    fn remark(&mut self, library: Option<&str>, line: u64, words: String) {
+    pub fn remark(&mut self, library: Option<&str>, line: u64, words: String) {
         let alike = |known: &Remark| known.words == words && known.library.as_deref() == library;
         if self.remarks.len() < MOST_REMARKS && !self.remarks.iter().any(alike) {
             self.remarks.push(Remark {

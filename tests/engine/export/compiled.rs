@@ -647,7 +647,11 @@ fn the_shaders_draw_the_same_picture() {
         ),
     ] {
         let scene = small(preset, set);
-        assert_eq!(glsl_330(&scene).limits, [] as [Limit; 0], "{name}");
+        assert_eq!(
+            glsl_330_of_model(&scene, None).limits,
+            [] as [Limit; 0],
+            "{name}"
+        );
         compare_glsl(&host, name, &scene, None);
     }
 }
