@@ -94,6 +94,7 @@ fn probe_at(scene: &Scene, size: [u32; 2], pixel: [u32; 2]) -> Probe {
             view: v,
             depth,
             face: None,
+            material: None,
             ambient,
             bounced: false,
             color: scene.material.color,
