@@ -378,10 +378,14 @@ impl Parameter {
     /// Returns the names of the keys and the tables in a table of the scene file.
     pub(super) fn names_in(table: &str) -> Vec<&'static str> {
         let skipped = if table.is_empty() { 0 } else { table.len() + 1 };
-        let mut names: Vec<_> = Self::in_table(table)
-            .filter_map(|parameter| parameter.key[skipped..].split('.').next())
-            .collect();
-        names.dedup();
+        let mut names = vec![];
+        let keys = Self::in_table(table).map(|parameter| &parameter.key[skipped..]);
+        for name in keys.filter_map(|key| key.split('.').next()) {
+            // A model's materials stand apart from the rest of their object.
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
         names
     }
 

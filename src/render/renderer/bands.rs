@@ -9,6 +9,7 @@ use crate::illumination::{Equation, LANES, Reached, SpecularForm};
 use crate::render::lens::pixel_centre;
 use crate::render::model::Planes;
 use crate::render::node::{Memory, capacity};
+use crate::render::palette::ByMaterial;
 use crate::render::raster::{
     BAND, Band, BandExtent, Block, DepthScratch, Fragment, PlacedTriangles, ROWS, Run, carry,
     fragment, interpolate, is_seen, meet_band, put,
@@ -70,21 +71,30 @@ struct Pixels<'a> {
 /// Pixels of a band in one row: their numbers in the band, their fragments, and the start of the ray and the column of each.
 #[derive(Default)]
 struct GatheredPixels {
-    pixels: Vec<usize>,
+    pixels: Vec<u32>,
     fragments: Vec<Block>,
     places: Vec<Block>,
 }
 
 impl GatheredPixels {
-    fn push(&mut self, pixel: usize, fragment: Fragment, [x, y, z]: [f32; 3], column: usize) {
+    fn clear(&mut self) {
+        self.pixels.clear();
+        self.fragments.clear();
+        self.places.clear();
+    }
+
+    /// Adds the columns `shown` of a row that begins with pixel `first`; `start` is the ray through its column 0.
+    fn add(&mut self, line: &[Block], first: usize, shown: Range<usize>, [x, y, z]: [f32; 3]) {
         let place = self.pixels.len();
-        if place.is_multiple_of(LANES) {
-            self.fragments.push(Block::GAP);
-            self.places.push(Block::GAP);
+        let blocks = (place + shown.len()).div_ceil(LANES);
+        self.fragments.resize(blocks, Block::GAP);
+        self.places.resize(blocks, Block::GAP);
+        for (place, column) in (place..).zip(shown.clone()) {
+            put(&mut self.fragments, place, fragment(line, column));
+            put(&mut self.places, place, [x, y, z, column as f32]);
         }
-        put(&mut self.fragments, place, fragment);
-        put(&mut self.places, place, [x, y, z, column as f32]);
-        self.pixels.push(pixel);
+        self.pixels
+            .extend(shown.map(|column| (first + column) as u32));
     }
 }
 
@@ -100,6 +110,8 @@ thread_local! {
     static DEPTH: RefCell<DepthScratch> = RefCell::default();
     /// The fragments of a band, where they are not kept.
     static FRAGMENTS: RefCell<Vec<Block>> = RefCell::default();
+    /// The pixels of a band that show one material.
+    static GATHERED: RefCell<GatheredPixels> = RefCell::default();
 }
 
 impl BandPainter<'_> {
@@ -302,7 +314,9 @@ impl BandPainter<'_> {
             return dispatch!(level, simd => shade(simd, band, fragments, columns, carried, &mut target));
         }
         if !triangles.model.palette.faces.is_empty() {
-            return self.shade_by_material(band, fragments, part, &mut target);
+            return GATHERED.with_borrow_mut(|batch| {
+                self.shade_by_material(band, fragments, part, &mut target, batch)
+            });
         }
         let pixels = Pixels {
             band,
@@ -347,6 +361,7 @@ impl BandPainter<'_> {
         fragments: &[Block],
         part: &Part,
         target: &mut impl Target,
+        batch: &mut GatheredPixels,
     ) -> u64 {
         let Inputs {
             lens,
@@ -358,35 +373,33 @@ impl BandPainter<'_> {
         for row in 0..band.place.rows as usize {
             target.clear(row * width + columns.start..row * width + columns.end);
         }
-        let shown = |run: &Run| {
-            let shown =
-                usize::from(run.x0).max(columns.start)..usize::from(run.x1).min(columns.end);
-            (!shown.is_empty()).then_some(shown)
-        };
-        let material = |run: &Run| {
+        let own = |run: &Run| {
             triangles
                 .model
                 .palette
                 .of_face(triangles.face(run.triangle))
         };
-        let mut runs: Vec<(usize, &Run)> =
-            band.runs.iter().map(|run| (material(run), run)).collect();
-        runs.sort_by_key(|(material, _)| *material);
+        let sorted = ByMaterial::of(band.runs.iter().map(own), part.equations.len());
         let first_row = band.place.first_row as usize;
         let starts: Vec<[f32; 3]> = (0..band.place.rows as usize)
             .map(|row| start_of_row(lens, first_row + row))
             .collect();
-        let (mut over, mut batch) = (0, GatheredPixels::default());
-        for runs in runs.chunk_by(|a, b| a.0 == b.0) {
-            let equation = &part.equations[runs[0].0];
-            batch.pixels.clear();
-            batch.fragments.clear();
-            batch.places.clear();
-            for (_, run) in runs {
-                let row = usize::from(run.row);
-                let line = &fragments[row * Block::count(band.place.width)..];
-                for x in shown(run).into_iter().flatten() {
-                    batch.push(row * width + x, fragment(line, x), starts[row], x);
+        let (mut over, mut colors) = (0, vec![]);
+        for (material, runs) in sorted.groups() {
+            let equation = &part.equations[material];
+            batch.clear();
+            let mut runs = runs.iter().map(|run| &band.runs[*run as usize]).peekable();
+            while let Some(run) = runs.next() {
+                // Runs that continue each other are gathered at once.
+                let (row, mut end) = (usize::from(run.row), run.x1);
+                while let Some(next) = runs.next_if(|next| next.row == run.row && next.x0 == end) {
+                    end = next.x1;
+                }
+                let shown =
+                    usize::from(run.x0).max(columns.start)..usize::from(end).min(columns.end);
+                if !shown.is_empty() {
+                    let line = &fragments[row * Block::count(band.place.width)..];
+                    batch.add(line, row * width, shown, starts[row]);
                 }
             }
             let count = batch.pixels.len();
@@ -394,8 +407,9 @@ impl BandPainter<'_> {
                 continue;
             }
             let bits = batch.pixels.iter().map(|pixel| {
-                let reached = visibility.and_then(|bits| bits.at(first_row + pixel / width, 0));
-                (reached, pixel % width)
+                let reached =
+                    visibility.and_then(|bits| bits.at(first_row + *pixel as usize / width, 0));
+                (reached, pixel as usize % width)
             });
             let (words, stride) = Reached::gathered(bits, equation.sources.len());
             let pixels = Pixels {
@@ -410,11 +424,12 @@ impl BandPainter<'_> {
                 }),
             };
             let (_, background) = target.pixels();
-            let mut colors = vec![background; count];
+            colors.clear();
+            colors.resize(count, background);
             over += self.shade_pixels(equation, &pixels, &mut target.over(&mut colors));
             let (all, _) = target.pixels();
-            for (pixel, color) in batch.pixels.iter().zip(colors) {
-                all[*pixel] = color;
+            for (pixel, color) in batch.pixels.iter().zip(&colors) {
+                all[*pixel as usize] = *color;
             }
         }
         over

@@ -5,6 +5,7 @@ use super::plan::Inputs;
 use crate::illumination::{BRIGHTEST, Equation, LANES, Lanes, Reached, Real, SpecularForm, V3};
 use crate::render::lens::{FARTHEST, Lens, pixel_centre};
 use crate::render::model::{Model, PADDING, Planes};
+use crate::render::palette::ByMaterial;
 use crate::render::raster::{Band, Block, SHORTEST_NORMAL, join};
 use crate::render::rays::BLOCK;
 use crate::scene::Encoding;
@@ -471,15 +472,13 @@ pub fn shade_points(
         }
         let materials =
             &materials[range.start.min(materials.len())..range.end.min(materials.len())];
-        let mut order: Vec<usize> = (0..materials.len()).collect();
-        order.sort_by_key(|point| materials[*point]);
+        let own = materials.iter().map(|material| usize::from(*material));
         // The points of one material are shaded together.
-        for points in order.chunk_by(|a, b| materials[*a] == materials[*b]) {
-            let material = usize::from(materials[points[0]]);
+        for (material, points) in ByMaterial::of(own, equations.len()).groups() {
             let [position, normal] = [position, normal].map(|planes| gather(planes, points));
             let mut colors = position.clone();
             let sources = equations[material].sources.len();
-            let bits = points.iter().map(|point| (reached, *point));
+            let bits = points.iter().map(|point| (reached, *point as usize));
             let (words, stride) = Reached::gathered(bits, sources);
             let reached = (!words.is_empty()).then_some(Reached {
                 words: &words,
@@ -489,8 +488,8 @@ pub fn shade_points(
             let gathered = [&position, &normal].map(|planes| planes.each_ref().map(Vec::as_slice));
             let out = colors.each_mut().map(Vec::as_mut_slice);
             shader.shade(material, gathered, reached, out);
-            for (own, point) in points.iter().enumerate() {
-                [r[*point], g[*point], b[*point]] = colors.each_ref().map(|plane| plane[own]);
+            for (own, point) in points.iter().map(|point| *point as usize).enumerate() {
+                [r[point], g[point], b[point]] = colors.each_ref().map(|plane| plane[own]);
             }
         }
     });
@@ -526,9 +525,9 @@ impl PointShader<'_> {
 }
 
 /// Returns planes of the numbers at `points`, padded by zeros.
-fn gather(planes: [&[f32]; 3], points: &[usize]) -> Planes {
+fn gather(planes: [&[f32]; 3], points: &[u32]) -> Planes {
     planes.map(|plane| {
-        let mut own: Vec<f32> = points.iter().map(|point| plane[*point]).collect();
+        let mut own: Vec<f32> = points.iter().map(|point| plane[*point as usize]).collect();
         own.resize(points.len().next_multiple_of(PADDING), 0.0);
         own
     })

@@ -278,7 +278,7 @@ fn a_model_of_six_materials_is_drawn_by_the_program_in_c() {
                 "changed",
                 &[
                     "shading.mode=gouraud",
-                    "object.material=[{name=\"red\", kd=[0,0.9,0.9]}]",
+                    "object.material=[{name=\"green\", n=60, kd=[0,0.9,0.9]}]",
                 ],
             ),
             ("scene", &["shading.mode=gouraud", "material.source=scene"]),

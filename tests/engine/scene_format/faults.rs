@@ -306,7 +306,7 @@ fn an_override_at_fault_is_named() {
         ),
         (
             &["material.m=3"],
-            "--set material.m=3: unknown key `material.m`, expected one of ka, kd, ks, n, color, specular_color, roughness, reflectance, ior, extinction",
+            "--set material.m=3: unknown key `material.m`, expected one of ka, kd, ks, n, color, specular_color, roughness, reflectance, ior, extinction, source",
         ),
         (
             &["shading.mode=gouraux"],
