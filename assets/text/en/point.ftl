@@ -188,6 +188,7 @@ point-clause-gap = { "; " }
 # The report in words
 point-report-background = pixel ({ $x }, { $y }) shows the background
     .floor = pixel ({ $x }, { $y }) shows the floor
+point-material = Material { $name }
 point-report-material = Material { $name }: { $numbers }
 point-report-face = pixel ({ $x }, { $y }), face { $face }, depth { $depth }
 point-report-surface = pixel ({ $x }, { $y }), depth { $depth }

@@ -108,7 +108,7 @@ obj-vertex-colours = colours of vertices are not drawn
 mtl-name-too-long = the name of a material is longer than { $longest } characters; its faces have the scene's material
 mtl-too-many = more than { $most } materials; the faces of the others have the scene's material
 mtl-not-found = no library defines the material `{ $name }`; its faces have the scene's material
-mtl-halo = `-halo` is not drawn, the material is equally transparent from every side
+mtl-halo = `-halo` is not read
 mtl-spectral = a colour given by `{ $word }` is not read, expected red, green and blue
 mtl-number = a number from 0 to 1000000
 

@@ -176,6 +176,7 @@ point-clause-gap = ；
 # 文字報告
 point-report-background = 像素 ({ $x }, { $y }) 顯示背景
     .floor = 像素 ({ $x }, { $y }) 顯示地板
+point-material = 材質 { $name }
 point-report-material = 材質 { $name }：{ $numbers }
 point-report-face = 像素 ({ $x }, { $y })，面 { $face }，深度 { $depth }
 point-report-surface = 像素 ({ $x }, { $y })，深度 { $depth }

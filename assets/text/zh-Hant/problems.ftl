@@ -108,7 +108,7 @@ obj-vertex-colours = 不繪製頂點的顏色
 mtl-name-too-long = 材質名稱超過 { $longest } 個字元；其面使用場景的材質
 mtl-too-many = 材質超過 { $most } 種；其餘材質的面使用場景的材質
 mtl-not-found = 沒有材質庫定義材質 `{ $name }`；其面使用場景的材質
-mtl-halo = 不繪製 `-halo`，材質從各方向看都同樣透明
+mtl-halo = 不讀取 `-halo`
 mtl-spectral = 以 `{ $word }` 給定的顏色不會讀取，應為紅、綠、藍
 mtl-number = 0 到 1000000 的數字
 

@@ -5,8 +5,8 @@ mod filled;
 use super::curves::{CurvesView, beside_words, curves_ui};
 use super::report::export_ui;
 use crate::analysis::probe::{
-    ConstructionStep, Here, LightHere, Probe, ProbeHit, Probed, VectorsShown, WorkedStep, digits,
-    draw_vectors,
+    ConstructionStep, Here, HitMaterial, LightHere, Probe, ProbeHit, Probed, VectorsShown,
+    WorkedStep, digits, draw_vectors,
 };
 use crate::app::engine::Engine;
 use crate::app::session::Session;
@@ -159,6 +159,10 @@ fn pixel_ui(ui: &mut Ui, session: &Session, probe: &Probe, hit: &ProbeHit) {
             None => text!("point-place-surface", depth = depth),
         };
         ui.label(RichText::new(place).weak());
+        if let Some(HitMaterial { name, .. }) = &hit.material {
+            let material = text!("point-material", name = name.as_str());
+            ui.label(RichText::new(material).weak());
+        }
     });
 }
 
