@@ -409,7 +409,7 @@ impl BandPainter<'_> {
             let bits = batch.pixels.iter().map(|pixel| {
                 let reached =
                     visibility.and_then(|bits| bits.at(first_row + *pixel as usize / width, 0));
-                (reached, pixel as usize % width)
+                (reached, *pixel as usize % width)
             });
             let (words, stride) = Reached::gathered(bits, equation.sources.len());
             let pixels = Pixels {
