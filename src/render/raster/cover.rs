@@ -163,7 +163,7 @@ impl Band {
                 rows: 1,
                 width,
             },
-            extents: vec![0..width],
+            extents: std::iter::once(0..width).collect(),
             ..Self::default()
         }
     }
