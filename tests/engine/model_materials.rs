@@ -303,8 +303,7 @@ fn the_probe_sees_what_the_picture_shows_with_the_faces_material() {
             assert_eq!(hit.material, expected, "{x}, {y}");
             let shown =
                 picture[(y * width + x) as usize].map(|bits| f64::from(f32::from_bits(bits)));
-            for channel in 0..3 {
-                let (a, b) = (hit.sum[channel], shown[channel]);
+            for (a, b) in hit.sum.to_array().into_iter().zip(shown) {
                 assert!(
                     (a - b).abs() < 2e-3 * (1.0 + b.abs()),
                     "{kind:?} {variant:?} {:?} {x}, {y}: {a}, {b}",

@@ -410,7 +410,7 @@ fn colours_of_vertices_are_said_once() {
     let colored = "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nf 1 2 3\n";
     let mesh = read_obj(colored.as_bytes(), &mut |_| {}).expect("a triangle");
     let words = english!("obj-vertex-colours");
-    assert_eq!(remarks(&mesh), [(None, 1, &*words)]);
+    assert_eq!(remarks(&mesh), [(None, 1, words)]);
     let weighted = "v 0 0 0 1\nv 1 0 0 1\nv 0 1 0 1\nf 1 2 3\n";
     let mesh = read_obj(weighted.as_bytes(), &mut |_| {}).expect("a triangle");
     assert_eq!(remarks(&mesh), []);
