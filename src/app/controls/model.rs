@@ -26,8 +26,10 @@ const MOST_LINES: f32 = 8.5;
 pub struct ChosenMaterial {
     /// Its number in the model; the scene's own where there is none.
     number: Option<usize>,
-    /// The pixel and the model that were probed when it was chosen.
-    probed: Option<([u32; 2], *const Mesh)>,
+    /// The model.
+    of: Option<*const Mesh>,
+    /// The pixel that was probed last.
+    probed: Option<[u32; 2]>,
 }
 
 /// Returns the model's materials, if faces have them.
@@ -49,20 +51,26 @@ pub fn list_ui(ui: &mut Ui, session: &mut Session, window: &mut WindowState, eng
         return;
     };
     let mut chosen: ChosenMaterial = window.own.take();
-    let probed = engine
-        .probed()
-        .map(|probe| (probe.pixel, Arc::as_ptr(model)));
-    if let Some(face) = engine.probed_face().filter(|_| probed != chosen.probed) {
-        let number = usize::from(model.face_material(face as usize));
+    let object = &session.shown.scene.object;
+    let of = Some(Arc::as_ptr(model));
+    if chosen.of != of {
         chosen = ChosenMaterial {
-            number: Some(number),
-            probed,
+            number: Some(0),
+            of,
+            probed: None,
         };
     }
-    chosen.number = chosen
-        .number
-        .filter(|number| *number < model.materials.len());
-    let object = &session.shown.scene.object;
+    let drawn = engine
+        .drawn()
+        .filter(|drawn| drawn.object.path == object.path);
+    let probed = drawn.and(engine.probed()).map(|probe| probe.pixel);
+    if probed != chosen.probed
+        && let Some(face) = engine.probed_face()
+    {
+        let number = usize::from(model.face_material(face as usize));
+        chosen.number = (number < model.materials.len()).then_some(number);
+    }
+    chosen.probed = probed;
     let line = ui.spacing().interact_size.y + ui.spacing().item_spacing.y;
     let area = ScrollArea::vertical().max_height(MOST_LINES * line);
     area.id_salt("model").show(ui, |ui| {
