@@ -161,14 +161,16 @@ export function site(launch = browser, options = {}) {
 /** Whether the page is loading, ready, or what hinders it. */
 export const state = (page) => page.evaluate(() => document.documentElement.dataset.state);
 
-/** Drops a file on the window. */
-export const drop = (page, name, content) =>
-  page.evaluate(([name, text]) => {
-    const bytes = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+/** Drops files on the window: the name and the content of each. */
+export const drop = (page, ...files) =>
+  page.evaluate((files) => {
     const dataTransfer = new DataTransfer();
-    dataTransfer.items.add(new File([bytes], name));
+    for (let at = 0; at < files.length; at += 2) {
+      const bytes = Uint8Array.from(atob(files[at + 1]), (letter) => letter.charCodeAt(0));
+      dataTransfer.items.add(new File([bytes], files[at]));
+    }
     document.querySelector("canvas").dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
-  }, [name, Buffer.from(content).toString("base64")]);
+  }, files.map((text, at) => (at % 2 === 0 ? text : Buffer.from(text).toString("base64"))));
 
 /** What stands in the address after the path. */
 export const address = (page) => page.evaluate(() => location.search);

@@ -131,6 +131,29 @@ scene = "sphere"
   });
 });
 
+test("a model is dropped with its library, and a library that is missing is named", async () => {
+  const square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nusemtl red\nf 1 2 3 4\n";
+  const library = "newmtl red\nKd 0.8 0.1 0.1\n";
+  const asks = async (page) => (await widgets(page)).some(({ name }) => name.includes("red.mtl: drop this file"));
+  const lists = async (page) => (await widget(page, "red", "Button")) !== undefined;
+  await here.on("", async (page) => {
+    await drop(page, "square.obj", `mtllib red.mtl\n${square}`);
+    await until(() => asks(page));
+    assert.ok(!(await lists(page)));
+    // The library alone completes the model.
+    await drop(page, "red.mtl", library);
+    await until(() => lists(page));
+    assert.ok(!(await asks(page)));
+  });
+  await here.on("", async (page) => {
+    await drop(page, "red.mtl", library, "square.obj", `mtllib ./red.mtl\n${square}`);
+    await until(() => lists(page));
+    assert.ok(!(await asks(page)));
+    const title = await page.title();
+    assert.ok(title.startsWith("square.obj"), title);
+  });
+});
+
 test("the page runs no script but its own", async () => {
   const { page } = await open(here.browser.context, here.server.url);
   const { ran, refused } = await page.evaluate(async () => {
