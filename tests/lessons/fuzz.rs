@@ -2,7 +2,7 @@
 //! their structure. Each is read or refused, in bounded time and memory, and whatever is read survives being written.
 
 use crate::common::fuzz::{Format, is_small, lessons_of_every_kind, text};
-use shading_lab::geometry::read_obj;
+use shading_lab::geometry::{read_model, read_obj};
 use shading_lab::lesson::{
     Answer, Answered, Grade, Handed, LESSONS, Lab, Lesson, Record, Worksheet, check, class_sheet,
     collect, hand_in_bytes, in_words, read_hand_in, worksheet,
@@ -89,6 +89,41 @@ fn models() {
             "1/2/3",
         ],
         read: |bytes| read_obj(Cursor::new(bytes), &mut |_| {}).is_ok(),
+        png: false,
+    };
+    format.fuzz();
+}
+
+#[test]
+fn material_libraries() {
+    const MODEL: &[u8] =
+        b"mtllib a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\nusemtl b c\nf 3 2 1\n";
+    let plain =
+        b"newmtl a\nKa 0.1 0.1 0.1\nKd 0.5 0 1\nKs 0.5\nNs 20\nillum 2\nnewmtl b c\nd 0.5\n"
+            .to_vec();
+    let maps = b"# x\r\nnewmtl b c\r\n\tmap_Kd -s 1 1 1 -clamp on a b.png\r\n\tTr 0.5\r\n".to_vec();
+    let format = Format {
+        name: "material libraries",
+        sound: vec![plain, maps],
+        words: &[
+            "newmtl a\n",
+            "newmtl ",
+            "Kd ",
+            "Ks spectral a.rfl 1\n",
+            "Ka xyz 1 1 1\n",
+            "d -halo 0.5\n",
+            "Tr 1\n",
+            "map_Kd -type sphere ",
+            "-mm 0 1 ",
+            "# Meshlab\n",
+            "1e999",
+            "-1",
+            "\\\n",
+        ],
+        read: |bytes| {
+            let read = read_model(MODEL, &mut |_| {}, &mut |_| Ok(bytes.to_vec()));
+            read.is_ok_and(|mesh| mesh.remarks.is_empty())
+        },
         png: false,
     };
     format.fuzz();

@@ -170,7 +170,8 @@ impl Uses {
     fn read(&mut self, library: &str, bytes: &[u8], found: &mut [Option<ModelMaterial>]) {
         let text = String::from_utf8_lossy(bytes);
         // MeshLab's `Tr` is the part that is not transparent (vcglib, wrap/io_trimesh/io_material.h).
-        let opaque_tr = text.contains("Meshlab");
+        const MESHLAB: &[u8] = b"Meshlab";
+        let opaque_tr = bytes.windows(MESHLAB.len()).any(|part| part == MESHLAB);
         let mut current: Option<&mut ModelMaterial> = None;
         // `d` counts before `Tr`, whatever their order.
         let mut has_d = false;
