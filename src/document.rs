@@ -101,6 +101,18 @@ pub(crate) fn undrawn(object: &Object, model: Option<&Mesh>) -> Vec<String> {
         format!("{}:{}: {}", excerpt(file), remark.line, remark.words)
     };
     let mut warnings: Vec<String> = mesh.remarks.iter().map(said).collect();
+    let is_own = |name: &String| mesh.materials.iter().any(|own| own.name == *name);
+    for change in object
+        .materials
+        .iter()
+        .filter(|change| !is_own(&change.name))
+    {
+        let name = excerpt(&change.name);
+        warnings.push(format!(
+            "{own}: {}",
+            text!("document-no-material", name = name)
+        ));
+    }
     let mut textures: Vec<&str> = vec![];
     for name in mesh.materials.iter().flat_map(|material| &material.maps) {
         if !textures.contains(&name.as_str()) && textures.len() <= MOST_NAMED {
@@ -205,6 +217,13 @@ fn completed(
     if let Some(mesh) = loaded.model.as_ref().filter(|_| alone) {
         let (centre, radius) = mesh.ball();
         scene.camera = scene.camera.fitted(centre, radius, scene.image.size);
+        // Blender writes `Ka 1 1 1` for every material, of a world whose ambient light is weak.
+        let ka = mesh
+            .materials
+            .iter()
+            .map(|own| own.material().ka.max_element());
+        let strongest = ka.fold(MOST_AMBIENT, f64::max);
+        scene.ambient.color *= MOST_AMBIENT / strongest;
     }
     // Done last, so that messages name the model as the user does. An unknown working directory is ignored.
     if let Some(model_path) = &mut scene.object.path
@@ -215,6 +234,8 @@ fn completed(
     Ok(loaded)
 }
 
+/// The largest Ka·Ia of a model that is opened alone, without a scene that says how strong its ambient light is.
+const MOST_AMBIENT: f64 = 0.2;
 /// Maximum number of bytes that reading a model takes for each byte of its file (`tests/engine/obj_memory.rs`).
 const OF_MODEL: u64 = 6;
 /// Size in bytes up to which files are read without a check of the memory in advance.

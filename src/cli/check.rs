@@ -106,7 +106,8 @@ impl Sound {
                 let [width, height] = scene.image.size;
                 let polygons =
                     polygons(loaded).map(|count| text!("cli-check-polygons", count = count));
-                text!(
+                let materials = names(loaded).join(", ");
+                let sound = text!(
                     "cli-check-sound",
                     name = name,
                     object = scene.object.kind.label(),
@@ -114,7 +115,11 @@ impl Sound {
                     lights = scene.lights.len(),
                     mode = scene.shading.mode.label(),
                     size = format!("{width}×{height}")
-                )
+                );
+                if materials.is_empty() {
+                    return sound;
+                }
+                sound + "\n" + &text!("cli-check-materials", names = materials)
             }
         }
     }
@@ -132,7 +137,7 @@ impl Sound {
             Self::Scene(loaded) => {
                 let scene = &loaded.scene;
                 json!({
-                    "kind": "scene", "warnings": loaded.warnings(), "object": scene.object.kind, "polygons": polygons(loaded),
+                    "kind": "scene", "warnings": loaded.warnings(), "materials": names(loaded), "object": scene.object.kind, "polygons": polygons(loaded),
                     "lights": scene.lights.len(), "mode": scene.shading.mode, "size": scene.image.size,
                 })
             }
@@ -148,6 +153,12 @@ impl Sound {
 fn polygons(loaded: &Loaded) -> Option<usize> {
     let model = loaded.model.as_ref()?;
     Some(model.starts.len().saturating_sub(1))
+}
+
+/// Returns the names of the model's materials.
+fn names(loaded: &Loaded) -> Vec<&str> {
+    let materials = loaded.model.iter().flat_map(|model| &model.materials);
+    materials.map(|material| material.name.as_str()).collect()
 }
 
 fn questions(lesson: &Lesson) -> usize {

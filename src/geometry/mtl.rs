@@ -38,6 +38,7 @@ impl ModelMaterial {
     /// The colour is white and the coefficients carry the channels, as with the named materials of OpenGL: an MTL file has one
     /// `Kd` for Kd·Od, and its `Ka` and `Ks` are not tinted by it. A statement that is missing has the value that Wavefront's
     /// format gives it (`Ka` 0.2, `Kd` 0.8, `Ks` 1, `Ns` 0), and without both `illum` and `Ks` there is no highlight.
+    /// There is none with `Ns` 0 either, which Blender and MeshLab write for a surface without gloss.
     pub fn material(&self) -> Material {
         const KA: f64 = 0.2;
         const KD: f64 = 0.8;
@@ -46,8 +47,8 @@ impl ModelMaterial {
             let most = Rgb::splat(Material::MAX_COEFFICIENT);
             given.unwrap_or(Rgb::splat(default)).clamp(Rgb::ZERO, most)
         };
-        let highlight = self.illum.map_or(self.ks.is_some(), |model| model > 1);
         let n = self.n.unwrap_or(0.0).max(0.0);
+        let highlight = n > 0.0 && self.illum.map_or(self.ks.is_some(), |model| model > 1);
         Material {
             ka: coefficient(self.ka, KA),
             kd: coefficient(self.kd, KD),

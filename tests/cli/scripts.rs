@@ -48,6 +48,19 @@ fn a_model_drawn_without_its_materials_says_so_once() {
             );
         }
     }
+    folder.write(
+        "named.obj",
+        format!("mtllib named.mtl\nusemtl red\n{TRIANGLE}"),
+    );
+    folder.write("named.mtl", "newmtl red\nKd 1 0 0\n");
+    let json = folder.json(&["check", "named.obj", "--json"]);
+    assert_eq!(json["materials"], serde_json::json!(["red"]));
+    let listed = english!("cli-check-materials", names = "red");
+    assert!(
+        folder
+            .prints(&["check", "named.obj"])
+            .ends_with(&(listed + "\n"))
+    );
     for (model, count) in [("plain.obj", 0), ("red.obj", 1)] {
         let output = folder.run(&["check", model, "--json"]);
         let object: Value = serde_json::from_slice(&output.stdout).expect("JSON");

@@ -274,6 +274,33 @@ fn a_library_lies_beside_its_model_and_nowhere_else() {
 }
 
 #[test]
+fn the_ambient_light_of_a_model_alone_suits_its_materials() {
+    let folder = Folder::new("ambient");
+    let (path, scene) = (folder.0.join("a.obj"), folder.0.join("a.toml"));
+    fs::write(&path, format!("mtllib a.mtl\n{SQUARE}")).expect("a model");
+    fs::write(&scene, "object = {kind = 'obj', path = 'a.obj'}\n").expect("a scene");
+    let ambient = |path: &Path| load_scene(path).expect("a model").scene.ambient.color.x;
+    for (ka, expected) in [(1.0, 0.2), (0.5, 0.4), (0.2, 1.0), (0.05, 1.0), (0.0, 1.0)] {
+        fs::write(folder.0.join("a.mtl"), format!("newmtl red\nKa 0 {ka} 0\n")).expect("a library");
+        assert!((ambient(&path) - expected).abs() < 1e-12, "{ka}");
+        assert_eq!(ambient(&scene), 1.0, "a scene says how strong its light is");
+    }
+}
+
+#[test]
+fn a_change_of_a_material_that_the_model_does_not_have_is_said() {
+    let folder = Folder::new("changes");
+    fs::write(folder.0.join("a.mtl"), "newmtl red\n").expect("a library");
+    fs::write(folder.0.join("a.obj"), format!("mtllib a.mtl\n{SQUARE}")).expect("a model");
+    let scene = folder.0.join("a.toml");
+    let text = "[object]\nkind = 'obj'\npath = 'a.obj'\n[[object.material]]\nname = 'red'\nkd = 0.5\n\
+        [[object.material]]\nname = 'blue'\nkd = 0.5\n";
+    fs::write(&scene, text).expect("a scene");
+    let expected = format!("a.obj: {}", english!("document-no-material", name = "blue"));
+    assert_eq!(read_model(&scene), (vec![expected], 1));
+}
+
+#[test]
 fn a_few_textures_are_named_and_each_once() {
     let folder = Folder::new("textures");
     let maps: String = (0..9).map(|k| format!("map_Kd {}.png\n", k % 7)).collect();

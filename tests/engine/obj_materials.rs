@@ -114,6 +114,8 @@ fn meshlab() {
         Tr 0.250000\nillum 2\nNs 0.000000\n\n";
     let mesh = model(obj.as_bytes(), &[("./a.obj.mtl", mtl.as_bytes())]);
     let opacities: Vec<_> = mesh.materials.iter().map(|m| m.dissolve).collect();
+    let shown = mesh.materials[0].material();
+    assert_eq!((shown.ks, shown.n), (Rgb::ZERO, 0.0), "Ns 0 is no gloss");
     assert_eq!(opacities, [Some(1.0), Some(0.25)]);
     assert_eq!(mesh.materials[0].kd, Some(Rgb::new(1.0, 0.501961, 0.0)));
     // Of a mesh without a material it names a library that it does not write.

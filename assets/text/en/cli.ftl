@@ -229,6 +229,7 @@ cli-help-bench = Measure the time of a frame and of its stages
 cli-help-bench-growth = Also measure how the time grows with the pixels, up to 8 million, and with the triangles, up to 4 million
 cli-help-bench-simd = The SIMD level: avx512, avx2, sse4.2 or sse2 on PCs; the machine's best unless given
 
+cli-check-materials = Materials of the model: { $names }
 cli-check-lesson = { $name }: a valid lesson, { $steps } steps, { $questions ->
     [one] 1 question
    *[other] { $questions } questions

@@ -26,5 +26,6 @@ document-library-size = larger than { $megabytes } MB, expected a material libra
 document-library-drop = drop this file on the page together with the model
 # On stderr and in the window, beside a picture that is drawn.
 document-dissolve = transparency of single materials is not drawn, as of { $name }
+document-no-material = has no material `{ $name }`, which the scene changes
 document-textures = textures are not drawn: { $names }
 document-and-more = { $first } (and { $count } more)

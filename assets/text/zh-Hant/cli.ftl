@@ -221,4 +221,5 @@ cli-help-bench = 量測畫格及其各階段的時間
 cli-help-bench-growth = 另量測時間隨像素數（至 800 萬）與三角形數（至 400 萬）的成長
 cli-help-bench-simd = SIMD 等級：PC 上為 avx512、avx2、sse4.2 或 sse2；未指定則用這部電腦最好的等級
 
+cli-check-materials = 模型的材質：{ $names }
 cli-check-lesson = { $name }：單元沒有問題，{ $steps } 個步驟，{ $questions } 個題目
