@@ -18,7 +18,7 @@ fn coefficients(material: &mut Material) -> [&mut Rgb; 3] {
     [&mut material.ka, &mut material.kd, &mut material.ks]
 }
 
-/// Switches a term, given by its index, off or on again.
+/// Switches a term, given by its index, off or on again; in all of a model's materials, which get their opened values back.
 pub fn switch(session: &mut Session, window: &mut WindowState, term: usize) {
     let opened = coefficients(&mut session.opened().material.clone()).map(|value| *value)[term];
     let usual = coefficients(&mut Material::default()).map(|value| *value)[term];
@@ -33,7 +33,17 @@ pub fn switch(session: &mut Session, window: &mut WindowState, term: usize) {
         kept.0[term] = Some(**value);
         **value = Rgb::ZERO;
     }
+    let off = **value == Rgb::ZERO;
     window.own.put(kept);
+    let Session { shown, initial, .. } = session;
+    let object = &mut shown.scene.object;
+    for material in shown.model.iter().flat_map(|model| &model.materials) {
+        let (name, own) = (&material.name, material.material());
+        let mut wanted = object.material(name, &own);
+        let opened = coefficients(&mut initial.object.material(name, &own)).map(|value| *value);
+        *coefficients(&mut wanted)[term] = if off { Rgb::ZERO } else { opened[term] };
+        object.change_material(name, &own, &wanted);
+    }
 }
 
 /// Shows a switch for each term, in the term's colour; in a `wide` window from right to left, with full

@@ -143,3 +143,24 @@ fn a_change_in_one_pane_of_two_goes_to_both() {
     let of = |pane| session.panes.scene(pane).object.materials.clone();
     assert_eq!((of(0).len(), of(0)), (1, of(1)));
 }
+
+#[test]
+fn a_term_is_switched_off_in_every_material_and_on_again() {
+    let mut harness = model("window-model-terms");
+    let before = scene(&harness).clone();
+    let switch = |harness: &mut Harness<'_, App>| {
+        let term = harness.get_by_role_and_label(Role::CheckBox, english!("term-diffuse"));
+        term.click_accesskit();
+        settle(harness);
+    };
+    switch(&mut harness);
+    let changes = &scene(&harness).object.materials;
+    let off: Vec<_> = changes
+        .iter()
+        .map(|change| change.kd.map(|kd| kd.0))
+        .collect();
+    assert_eq!(off, [Some(Rgb::ZERO); 2]);
+    assert_eq!(scene(&harness).material.kd, Rgb::ZERO);
+    switch(&mut harness);
+    assert_eq!(*scene(&harness), before);
+}
