@@ -347,8 +347,9 @@ impl Parameter {
 
     fn message(&self, part: &str) -> &'static str {
         // A key of a model's material is called as the scene's own.
-        let key = match self.key.strip_prefix("object.material.N.") {
-            Some(key) if key != "name" => format!("material.{key}"),
+        let of_model = List::of(self.key) == Some(List::Materials);
+        let key = match self.key.rsplit_once('.') {
+            Some((_, key)) if of_model && key != "name" => format!("material.{key}"),
             _ => self.key.to_owned(),
         };
         text!(&format!("parameter-{}{part}", key.replace('.', "-")))

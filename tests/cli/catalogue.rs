@@ -188,7 +188,11 @@ const COMMAND_LINE: &str = "cli-help-";
 
 /// Returns the keys of the [`DERIVED`] families, composed of the existing names.
 fn derived() -> BTreeSet<String> {
-    let parameters = Parameter::all().flat_map(|parameter| {
+    // The keys of a model's materials are called as those of the scene's own.
+    let named =
+        |key: &str| !key.starts_with("object.material.N") || key == "object.material.N.name";
+    let parameters = Parameter::all().filter(|parameter| named(parameter.key));
+    let parameters = parameters.flat_map(|parameter| {
         let name = format!("parameter-{}", parameter.key.replace('.', "-"));
         ["", ".label", ".help"].map(|part| format!("{name}{part}"))
     });

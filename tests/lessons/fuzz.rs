@@ -101,7 +101,9 @@ fn material_libraries() {
     let plain =
         b"newmtl a\nKa 0.1 0.1 0.1\nKd 0.5 0 1\nKs 0.5\nNs 20\nillum 2\nnewmtl b c\nd 0.5\n"
             .to_vec();
-    let maps = b"# x\r\nnewmtl b c\r\n\tmap_Kd -s 1 1 1 -clamp on a b.png\r\n\tTr 0.5\r\n".to_vec();
+    let maps =
+        b"# x\r\nnewmtl a\r\nnewmtl b c\r\n\tmap_Kd -s 1 1 1 -clamp on a b.png\r\n\tTr 0.5\r\n"
+            .to_vec();
     let format = Format {
         name: "material libraries",
         sound: vec![plain, maps],
