@@ -1,6 +1,6 @@
 //! The end of a lesson: its results, and the way to hand them in.
 
-use super::{choose, go, ready, step, tab_to, type_text, window};
+use super::{choose, go, ready, said, step, tab_to, type_text, window};
 use crate::common::hands::{press, wait};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers};
@@ -75,12 +75,11 @@ fn a_lesson_ends_with_its_results_and_hands_in_by_keyboard_alone() {
     type_text(&mut harness, path.to_str().expect("a path"));
     harness.key_press(Key::Enter);
     harness.run_ok();
-    let there = path.clone();
-    let written =
-        |harness: &Harness<'_, App>| there.exists() && harness.state().state().dialog.is_none();
-    assert!(wait(&mut harness, written));
-    // A frame without the dialog, which keeps the keys to itself; then the list says how far it is done.
-    harness.run_ok();
+    // The window says so a little after the file is there.
+    let told = english!("course-handed-in", path = path.display().to_string());
+    assert!(wait(&mut harness, |harness| said(harness) == Some(&*told)));
+    assert!(path.exists() && harness.state().state().dialog.is_none());
+    // The list says how far it is done.
     harness.key_press(Key::PageDown);
     harness.run_ok();
     let far = english!("course-answers-right", right = 0, count = 8);
