@@ -438,7 +438,8 @@ pub fn letter_ui(ui: &Ui, session: &mut Session, window: &mut WindowState) {
     let ctx = ui.ctx();
     if let Some((symbol, rect)) = symbol::take_clicked(ctx) {
         match row::of_letter(&session.shown.scene, symbol, session.light) {
-            Some(parameter) if !window.appearance.controls => {
+            // Of a model's materials, the panel shows which one is chosen.
+            Some(parameter) if !(window.appearance.controls || model::has_several(session)) => {
                 window.own.put(Some(BelowLetter(parameter, rect)));
             }
             _ => symbol::seek(ctx, Sought::Symbol(symbol)),

@@ -14,7 +14,9 @@ mod shape;
 mod value;
 
 pub use choice::{Choice, ChoiceOption, RightIf};
-pub use curve::{CURVE_POINTS, Curve, CurveOf, abscissa, ordinate};
+pub use curve::{CURVE_POINTS, Curve, CurveOf};
+#[cfg(feature = "app")]
+pub use curve::{abscissa, ordinate};
 pub use extreme::Extreme;
 pub(super) use lettered::Bars;
 pub use lettered::letter;

@@ -39,6 +39,11 @@ fn model(session: &Session) -> Option<&Arc<Mesh>> {
     (!model.materials.is_empty()).then_some(model)
 }
 
+/// Returns whether the panel has a list of materials.
+pub fn has_several(session: &Session) -> bool {
+    model(session).is_some()
+}
+
 /// Shows a line for each of the model's materials. What is probed anew is chosen.
 pub fn list_ui(ui: &mut Ui, session: &mut Session, window: &mut WindowState, engine: &Engine) {
     let has = |model: &Arc<Mesh>| !model.materials.is_empty();

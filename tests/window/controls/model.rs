@@ -1,13 +1,13 @@
 //! The materials of a model in the window: listed, chosen by pointing, changed in the scene.
 
 use crate::common::hands::{
-    choose, enter, named, picture_place, press, scene, settle, undo, window_of,
+    choose, enter, named, picture_place, press, scene, settle, undo, window_looking, window_of,
 };
 use eframe::egui::Pos2;
 use eframe::egui::accesskit::{Role, Toggled};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
-use shading_lab::app::App;
+use shading_lab::app::{App, Appearance};
 use shading_lab::document::{Loaded, load_scene};
 use shading_lab::scene::{Camera, CompareView, MaterialSource, Pane, Rgb};
 use std::path::Path;
@@ -109,6 +109,19 @@ fn what_is_clicked_is_chosen_and_changed_in_the_scene() {
         .expect("a library"),
         LIBRARY
     );
+}
+
+#[test]
+fn a_clicked_letter_opens_the_panel_which_shows_whose_it_is() {
+    let mut stored = Appearance::default();
+    (stored.controls, stored.views) = (false, false);
+    let loaded = loaded("window-model-letter");
+    let mut harness = window_looking(loaded, [1280.0, 800.0], &stored, |app| app);
+    assert!(chosen(&harness).is_empty(), "the panel is closed");
+    let letter = format!("Exponent {}", english!("in-equation"));
+    harness.get_by_label(&letter).click();
+    settle(&mut harness);
+    assert_eq!(chosen(&harness).len(), 1);
 }
 
 #[test]
