@@ -96,7 +96,7 @@ impl NamedMaterial {
         text!(&format!("material-{}", self.name))
     }
 
-    /// Returns the material: its colours are in its coefficients, and its roughness is [that of its n](Material::roughness_of).
+    /// Returns the material: its colours are in its coefficients, and its roughness is that of its n.
     pub fn material(&self) -> Material {
         let Self { ka, kd, ks, n, .. } = *self;
         Material {
