@@ -197,7 +197,7 @@ pub fn captions_ui(
             let Some(error) = figures.iter().find_map(|one| one.error) else {
                 return;
             };
-            let title = format!("{} − {}", figures[0].name, figures[1].name);
+            let title = with_raised_n(&format!("{} − {}", figures[0].name, figures[1].name));
             let width = rect.width() - 2.0 * PADDING.x;
             let galley = fitting(&painter, &[title], &font, width);
             let name = Rect::from_min_size(rect.min, galley.size() + 2.0 * PADDING);
