@@ -6,17 +6,17 @@
 //!
 //! Imports run downwards: a folder imports those below it in this list, and lens, model and node.
 
+mod face_materials;
 mod lens;
 mod model;
 mod node;
-mod palette;
 mod raster;
 mod rays;
 mod renderer;
 mod simd;
 
+pub(crate) use face_materials::{FaceMaterials, for_each_material};
 pub use node::Memory;
-pub(crate) use palette::{Palette, for_each_material};
 pub use rays::Transmission;
 pub use renderer::{
     Cued, Frame, FrameReport, Per, Plan, Renderer, Stage, StageRun, Term, TermName, TooLarge,

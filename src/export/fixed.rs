@@ -473,17 +473,17 @@ fn main(scene: &Scene, mesh: &VertexMesh) -> String {
             format!("    {{{a}, {b}, {c}}},\n")
         }
     };
-    let (materials, palette) = Materials::of(scene, Some(mesh));
+    let (materials, face_materials) = Materials::of(scene, Some(mesh));
     let several = materials.all.len() > 1;
     let concave = if flat {
-        Concave::of(mesh, several.then_some(&palette))
+        Concave::of(mesh, several.then_some(&face_materials))
     } else {
         Concave::default()
     };
     let mut faces: Vec<usize> = (0..mesh.face_count())
         .filter(|f| !concave.has(*f))
         .collect();
-    let own = |f: &usize| palette.of_face(*f as u32);
+    let own = |f: &usize| face_materials.of_face(*f as u32);
     faces.sort_by_key(own);
     let run = |faces: &[usize]| {
         let triangles: usize = faces.iter().map(|f| mesh.face_triangles(*f).len()).sum();

@@ -3,7 +3,7 @@
 use super::limit::{Limit, holding, limit};
 use crate::geometry::VertexMesh;
 use crate::illumination::{SpecularForm, area_samples, attenuation_at, direction};
-use crate::render::{Palette, for_each_material};
+use crate::render::{FaceMaterials, for_each_material};
 use crate::scene::{
     AmbientSource, Attenuation, FlatAt, Interpolation, Light, LightKind, Material, PatternKind,
     Projection, Scene, Viewer,
@@ -23,12 +23,12 @@ pub(super) struct Materials {
 
 impl Materials {
     /// Returns those of `mesh`, or the scene's.
-    pub fn of(scene: &Scene, mesh: Option<&VertexMesh>) -> (Self, Palette) {
-        let palette = mesh.map_or_else(Palette::default, Palette::of);
-        let all = palette.materials(scene);
-        let name = |index| plain(palette.name(index).unwrap_or_default());
+    pub fn of(scene: &Scene, mesh: Option<&VertexMesh>) -> (Self, FaceMaterials) {
+        let face_materials = mesh.map_or_else(FaceMaterials::default, FaceMaterials::of);
+        let all = face_materials.materials(scene);
+        let name = |index| plain(face_materials.name(index).unwrap_or_default());
         let names = (0..all.len()).map(name).collect();
-        (Self { all, names }, palette)
+        (Self { all, names }, face_materials)
     }
 
     /// Returns a material's name for a comment.

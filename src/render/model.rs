@@ -1,8 +1,8 @@
 //! The geometry stage's output: polygons, and a mesh as structures of arrays.
 
+use super::face_materials::FaceMaterials;
 use super::lens::DEEPEST;
 use super::node::{Memory, capacity, capacity_of_planes};
-use super::palette::Palette;
 use crate::geometry::{Mesh, VertexMesh, tessellate};
 use crate::illumination::direction;
 use crate::scene::{Camera, Object, area_vector};
@@ -80,8 +80,8 @@ pub struct Model {
     pub closed: bool,
     pub convex: bool,
     /// The materials of the faces.
-    pub palette: Palette,
-    /// The material of each vertex, an index into the palette; empty where all have the same.
+    pub face_materials: FaceMaterials,
+    /// The material of each vertex, an index into these; empty where all have the same.
     pub vertex_materials: Vec<u16>,
     /// The centre and normal of each face of many corners.
     pub large: OnceLock<HashMap<u32, [DVec3; 2]>>,
@@ -91,8 +91,8 @@ impl Model {
     pub fn new(mut mesh: VertexMesh) -> Self {
         mesh.starts.shrink_to_fit();
         mesh.corners.shrink_to_fit();
-        let palette = Palette::of(&mesh);
-        let vertex_materials = vertex_materials(&mesh, &palette.faces);
+        let face_materials = FaceMaterials::of(&mesh);
+        let vertex_materials = vertex_materials(&mesh, &face_materials.faces);
         let count = mesh.triangle_count();
         let (mut triangles, mut faces) = (Vec::with_capacity(count), Vec::with_capacity(count));
         for face in 0..mesh.face_count() {
@@ -111,7 +111,7 @@ impl Model {
             indices: mesh.corners,
             closed: mesh.closed,
             convex: mesh.convex,
-            palette,
+            face_materials,
             vertex_materials,
             large: OnceLock::new(),
         }
@@ -123,7 +123,7 @@ impl Model {
             + capacity(&self.faces)
             + capacity(&self.starts)
             + capacity(&self.indices)
-            + capacity(&self.palette.faces);
+            + capacity(&self.face_materials.faces);
         memory.vertices += capacity(&self.vertex_materials);
     }
 

@@ -1,5 +1,5 @@
 //! The equation above the controls. Its symbols are a table of contents: pointing at one highlights its
-//! controls, and a click scrolls to them.
+//! controls, and a click leads to them.
 
 use crate::analysis::probe::{Letters, equation_letters};
 use crate::app::session::Session;

@@ -3,7 +3,7 @@
 
 use crate::export::text::filled;
 use crate::geometry::VertexMesh;
-use crate::render::Palette;
+use crate::render::FaceMaterials;
 
 /// A face drawn through the stencil buffer, as a fan about its first vertex, which comes last.
 struct Fan {
@@ -14,11 +14,11 @@ struct Fan {
 
 /// The faces that their fans do not cover, and their materials where there are several.
 #[derive(Default)]
-pub struct Concave<'a>(Vec<Fan>, Option<&'a Palette>);
+pub struct Concave<'a>(Vec<Fan>, Option<&'a FaceMaterials>);
 
 impl<'a> Concave<'a> {
-    /// Finds the faces of `mesh` that their fans do not cover; `palette` has their materials if there are several.
-    pub fn of(mesh: &VertexMesh, palette: Option<&'a Palette>) -> Self {
+    /// Finds the faces of `mesh` that their fans do not cover; `face_materials` has their materials if there are several.
+    pub fn of(mesh: &VertexMesh, face_materials: Option<&'a FaceMaterials>) -> Self {
         let runs = mesh.cut.chunk_by(|a, b| a.0 == b.0);
         let fan = |run: &[(u32, [u32; 3])]| {
             let face = run[0].0 as usize;
@@ -35,7 +35,7 @@ impl<'a> Concave<'a> {
                 triangles: triangles.partition(turns_along).into(),
             }
         };
-        Self(runs.map(fan).collect(), palette)
+        Self(runs.map(fan).collect(), face_materials)
     }
 
     /// Returns whether face `f` is among them.
@@ -56,9 +56,9 @@ impl<'a> Concave<'a> {
             let (all, along) = (along.len() + against.len(), along.len());
             match self.1 {
                 None => format!("    {{{all}, {along}}},\n"),
-                Some(palette) => format!(
+                Some(face_materials) => format!(
                     "    {{{all}, {along}, {}}},\n",
-                    palette.of_face(*face as u32)
+                    face_materials.of_face(*face as u32)
                 ),
             }
         };

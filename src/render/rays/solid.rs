@@ -156,7 +156,7 @@ impl Solid<'_> {
                     facing,
                     material: self
                         .model
-                        .palette
+                        .face_materials
                         .of_face(self.model.faces[triangle as usize]),
                 }
             };
@@ -354,7 +354,7 @@ impl<'a> Facet<'a> {
             lens,
             corners,
             normals,
-            material: model.palette.of_face(model.faces[triangle]),
+            material: model.face_materials.of_face(model.faces[triangle]),
             flat,
             slopes,
             constants,

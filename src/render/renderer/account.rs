@@ -5,8 +5,8 @@
 use super::frame::{FrameReport, Stage};
 use super::plan::{Cued, NO_LIGHT, Per, Plan, casts_shadows, not_cued, silences, stiff};
 use crate::illumination::{Equation, SpecularForm};
+use crate::render::face_materials::for_each_material;
 use crate::render::model::Model;
-use crate::render::palette::for_each_material;
 use crate::scene::{
     AmbientSource, Backfacing, Encoding, LightKind, Material, ObjectKind, Overflow, PatternKind,
     Reflectance, Rgb, Scene, Viewer,

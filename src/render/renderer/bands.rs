@@ -6,10 +6,10 @@ use super::plan::{Inputs, Per};
 use super::reference::Evaluation;
 use super::shade::{Carried, Evaluated, Stored, Target, Unstored, shade, start_of_row};
 use crate::illumination::{Equation, LANES, Reached, SpecularForm};
+use crate::render::face_materials::ByMaterial;
 use crate::render::lens::pixel_centre;
 use crate::render::model::Planes;
 use crate::render::node::{Memory, capacity};
-use crate::render::palette::ByMaterial;
 use crate::render::raster::{
     BAND, Band, BandExtent, Block, DepthScratch, Fragment, PlacedTriangles, ROWS, Run, carry,
     fragment, interpolate, is_seen, meet_band, put,
@@ -313,7 +313,7 @@ impl BandPainter<'_> {
             };
             return dispatch!(level, simd => shade(simd, band, fragments, columns, carried, &mut target));
         }
-        if !triangles.model.palette.faces.is_empty() {
+        if !triangles.model.face_materials.faces.is_empty() {
             return GATHERED.with_borrow_mut(|batch| {
                 self.shade_by_material(band, fragments, part, &mut target, batch)
             });
@@ -376,7 +376,7 @@ impl BandPainter<'_> {
         let own = |run: &Run| {
             triangles
                 .model
-                .palette
+                .face_materials
                 .of_face(triangles.face(run.triangle))
         };
         let sorted = ByMaterial::of(band.runs.iter().map(own), part.equations.len());

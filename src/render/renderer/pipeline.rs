@@ -13,10 +13,10 @@ use super::ray_nodes::RayNodes;
 use super::shade::{face_points, shade_points, shade_points_in_double};
 use crate::geometry::{Mesh, Surface};
 use crate::illumination::Equation;
+use crate::render::face_materials::for_each_material;
 use crate::render::lens::Lens;
 use crate::render::model::{MeshSource, Model, Planes};
 use crate::render::node::Node;
-use crate::render::palette::for_each_material;
 use crate::render::raster::{Band, Coverage, PlacedTriangles};
 use crate::scene::{AmbientSource, Material, MaterialSource, Object, ObjectKind, Scene, Weighting};
 use fearless_simd::Level;
@@ -257,7 +257,7 @@ impl Renderer {
             offset,
             self.model.output.unit(&scene.camera),
         );
-        let materials = self.model.output.palette.materials(scene);
+        let materials = self.model.output.face_materials.materials(scene);
         let equations = for_each_material(scene, &materials, |scene| {
             let mut equation = Equation::<f32>::in_units(scene, lens.unit);
             equation.retain_lights(|light| plan.lights[light]);

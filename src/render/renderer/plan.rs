@@ -6,9 +6,9 @@
 
 use crate::geometry::Surface;
 use crate::illumination::{Equation, SpecularForm};
+use crate::render::face_materials::for_each_material;
 use crate::render::lens::{Lens, NEAR};
 use crate::render::model::Model;
-use crate::render::palette::for_each_material;
 use crate::render::raster::Triangles;
 use crate::render::rays::{Visibility, World};
 use crate::scene::{
@@ -197,7 +197,7 @@ pub struct Inputs<'a> {
     pub scene: &'a Scene,
     pub plan: &'a Plan,
     pub lens: &'a Lens,
-    /// The materials of faces, in the order of the model's palette.
+    /// The materials, in the order of the model's [`FaceMaterials`](crate::render::FaceMaterials).
     pub materials: &'a [Material],
     pub triangles: Triangles<'a>,
     pub surface: Option<&'a Surface>,
@@ -219,7 +219,7 @@ impl Inputs<'_> {
     pub fn point_materials(&self) -> &[u16] {
         let model = self.triangles.model;
         if self.plan.per == Per::Face {
-            &model.palette.faces
+            &model.face_materials.faces
         } else {
             &model.vertex_materials
         }
@@ -246,7 +246,7 @@ const FAR_FROM: f64 = 1e4;
 
 /// Tells why single precision is not enough for the equation, if it is not.
 pub fn stiff(scene: &Scene, model: &Model) -> Option<Message> {
-    let too_large = for_each_material(scene, &model.palette.materials(scene), |scene| {
+    let too_large = for_each_material(scene, &model.face_materials.materials(scene), |scene| {
         let powers = matches!(
             SpecularForm::of(scene),
             SpecularForm::PhongCosine
@@ -279,7 +279,7 @@ pub fn silences(scene: &Scene, model: &Model) -> Vec<Option<Message>> {
     };
     // The largest part of a light that any material reflects, diffuse and specular together.
     let reflected = model
-        .palette
+        .face_materials
         .materials(scene)
         .iter()
         .map(|own| own.kd * (own.color + other) + own.ks * own.specular_color)

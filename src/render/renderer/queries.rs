@@ -6,8 +6,8 @@ use super::plan::{Inputs, Per, Plan};
 use super::ray_nodes::Mixture;
 use super::reference::{Evaluation, WeightedPoint};
 use crate::illumination::Equation;
+use crate::render::face_materials::for_each_material;
 use crate::render::lens::{Lens, NEAR, pixel_centre};
-use crate::render::palette::for_each_material;
 use crate::render::raster::{PlacedTriangles, UNPLACED};
 use crate::scene::{Material, Rgb, Scene};
 use glam::{DVec2, DVec3};
@@ -64,7 +64,11 @@ impl Renderer {
         scene: &Scene,
         each: impl FnMut(&Scene) -> T,
     ) -> Vec<T> {
-        for_each_material(scene, &self.model.output.palette.materials(scene), each)
+        for_each_material(
+            scene,
+            &self.model.output.face_materials.materials(scene),
+            each,
+        )
     }
 
     /// Returns the equation of each material in double precision, with the lights that the picture of `scene`, the last one, is
@@ -87,18 +91,18 @@ impl Renderer {
         let mut counts = vec![0; planned.materials.len()];
         let mut add = |material: usize, count: u64| counts[material] += count;
         match planned.plan.per {
-            Per::Pixel if model.palette.faces.is_empty() => add(0, report.covered),
-            _ if model.palette.faces.is_empty() => add(0, report.points),
+            Per::Pixel if model.face_materials.faces.is_empty() => add(0, report.covered),
+            _ if model.face_materials.faces.is_empty() => add(0, report.points),
             Per::Pixel => {
                 let triangles = self.inputs(planned).triangles;
                 let bands = self.coverage(&planned.scene).bands;
                 for run in bands.iter().flat_map(|band| &band.runs) {
-                    let material = model.palette.of_face(triangles.face(run.triangle));
+                    let material = model.face_materials.of_face(triangles.face(run.triangle));
                     add(material, u64::from(run.x1 - run.x0));
                 }
             }
             Per::Face => {
-                let faces = &model.palette.faces;
+                let faces = &model.face_materials.faces;
                 faces.iter().for_each(|own| add(usize::from(*own), 1));
             }
             _ => {
@@ -119,12 +123,12 @@ impl Renderer {
     /// Returns the names of the model's materials in the last picture, empty for the scene's, each with the number of evaluations
     /// of the equation with it; nothing for an object without materials of its own.
     pub fn material_counts(&self) -> Vec<(String, u64)> {
-        let palette = &self.model.output.palette;
-        let Some(planned) = self.drawn.as_ref().filter(|_| !palette.is_empty()) else {
+        let face_materials = &self.model.output.face_materials;
+        let Some(planned) = self.drawn.as_ref().filter(|_| !face_materials.is_empty()) else {
             return vec![];
         };
         let counts = self.counts_of(planned).into_iter().enumerate();
-        let name = |index| palette.name(index).unwrap_or_default().to_owned();
+        let name = |index| face_materials.name(index).unwrap_or_default().to_owned();
         counts.map(|(index, count)| (name(index), count)).collect()
     }
 
@@ -135,16 +139,16 @@ impl Renderer {
 
     /// Returns the index of the material of a face of the last picture.
     pub(crate) fn material_of(&self, face: u32) -> usize {
-        self.model.output.palette.of_face(face)
+        self.model.output.face_materials.of_face(face)
     }
 
     /// Returns the name in the model of a material by its index, and its numbers in `scene`; `None` for the scene's own.
     pub(crate) fn model_material(&self, scene: &Scene, index: usize) -> Option<(String, Material)> {
-        let name = self.model.output.palette.name(index)?.to_owned();
+        let name = self.model.output.face_materials.name(index)?.to_owned();
         let material = self
             .model
             .output
-            .palette
+            .face_materials
             .materials(scene)
             .swap_remove(index);
         Some((name, material))
@@ -200,7 +204,7 @@ impl Renderer {
             .corners(triangle)
             .iter()
             .all(|corner| corner[0] != UNPLACED);
-        let (plan, lens, materials) = (&plan, &lens, model.palette.materials(scene));
+        let (plan, lens, materials) = (&plan, &lens, model.face_materials.materials(scene));
         let inputs = Inputs {
             level: self.level(),
             scene,

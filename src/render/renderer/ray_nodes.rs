@@ -4,9 +4,9 @@
 use super::parts::{Part, bouncing};
 use super::plan::{Inputs, Per, Plan};
 use crate::illumination::Equation;
+use crate::render::face_materials::for_each_material;
 use crate::render::lens::pixel_centre;
 use crate::render::node::{Memory, Node, capacity};
-use crate::render::palette::for_each_material;
 use crate::render::raster::Coverage;
 use crate::render::rays::{
     Bounced, Bvh, DiffuseSurface, LightScratch, PrimaryHits, ShadowCaster, Solid, Transmission,

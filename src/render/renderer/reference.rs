@@ -139,7 +139,7 @@ impl<'a> Inputs<'a> {
             normal,
             depth,
             face: Some(face),
-            material: self.model().palette.of_face(face),
+            material: self.model().face_materials.of_face(face),
             cue: self.cue_color(),
             points,
         }

@@ -3,9 +3,9 @@
 use super::display::{Linear, pack, raw};
 use super::plan::Inputs;
 use crate::illumination::{BRIGHTEST, Equation, LANES, Lanes, Reached, Real, SpecularForm, V3};
+use crate::render::face_materials::ByMaterial;
 use crate::render::lens::{FARTHEST, Lens, pixel_centre};
 use crate::render::model::{Model, PADDING, Planes};
-use crate::render::palette::ByMaterial;
 use crate::render::raster::{Band, Block, SHORTEST_NORMAL, join};
 use crate::render::rays::BLOCK;
 use crate::scene::Encoding;

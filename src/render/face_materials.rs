@@ -7,14 +7,14 @@ use std::collections::HashMap;
 
 /// The materials that the faces of a mesh have.
 #[derive(Clone, Debug, Default)]
-pub struct Palette {
+pub struct FaceMaterials {
     /// The materials in the order of their first faces; `None` for the scene's. Empty where the object has none of its own.
     own: Vec<Option<ModelMaterial>>,
     /// The material of each face, an index into [`Self::materials`]; empty where all have the same.
     pub faces: Vec<u16>,
 }
 
-impl Palette {
+impl FaceMaterials {
     /// Finds the materials of the faces of `mesh`.
     pub fn of(mesh: &VertexMesh) -> Self {
         let mut own = vec![];
