@@ -5,6 +5,7 @@
 //! number type [`Real`] has lanes: one for `f64` (the probe, the reference), sixteen for the widest vectors.
 
 mod equation;
+mod formula;
 mod fresnel;
 mod lanes;
 mod pattern;
@@ -13,6 +14,7 @@ mod source;
 mod specular;
 
 pub use equation::{Equation, LightAt, LightResponse, Reached};
+pub use formula::{Counterexample, Domain, FormulaFunction, Outcome, Rate};
 pub use fresnel::{Index, critical_angle, mirror, refract};
 pub use lanes::{COUNT, LANES, Lanes};
 pub use pattern::Fields;

@@ -14,7 +14,6 @@ pub mod material;
 mod material_override;
 pub mod materials;
 mod model_materials;
-mod nearest;
 pub mod object;
 mod overrides;
 pub mod parameter;
@@ -30,6 +29,7 @@ mod symbol;
 mod validation;
 mod view;
 
+pub use crate::text::{did_you_mean, nearest};
 pub use camera::{
     Camera, Display, Encoding, Framing, Image, Overflow, Projection, SceneDescription, Viewer,
 };
@@ -43,7 +43,6 @@ pub use material::{
     PatternKind, Reflectance, Reflection, ReflectionModel, Through, Transparency,
 };
 pub use material_override::MaterialOverride;
-pub use nearest::{did_you_mean, nearest};
 pub use object::{NormalSource, Object, ObjectKind, Weighting};
 pub use parameter::{GREATEST_INTENSITY, GREATEST_LENGTH, LEAST_LENGTH};
 pub use polygons::Polygons;

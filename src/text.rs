@@ -2,6 +2,7 @@
 //! Fluent. Data for programs (JSON, CSV keys, scene files) is not text and never changes with the language.
 
 mod foreign;
+mod nearest;
 mod number;
 
 use fluent_bundle::concurrent::FluentBundle;
@@ -27,6 +28,7 @@ macro_rules! text {
 pub use crate::text;
 pub use fluent_bundle::FluentValue as Value;
 pub use foreign::{escaped, escaped_json, excerpt, turns, with_short_names};
+pub use nearest::{did_you_mean, nearest};
 pub use number::{fixed, with_minus};
 
 /// A language of the catalogue.

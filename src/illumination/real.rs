@@ -1,5 +1,7 @@
 //! The number type over which the equation is written, and vectors of it.
 
+mod angles;
+
 use std::ops::{Add, BitAnd, Div, Mul, Neg, Sub};
 
 /// A coefficient: `f32` for pictures, `f64` for the reference.
@@ -103,6 +105,36 @@ pub trait Real:
         self * self.inverse_sqrt()
     }
 
+    /// Returns the sine of an angle in degrees, absolute error 3·10⁻⁷ in single precision up to some turns.
+    #[inline(always)]
+    fn sin_of_degrees(self) -> Self {
+        angles::sin(self)
+    }
+
+    /// Returns the cosine of an angle in degrees, as exact as the sine.
+    #[inline(always)]
+    fn cos_of_degrees(self) -> Self {
+        angles::sin(self + self.number(90.0))
+    }
+
+    /// Returns the angle in degrees whose sine is `self`, −1 to 1; relative error 5·10⁻⁷ in single precision.
+    #[inline(always)]
+    fn asin_in_degrees(self) -> Self {
+        angles::asin(self)
+    }
+
+    /// Returns the angle in degrees whose cosine is `self`, −1 to 1; relative error 5·10⁻⁷ in single precision.
+    #[inline(always)]
+    fn acos_in_degrees(self) -> Self {
+        angles::acos(self)
+    }
+
+    /// Returns the angle in degrees whose tangent is `self`; relative error 5·10⁻⁷ in single precision.
+    #[inline(always)]
+    fn atan_in_degrees(self) -> Self {
+        angles::atan(self)
+    }
+
     /// Returns `1/self` for `self` ≥ 0, finite at 0.
     #[inline(always)]
     fn reciprocal(self) -> Self {
@@ -131,6 +163,26 @@ impl Real for f64 {
     }
 
     from_std!(max(other), min(other), abs(), floor(), exp2(), log2());
+
+    fn sin_of_degrees(self) -> Self {
+        self.to_radians().sin()
+    }
+
+    fn cos_of_degrees(self) -> Self {
+        self.to_radians().cos()
+    }
+
+    fn asin_in_degrees(self) -> Self {
+        self.asin().to_degrees()
+    }
+
+    fn acos_in_degrees(self) -> Self {
+        self.acos().to_degrees()
+    }
+
+    fn atan_in_degrees(self) -> Self {
+        self.atan().to_degrees()
+    }
 
     fn inverse_sqrt(self) -> Self {
         1.0 / self.max(Self::MIN_POSITIVE).sqrt()

@@ -1,7 +1,6 @@
 //! Problems of a scene: what is wrong, where, and what was expected instead.
 
-use super::nearest::nearest;
-use crate::text::text;
+use crate::text::{nearest, text};
 use std::fmt;
 
 /// Everything that is wrong with a scene: one problem or more.

@@ -14,6 +14,7 @@ mod documents;
 mod drawing;
 mod export;
 mod fine_meshes;
+mod formulas;
 mod framing;
 mod geometry_normals;
 mod geometry_polygons;

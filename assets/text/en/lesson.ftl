@@ -12,6 +12,31 @@ expression-length = has lists of { $a } and { $b } numbers, expected equally man
 expression-not-finite = is no finite number
 expression-no-truth = is neither true nor false: a comparison such as a < b was expected
 
+# Formulas: what is wrong at a place.
+formula-at = line { $line }, column { $column }: { $problem }
+formula-expected-value = a number, a name or “(”
+formula-expected-operator = an operator, or a new line
+formula-expected-sign = “{ $sign }”
+formula-expected-name = a name
+formula-expected-quote = text between quotation marks
+formula-unexpected = unexpected “{ $found }”, expected { $expected }
+formula-ends = the formula ends too early, expected { $expected }
+formula-unknown = there is no “{ $name }” here{ $meant }
+formula-arguments = “{ $name }” has { $count } values, expected { $expected }
+formula-too-long = { $count } characters, expected at most { $most }
+formula-nested = nested deeper than { $most } levels
+formula-operations = more than { $most } operations
+formula-empty = nothing is written yet, expected a formula
+formula-no-value = the last line gives the value and has no “name =”
+formula-line-without-name = only the last line gives the value; the lines before it begin with “name =”
+formula-name-taken = “{ $name }” cannot be the name of a line, it belongs to the language of formulas
+formula-result-vector = the value is a vector, expected a number
+formula-vector-for-number = a vector where a number is expected: “{ $part }”{ $meant }
+formula-number-for-vector = a number where a vector is expected: “{ $part }”
+formula-mixed = a number and a vector do not add: “{ $part }”
+formula-two-vectors = two vectors are multiplied by “·” (dot product) or cross(a, b): “{ $part }”
+formula-no-truth = a comparison such as a < b is expected: “{ $part }”
+
 lesson-too-long = a lesson may have at most { $most } MiB
 lesson-no-head = a lesson begins with its head in TOML, between two lines +++
 lesson-version = `lesson` is not a version that this program knows: expected { $version }

@@ -12,6 +12,31 @@ expression-length = 兩個清單分別有 { $a } 與 { $b } 個數值，應該�
 expression-not-finite = 不是有限的數值
 expression-no-truth = 既非真也非假：應為比較式，例如 a < b
 
+# 公式：哪裡有錯。
+formula-at = 第 { $line } 行第 { $column } 個字元：{ $problem }
+formula-expected-value = 數值、名稱或「(」
+formula-expected-operator = 運算符號或換行
+formula-expected-sign = 「{ $sign }」
+formula-expected-name = 名稱
+formula-expected-quote = 引號中的文字
+formula-unexpected = 出現未預期的「{ $found }」，應為{ $expected }
+formula-ends = 公式太早結束，後面應為{ $expected }
+formula-unknown = 這裡沒有「{ $name }」{ $meant }
+formula-arguments = 「{ $name }」有 { $count } 個值，應為 { $expected } 個
+formula-too-long = 有 { $count } 個字元，最多 { $most } 個
+formula-nested = 巢狀超過 { $most } 層
+formula-operations = 運算超過 { $most } 個
+formula-empty = 尚未寫下公式
+formula-no-value = 最後一行是結果，前面沒有「名稱 =」
+formula-line-without-name = 只有最後一行是結果；之前各行的開頭都是「名稱 =」
+formula-name-taken = 「{ $name }」屬於公式的語法，不能當作一行的名稱
+formula-result-vector = 結果是向量，應為數值
+formula-vector-for-number = 應為數值的地方是向量：「{ $part }」{ $meant }
+formula-number-for-vector = 應為向量的地方是數值：「{ $part }」
+formula-mixed = 數值與向量不能相加：「{ $part }」
+formula-two-vectors = 兩個向量相乘要用「·」（內積）或 cross(a, b)：「{ $part }」
+formula-no-truth = 應為比較式，例如 a < b：「{ $part }」
+
 lesson-too-long = 單元檔最多 { $most } MiB
 lesson-no-head = 單元檔以兩行 +++ 之間的 TOML 標頭開始
 lesson-version = `lesson` 的版本不是本程式認得的：應為 { $version }

@@ -14,11 +14,11 @@ pub fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
     }
     let word = word.to_lowercase();
     let rank = |candidate: &'a str| {
-        let begins = length >= 3 && candidate.starts_with(&word);
+        let begins = length >= 3 && candidate.to_lowercase().starts_with(&word);
         let distance = if begins {
             1
         } else {
-            strsim::osa_distance(&word, candidate)
+            strsim::osa_distance(&word, &candidate.to_lowercase())
         };
         (distance <= (length / 3).max(1) && distance < candidate.chars().count())
             .then_some((distance, candidate))

@@ -1,0 +1,221 @@
+//! A formula over given names: lines `name = …` and one value at the end, with numbers and vectors, whose types are checked.
+//!
+//! ```text
+//!   formula = { name = either newline } either
+//! ```
+//!
+//! A line that begins with an operator continues the line above; `#` and `//` begin comments. A middle dot between two
+//! vectors is their dot product and binds them closer than any operator: `N·L^2` is the square of `N·L`.
+
+mod names;
+mod operator;
+mod types;
+
+pub use names::Names;
+pub use operator::Operator;
+
+use super::parser::{CHAIN, DEPTH, Rest};
+use super::problem::{Expected, FormulaError, Position};
+use crate::text::text;
+use std::ops::Range;
+use types::Checker;
+
+/// The type of a value in a formula.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Type {
+    /// A number.
+    Number,
+    /// The result of a comparison, 1 or 0 where a number is expected.
+    Truth,
+    /// A vector of three numbers.
+    Vector,
+}
+
+/// A part of a formula with its type.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Typed {
+    /// The type of its value.
+    pub kind: Type,
+    /// The bytes of the text that it was read from.
+    pub span: Range<usize>,
+    /// Its value.
+    pub term: Term,
+}
+
+/// The value of a part of a formula.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Term {
+    /// A number.
+    Number(f64),
+    /// The name of this index among the [`Names`].
+    Name(usize),
+    /// The value of the line of this index.
+    Line(usize),
+    /// An operation on other parts.
+    Call(Operator, Vec<Typed>),
+}
+
+/// A line of a formula.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Line {
+    /// Its name; none for the value at the end.
+    pub name: Option<String>,
+    /// Its value.
+    pub value: Typed,
+}
+
+/// A formula whose names are known and whose types agree.
+///
+/// # Guarantees
+/// It has at least one line; all lines but the last have names, and the last is a number or a truth value. A line refers only
+/// to lines before it. It has at most [`Formula::MOST_OPERATIONS`] operations.
+///
+/// ```
+/// use shading_lab::expression::{Formula, Names};
+///
+/// let names = Names::new(&["kd", "N·L"], &[]);
+/// assert!(Formula::read("kd * max(N·L, 0)", &names).is_ok());
+/// let error = Formula::read("kd *\n max(N·K, 0)", &names).unwrap_err();
+/// assert_eq!((error.position.line, error.position.column), (2, 6));
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Formula {
+    text: String,
+    lines: Vec<Line>,
+}
+
+/// What is wrong at a byte of a formula, in words.
+type Refusal = (usize, String);
+
+impl Formula {
+    /// The longest text, in characters.
+    pub const MOST_CHARACTERS: usize = 2000;
+    /// The most operators and calls.
+    pub const MOST_OPERATIONS: usize = 256;
+
+    /// Reads a formula over `names`; the error says where it is wrong, what was expected there, and the nearest name.
+    pub fn read(text: &str, names: &Names) -> Result<Self, FormulaError> {
+        read(text, names)
+            .map(|lines| Self {
+                text: text.to_owned(),
+                lines,
+            })
+            .map_err(|(at, message)| FormulaError {
+                position: Position::of(text, at),
+                message,
+            })
+    }
+
+    /// Returns the text that it was read from.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Returns its lines, the value last.
+    pub fn lines(&self) -> &[Line] {
+        &self.lines
+    }
+
+    /// Returns the text of one of its parts.
+    pub fn text_of(&self, part: &Typed) -> &str {
+        self.text.get(part.span.clone()).unwrap_or_default()
+    }
+}
+
+fn read(text: &str, names: &Names) -> Result<Vec<Line>, Refusal> {
+    let characters = text.chars().count();
+    if characters > Formula::MOST_CHARACTERS {
+        let most = text.char_indices().nth(Formula::MOST_CHARACTERS);
+        let at = most.map_or(0, |(at, _)| at);
+        return Err((
+            at,
+            text!(
+                "formula-too-long",
+                most = Formula::MOST_CHARACTERS,
+                count = characters
+            ),
+        ));
+    }
+    let mut checker = Checker::new(text, names);
+    let mut at = 0;
+    let mut operations = 0;
+    loop {
+        let name = name_of_line(text, &mut at, &checker)?;
+        let joins = |a: &str, b: &str| checker.joins(a, b);
+        let mut rest = rest_of(text, at, &joins);
+        let read = rest.either(DEPTH);
+        let node = read.map_err(|problem| checker.refusal(&problem))?;
+        let end = node.span.end;
+        operations += node.operations();
+        if operations > Formula::MOST_OPERATIONS || node.depth() > CHAIN {
+            let most = Formula::MOST_OPERATIONS;
+            return Err((node.span.start, text!("formula-operations", most = most)));
+        }
+        rest.space();
+        at = rest.at;
+        // A separator, or else what follows was expected to be an operator.
+        let ends_line = text[end..at].contains('\n') || rest.sign(&[";"]).is_some();
+        let separated = at == text.len() || ends_line;
+        at = rest.at;
+        let unexpected = rest.unexpected(Expected::Operator);
+        let value = checker.check(&node)?;
+        match name {
+            Some(name) if separated => checker.add(name, value),
+            None if separated && only_space(text, at) => {
+                types::number_or_truth(&value)
+                    .map_err(|()| (value.span.start, text!("formula-result-vector").to_owned()))?;
+                return Ok(checker.finish(value));
+            }
+            None if separated => {
+                let at = value.span.start;
+                return Err((at, text!("formula-line-without-name").to_owned()));
+            }
+            _ => return Err(checker.refusal(&unexpected)),
+        }
+    }
+}
+
+fn rest_of<'a>(text: &'a str, at: usize, joins: &'a dyn Fn(&str, &str) -> bool) -> Rest<'a> {
+    Rest {
+        text,
+        at,
+        joins,
+        comments: true,
+    }
+}
+
+fn only_space(text: &str, at: usize) -> bool {
+    let mut rest = rest_of(text, at, &|_, _| false);
+    rest.space();
+    rest.left().is_empty()
+}
+
+/// Reads `name =` at the beginning of a line; none if the line has no name.
+fn name_of_line(
+    text: &str,
+    at: &mut usize,
+    checker: &Checker<'_>,
+) -> Result<Option<String>, Refusal> {
+    let mut rest = rest_of(text, *at, &|_, _| false);
+    rest.space();
+    let begins = rest.at;
+    if rest.left().is_empty() {
+        let message = if checker.is_empty() {
+            "formula-empty"
+        } else {
+            "formula-no-value"
+        };
+        return Err((begins, text!(message).to_owned()));
+    }
+    let name = rest.name();
+    let named = !name.is_empty() && rest.sign(&["=="]).is_none() && rest.sign(&["="]).is_some();
+    if !named {
+        *at = begins;
+        return Ok(None);
+    }
+    *at = rest.at;
+    if name.starts_with(|c: char| c.is_ascii_digit() || c == '_') || Names::is_reserved(&name) {
+        return Err((begins, text!("formula-name-taken", name = name)));
+    }
+    Ok(Some(name))
+}
