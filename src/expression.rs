@@ -23,13 +23,14 @@ mod syntax;
 
 pub use formula::{Formula, Line, Names, Operator, Term, Type, Typed};
 pub use problem::{FormulaError, Position};
+pub use syntax::Part;
 
 use crate::text::{excerpt, text};
 use functions::Function;
 use functions::Operation::*;
 use glam::DVec3;
-use parser::{CHAIN, DEPTH, MOST, Rest};
-use problem::{Expected, Fault, Problem};
+use parser::Rest;
+use problem::{CHAIN, DEPTH, Expected, Fault, MOST, Problem};
 use syntax::{Form, Node};
 
 /// The value of an expression.
@@ -41,17 +42,6 @@ pub enum Value {
     Truth(bool),
     /// A list, from `[*]`.
     List(Vec<Self>),
-}
-
-/// A step from a quantity to a part of it.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub enum Part {
-    /// `.name`, or the list entry of that name: `["name"]`.
-    Name(String),
-    /// `[number]`, from 0.
-    Index(usize),
-    /// `[*]`: the following parts of every entry.
-    All,
 }
 
 /// Meaning of the names in an expression.

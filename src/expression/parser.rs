@@ -1,19 +1,11 @@
 //! The parser of expressions and of formulas, by recursive descent.
 
-use super::Part;
 use super::functions::{
     ADD, AND, COMPARISONS, CONSTANTS, DIVIDE, DOT, Function, MIDDLE_DOT, MULTIPLY, NAMED, NEGATE,
     NOT, OR, POWER, SQRT, SUBTRACT, in_name,
 };
-use super::problem::{Expected, Fault, Problem};
-use super::syntax::{Form, Node};
-
-/// Maximum nesting depth of parentheses, signs, powers and calls.
-pub(super) const DEPTH: usize = 64;
-/// Longest text, in bytes.
-pub(super) const MOST: usize = 4096;
-/// Maximum number of consecutive operations, which are evaluated one inside the other: `1+1+1` has two.
-pub(super) const CHAIN: usize = 256;
+use super::problem::{DEPTH, Expected, Fault, Problem};
+use super::syntax::{Form, Node, Part};
 
 /// The unread rest of a text.
 pub(super) struct Rest<'a> {

@@ -1,7 +1,13 @@
 //! What is wrong with an expression or a formula, and where.
 
-use super::parser::MOST;
 use crate::text::{excerpt, text};
+
+/// Maximum nesting depth of parentheses, signs, powers and calls.
+pub(super) const DEPTH: usize = 64;
+/// Longest text, in bytes.
+pub(super) const MOST: usize = 4096;
+/// Maximum number of consecutive operations, which are evaluated one inside the other: `1+1+1` has two.
+pub(super) const CHAIN: usize = 256;
 
 /// The place of a character in a text, each from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

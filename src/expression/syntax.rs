@@ -1,8 +1,18 @@
 //! An expression as a tree.
 
-use super::Part;
 use super::functions::Function;
 use std::ops::Range;
+
+/// A step from a quantity to a part of it.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Part {
+    /// `.name`, or the list entry of that name: `["name"]`.
+    Name(String),
+    /// `[number]`, from 0.
+    Index(usize),
+    /// `[*]`: the following parts of every entry.
+    All,
+}
 
 /// An operation, a number or a name, with the bytes of the text that it was read from.
 #[derive(Clone, Debug)]

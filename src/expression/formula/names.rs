@@ -1,6 +1,6 @@
 //! The names that a formula may use.
 
-use super::Type;
+use super::typed::Type;
 use crate::expression::functions::{CONSTANTS, NAMED, in_name};
 
 /// The names that a formula may use, each a number or a vector.

@@ -1,10 +1,11 @@
 //! Names and types in a formula: which name is which, and which operation takes which values.
 
-use super::{Line, Names, Operator, Refusal, Term, Type, Typed};
-use crate::expression::Part;
+use super::names::Names;
+use super::operator::Operator;
+use super::typed::{Line, Refusal, Term, Type, Typed};
 use crate::expression::functions::{CONSTANTS, Function};
 use crate::expression::problem::Problem;
-use crate::expression::syntax::{Form, Node};
+use crate::expression::syntax::{Form, Node, Part};
 use crate::text::{did_you_mean, excerpt, text};
 
 /// The names that are known so far.
