@@ -6,7 +6,9 @@
 mod analyse;
 mod animate;
 mod check;
+#[cfg(feature = "class")]
 mod class;
+mod collect;
 mod errors;
 mod examples;
 mod handed;
@@ -78,7 +80,9 @@ enum Command {
     Parameters(simple::List),
     Check(check::Check),
     Lesson(lesson::LessonCommand),
-    Collect(class::Collect),
+    #[cfg(feature = "class")]
+    Class(class::ClassCommand),
+    Collect(collect::Collect),
     Bench(Analyse<analyse::Bench>),
     Completions(manual::Completions),
     Manual(manual::Manual),
@@ -86,12 +90,13 @@ enum Command {
 }
 
 /// The commands that take no scene.
-const WITHOUT_SCENE: [&str; 9] = [
+const WITHOUT_SCENE: [&str; 10] = [
     "scenes",
     "materials",
     "parameters",
     "stability",
     "lesson",
+    "class",
     "collect",
     "completions",
     "manual",
@@ -210,6 +215,8 @@ fn perform(arguments: Arguments, name: Option<&str>) -> Result<(), Failure> {
         Some(Command::Code(code)) => code.run(&earlier),
         Some(Command::Curves(curves)) => curves.run(&earlier),
         Some(Command::Lesson(lesson)) => lesson.run(),
+        #[cfg(feature = "class")]
+        Some(Command::Class(class)) => class.run(),
         Some(Command::Collect(collect)) => collect.run(),
         Some(Command::Check(check)) => check.run(&earlier),
         Some(Command::Bench(bench)) => bench.run(&earlier),
@@ -263,6 +270,8 @@ fn open_window(
         language,
         page,
         fresh,
+        #[cfg(feature = "class")]
+        class: None,
     })
     .map_err(Failure::work);
     #[cfg(not(feature = "app"))]

@@ -1,4 +1,5 @@
-//! Work in the background: plain data is given to a thread, which returns an answer. Nothing else starts threads. A
+//! Work in the background: plain data is given to a thread, which returns an answer. Nothing else starts threads, but a live class
+//! (`class`) its own. A
 //! web page has none: there a worker does work that has [codecs](Work::CODECS), and the rest is done between two
 //! frames.
 //!

@@ -8,6 +8,7 @@ mod budget;
 mod builtin;
 mod check;
 mod class;
+mod class_record;
 mod class_sheet;
 mod control;
 mod feedback;
@@ -38,11 +39,14 @@ pub use class::{
     Class, ClassQuestion, Given, Group, Handed, Student, Unreadable, collect, lesson_of, mark,
     spread,
 };
+pub use class_record::{
+    ClassHead, ClassLine, ClassRecord, ClassStudent, MAX_ROUNDS, Pace, Phase, RoundAnswer,
+};
 pub use class_sheet::class_sheet;
 pub use control::{control_name, slider, value_of};
 pub use grade::Grade;
 pub use hand_in::{
-    ANSWERS_KEYWORD, HandIn, HandInError, MAX_NAME, answer_parts, hand_in, hand_in_bytes,
+    ANSWERS_KEYWORD, HandIn, HandInError, MAX_NAME, answer_parts, clean, hand_in, hand_in_bytes,
     read_hand_in,
 };
 pub use hint::{CurveFault, Hint, Side};

@@ -33,6 +33,8 @@ pub mod animation;
 #[cfg(feature = "app")]
 #[doc(hidden)]
 pub mod app;
+#[cfg(all(feature = "class", not(target_arch = "wasm32")))]
+pub mod class;
 pub mod document;
 pub mod export;
 pub mod expression;

@@ -165,6 +165,7 @@ macro_rules! files {
 files! {
     "parameters" "scenes" "problems" "render" "export" "document" "report" "point" "line" "picture" "engine"
     "controls" "lights" "files" "window" "links" "lesson" "course" "class" "animation"
+    #[cfg(not(target_arch = "wasm32"))] "live"
     #[cfg(not(target_arch = "wasm32"))] "cli"
 }
 

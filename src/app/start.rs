@@ -33,6 +33,9 @@ pub struct Start {
     pub page: Option<String>,
     /// True to read nothing that an earlier session stored, and to store nothing.
     pub fresh: bool,
+    /// The live class that the window is for; it is over when the window is closed.
+    #[cfg(feature = "class")]
+    pub class: Option<crate::class::Live>,
 }
 
 /// Opens the window and returns when it is closed.
@@ -47,6 +50,8 @@ pub fn run(start: Start) -> Result<(), String> {
         language,
         page,
         fresh,
+        #[cfg(feature = "class")]
+            class: _class,
     } = start;
     check_environment()?;
     let viewport = ViewportBuilder::default()

@@ -48,6 +48,10 @@ pub fn examples(command: &str) -> &'static [&'static str] {
             "shading-lab lesson",
             "shading-lab lesson ambient -o ambient.html",
         ],
+        "class" => &[
+            "shading-lab class mach-bands",
+            "shading-lab class mach-bands --rehearse 30",
+        ],
         "collect" => {
             &["shading-lab collect answers/anna.png answers/ben.png -o class.html --csv class.csv"]
         }

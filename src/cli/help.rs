@@ -32,7 +32,7 @@ const GROUPS: [(&str, &[&str]); 6] = [
         ],
     ),
     ("cli-group-measure", &["study", "stability", "bench"]),
-    ("cli-group-teach", &["lesson", "collect"]),
+    ("cli-group-teach", &["lesson", "class", "collect"]),
     (
         "cli-group-scenes",
         &["scenes", "materials", "parameters", "check", "code", "link"],

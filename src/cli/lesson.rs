@@ -76,7 +76,7 @@ impl LessonCommand {
 }
 
 /// Opens a built-in lesson, a file, or the standard input.
-fn open(name: &Path) -> Result<Lesson, Failure> {
+pub fn open(name: &Path) -> Result<Lesson, Failure> {
     if let Some(lesson) = name.to_str().and_then(find) {
         return Ok(lesson.lesson());
     }

@@ -1,5 +1,6 @@
-//! The answers of a class: hand-ins sorted by lesson, and graded by the engine. What a hand-in says of its own grades is not read.
+//! The answers of a class: hand-ins and records of live classes sorted by lesson, and graded by the engine. What a hand-in says of its own grades is not read.
 
+use super::class_record::ClassRecord;
 use super::hand_in::{HandIn, digest, read_hand_in};
 use super::kinds::kind::counted;
 use super::kinds::{short_number, with_unit};
@@ -11,10 +12,10 @@ use crate::document::open_picture;
 use crate::render::Frame;
 use crate::text::{Language, in_language, text};
 use std::collections::HashMap;
-use std::io::Cursor;
+use std::io::{BufRead, Cursor, Read, Seek};
 use std::path::PathBuf;
 
-/// A picture that was handed in.
+/// A picture that was handed in, or the record of a live class.
 #[derive(Clone, Debug)]
 pub struct Handed {
     /// Its name.
@@ -277,19 +278,37 @@ impl Class {
             let own = error.strip_prefix(&format!("{file}: ")).map(str::to_owned);
             own.unwrap_or(error)
         };
-        let hand_in = match &handed.bytes {
-            Some(bytes) => read_hand_in(Cursor::new(bytes)),
+        let mut hand_ins = match &handed.bytes {
+            Some(bytes) => hand_ins(Cursor::new(bytes)),
             None => {
-                let png = open_picture(&handed.path);
-                read_hand_in(png.map_err(|error| without_name(error.to_string()))?)
+                let opened = open_picture(&handed.path);
+                hand_ins(opened.map_err(|error| without_name(error.to_string()))?)
             }
-        };
-        let hand_in = hand_in.map_err(|error| error.to_string())?;
-        if hand_in.record.answers.is_empty() {
+        }?;
+        let of_class = hand_ins.len() > 1;
+        hand_ins.retain(|(_, hand_in)| !hand_in.record.answers.is_empty());
+        if hand_ins.is_empty() {
             let words = || text!("class-empty").to_owned();
-            self.set_aside.push(Unreadable::new(file, words));
-            return Ok(());
+            self.set_aside.push(Unreadable::new(file.clone(), words));
         }
+        for (number, hand_in) in hand_ins {
+            let name = match of_class {
+                true => format!("{file}:{number}"),
+                false => file.clone(),
+            };
+            self.take_hand_in(index, name, hand_in, lesson)?;
+        }
+        Ok(())
+    }
+
+    /// Puts a hand-in with those of its lesson.
+    fn take_hand_in(
+        &mut self,
+        index: usize,
+        file: String,
+        hand_in: HandIn,
+        lesson: Option<&Lesson>,
+    ) -> Result<(), String> {
         let place = match self
             .groups
             .iter()
@@ -305,8 +324,8 @@ impl Class {
         self.groups[place].add(index, file, hand_in, lesson.is_some())
     }
 
-    /// Sets aside what a student handed in before the last time. Students are known by their names; without a name
-    /// each file is one.
+    /// Sets aside what a student handed in before, in another file. Students are known by their names; without a name
+    /// each hand-in is one.
     fn set_repeated_aside(&mut self) {
         for group in &mut self.groups {
             let mut last: HashMap<String, (usize, String)> = HashMap::new();
@@ -326,6 +345,21 @@ impl Class {
             }));
         }
     }
+}
+
+/// Reads the answers in a picture, or those of each student in the record of a live class, with the student's number.
+fn hand_ins(mut file: impl BufRead + Seek) -> Result<Vec<(usize, HandIn)>, String> {
+    if !file.fill_buf().is_ok_and(ClassRecord::begins) {
+        let hand_in = read_hand_in(file).map_err(|error| error.to_string())?;
+        return Ok(vec![(1, hand_in)]);
+    }
+    let mut bytes = Vec::new();
+    let read = file
+        .take(ClassRecord::MAX_BYTES + 1)
+        .read_to_end(&mut bytes);
+    read.map_err(|error| error.to_string())?;
+    let hand_ins = ClassRecord::read(&bytes)?.hand_ins();
+    Ok((1..).zip(hand_ins).collect())
 }
 
 /// Returns a name without the differences of case and space that people make.
@@ -625,6 +659,26 @@ impl ClassQuestion {
             Some(grade(prediction))
         };
         Ok(())
+    }
+
+    /// Fills in the numbers of a step's question and solves it for a live class, which has one right answer.
+    ///
+    /// # Errors
+    /// Why there is none, in a sentence.
+    pub fn live(
+        step: usize,
+        question: &Question,
+        place: LabPlace<'_>,
+        seed: u64,
+    ) -> Result<Self, String> {
+        let filled = Self::filled(step, question, place).map_err(|(_, words)| words)?;
+        let picture = question.kind.asks().asks_place();
+        let picture = picture.then(|| place.counted_picture()).transpose()?;
+        Ok(Self {
+            key: Some(question.solve_all(place, seed)?),
+            picture,
+            ..filled
+        })
     }
 
     /// Fills in the numbers in the texts of a step's question.

@@ -51,16 +51,12 @@ impl HandIn {
     pub fn new(lesson: &Lesson, record: &Record, name: &str) -> Self {
         let mut record = record.clone();
         record.fit(lesson);
-        let comes_along = find(&lesson.name).is_some_and(|built_in| {
-            let mut languages = Language::ALL.into_iter();
-            languages.any(|language| built_in.source(language) == lesson.source)
-        });
         Self {
             name: clean_name(name),
             title: lesson.title.clone(),
             language: language(),
             digest: digest([&lesson.source]),
-            source: (!comes_along).then(|| lesson.source.clone()),
+            source: (!is_built_in(lesson)).then(|| lesson.source.clone()),
             record,
         }
     }
@@ -69,6 +65,14 @@ impl HandIn {
     pub fn is_of(&self, lesson: &Lesson) -> bool {
         digest([&lesson.source]) == self.digest
     }
+}
+
+/// Returns whether a lesson comes with the program, word for word.
+pub(super) fn is_built_in(lesson: &Lesson) -> bool {
+    find(&lesson.name).is_some_and(|built_in| {
+        let mut languages = Language::ALL.into_iter();
+        languages.any(|language| built_in.source(language) == lesson.source)
+    })
 }
 
 /// The reason why a picture does not count as answers handed in.
@@ -258,13 +262,13 @@ pub fn answer_parts(answer: &Answer) -> (String, Value) {
 }
 
 /// Returns a name without anything that would overwrite other text.
-fn clean_name(name: &str) -> String {
+pub(super) fn clean_name(name: &str) -> String {
     clean(name, MAX_NAME)
 }
 
 /// Returns untrusted text as one short line, without control characters and marks that change the writing
 /// direction.
-fn clean(text: &str, most: usize) -> String {
+pub fn clean(text: &str, most: usize) -> String {
     let plain = text.chars().filter(|c| !turns(*c));
     let plain = plain.map(|c| if c.is_control() { ' ' } else { c });
     plain.take(most).collect::<String>().trim().to_owned()

@@ -7,6 +7,8 @@ mod common;
 
 mod analyses;
 mod catalogue;
+#[cfg(feature = "class")]
+mod class;
 mod languages;
 mod scripts;
 mod shell;

@@ -9,7 +9,7 @@ use std::path::Path;
 use syn::{Attribute, Item, UseTree, Visibility};
 
 /// Folders and files right below `src`, from the bottom up: each may import from those before it.
-const ORDER: [&str; 17] = [
+const ORDER: [&str; 18] = [
     "text",
     "expression",
     "scene",
@@ -25,6 +25,7 @@ const ORDER: [&str; 17] = [
     "document",
     "lesson",
     "jobs",
+    "class",
     "app",
     "cli",
 ];

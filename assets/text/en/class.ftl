@@ -14,6 +14,13 @@ class-bad-lesson = the lesson inside is not sound: line { $error }
 class-needs-lesson = the lesson needs a file: give the lesson with --lesson
 class-too-heavy = question { $question } of the lesson in it: { $why }
 
+# The record of a live class.
+class-record-too-long = the record is too long, expected at most { $most } MB
+class-record-line = line { $line }: { $error }
+class-record-head = not the record of a class, whose first line says what it is about
+class-record-second = a second beginning, expected answers
+class-record-student = a student of that number, expected 1 to { $most }
+
 # The class's table.
 class-name = Name
 class-right = Right

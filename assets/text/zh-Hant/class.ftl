@@ -14,6 +14,13 @@ class-bad-lesson = 圖片內的單元有誤：第 { $error } 行
 class-needs-lesson = 這個單元需要一個檔案：請以 --lesson 指定單元
 class-too-heavy = 其中單元的第 { $question } 題：{ $why }
 
+# The record of a live class.
+class-record-too-long = 紀錄太長，最多 { $most } MB
+class-record-line = 第 { $line } 行：{ $error }
+class-record-head = 不是課堂的紀錄：紀錄的第一行說明課堂的內容
+class-record-second = 又一個開頭，應為答案
+class-record-student = 沒有這個編號的學生，應為 1 至 { $most }
+
 # The class's table.
 class-name = 姓名
 class-right = 答對

@@ -106,15 +106,19 @@ fn the_program_has_no_unsafe_code_and_opens_no_connection() {
                 continue;
             }
             let text = fs::read_to_string(&path).expect("a text");
-            for word in [
-                "std::net",
-                "TcpStream",
-                "TcpListener",
-                "UdpSocket",
+            let within = |folder: &str| path.components().any(|part| part.as_os_str() == folder);
+            // A live class listens; it calls nobody, and asks only the table of routes for its own address.
+            let connecting = [
+                "TcpStream::connect",
                 "UnixStream",
                 "XmlHttpRequest",
                 "WebSocket",
-            ] {
+                "send_to(",
+            ];
+            let listening = ["std::net", "TcpStream", "TcpListener", "UdpSocket"];
+            let class = within("class") || path.ends_with("src/cli/class.rs");
+            let words = connecting.iter().chain(listening.iter().filter(|_| !class));
+            for word in words {
                 assert!(!text.contains(word), "{}: {word}", path.display());
             }
             files += 1;

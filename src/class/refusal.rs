@@ -1,0 +1,37 @@
+//! What a student is told of where the class is, and why a request is refused.
+
+use crate::lesson::{Answer, Pace};
+use serde::Serialize;
+
+/// Where the class is, for one student.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct OwnPace {
+    /// Where the class is.
+    #[serde(flatten)]
+    pub pace: Pace,
+    /// How many steps there are.
+    pub steps: usize,
+    /// The student's answer in this round.
+    pub answered: Option<Answer>,
+}
+
+/// Why a request is refused.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Refusal {
+    /// It does not come from a student of this class.
+    NoStudent,
+    /// The step or its round is not open.
+    NotOpen(Box<OwnPace>),
+    /// The answer does not fit the question.
+    Unfit,
+    /// The requests come too fast.
+    TooFast,
+    /// There are as many students as there may be.
+    Full,
+    /// The lecturer has not shown it yet.
+    NotYet,
+    /// There is no such step.
+    NoStep,
+    /// Something failed on this machine, in a sentence.
+    Failed(String),
+}

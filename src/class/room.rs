@@ -1,0 +1,407 @@
+//! The class: its students, their answers, where it is, and what the lecturer can do.
+
+mod lecture;
+mod seats;
+
+pub use lecture::Command;
+
+use super::content::{Content, Spread, StepContent};
+use super::limits::NAME;
+use super::record::{Commit, Recorder};
+use super::refusal::{OwnPace, Refusal};
+use super::tokens::Token;
+use crate::lesson::{
+    Answer, ClassHead, ClassLine, ClassRecord, Lesson, Pace, Phase, RoundAnswer, clean,
+};
+use crate::text::in_language;
+use seats::{Seat, Seats, Streams};
+use serde::Deserialize;
+use std::collections::HashMap;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::mpsc::{Sender, channel};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Instant;
+use tokio::sync::watch;
+
+/// The longest time between the phone's clock and 1970 that is taken, in milliseconds: no phone is from the year 5138.
+const LATEST: u64 = 100_000_000_000_000;
+
+/// An answer as a phone sends it.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct AnswerRequest {
+    /// From 1.
+    pub step: usize,
+    /// From 1.
+    pub round: u32,
+    /// The answer.
+    pub answer: Answer,
+    /// When it was sent, in milliseconds by the phone's clock.
+    #[serde(default)]
+    pub sent: u64,
+}
+
+/// A student in the lecturer's own list.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StudentRow {
+    /// May be empty.
+    pub name: String,
+    /// A phone of the student is connected.
+    pub connected: bool,
+    /// The student has answered in this round.
+    pub answered: bool,
+}
+
+/// What the lecturer sees of a class.
+#[derive(Clone, Debug)]
+pub struct Snapshot {
+    /// Grows with every change: with the same number all else is the same.
+    pub version: u64,
+    /// Where the class is.
+    pub pace: Pace,
+    /// How many steps there are.
+    pub steps: usize,
+    /// The step asks something.
+    pub asks: bool,
+    /// The number of students.
+    pub joined: usize,
+    /// The number of those whose phone is connected.
+    pub connected: usize,
+    /// The number of those who have answered in this round.
+    pub answered: usize,
+    /// The answers, once they are shown and graded.
+    pub spread: Option<Arc<Spread>>,
+    /// Why the answers cannot be graded or the step not be shown, in a sentence.
+    pub problem: Option<String>,
+}
+
+#[derive(Debug)]
+struct Inner {
+    seats: Seats,
+    /// Where each step stands that was visited.
+    paces: HashMap<usize, (Phase, u32)>,
+    step: usize,
+    furthest: usize,
+    ended: bool,
+    opened: Instant,
+    spread: Option<Arc<Spread>>,
+    problem: Option<String>,
+}
+
+/// A live class about a lesson.
+#[derive(Debug)]
+pub struct Room {
+    lesson: Lesson,
+    head: ClassHead,
+    recorder: Recorder,
+    content: Content,
+    inner: Mutex<Inner>,
+    version: AtomicU64,
+    pace: watch::Sender<u64>,
+    engine: Sender<()>,
+}
+
+impl Room {
+    /// Opens a class with what its record already has, and has the engine prepare the steps in the background.
+    pub fn open(lesson: Lesson, recorder: Recorder, record: ClassRecord) -> Arc<Self> {
+        let now = Instant::now();
+        let mut inner = Inner {
+            seats: Seats::new(record.students, now),
+            paces: HashMap::new(),
+            step: 1,
+            furthest: 1,
+            ended: false,
+            opened: now,
+            spread: None,
+            problem: None,
+        };
+        for pace in &record.paces {
+            if (1..=lesson.steps.len()).contains(&pace.step) && pace.phase != Phase::Closed {
+                inner.paces.insert(pace.step, (pace.phase, pace.round));
+                inner.step = pace.step;
+                inner.furthest = inner.furthest.max(pace.step);
+            }
+        }
+        let (engine, jobs) = channel();
+        let room = Arc::new(Self {
+            content: Content::new(&lesson),
+            lesson,
+            head: record.head,
+            recorder,
+            inner: Mutex::new(inner),
+            version: AtomicU64::new(0),
+            pace: watch::Sender::new(0),
+            engine,
+        });
+        let weak = Arc::downgrade(&room);
+        let language = room.head.language;
+        std::thread::spawn(move || {
+            in_language(language, || {
+                while lecture::prepare_next(&weak) {}
+                while jobs.recv().is_ok() {
+                    if let Some(room) = weak.upgrade() {
+                        room.grade();
+                    }
+                }
+            });
+        });
+        room.ask_engine();
+        room
+    }
+
+    /// Returns the lesson.
+    pub fn lesson(&self) -> &Lesson {
+        &self.lesson
+    }
+
+    /// Returns what the class is about.
+    pub fn head(&self) -> &ClassHead {
+        &self.head
+    }
+
+    /// Returns the steps as the engine prepares them.
+    pub(super) fn content(&self) -> &Content {
+        &self.content
+    }
+
+    /// Returns a step, from 1, once the engine has prepared it; an error is what is wrong with it, in a sentence.
+    pub fn step(&self, step: usize) -> Option<Result<Arc<StepContent>, String>> {
+        self.content.step(step)
+    }
+
+    /// Returns a number that grows with every change.
+    pub fn version(&self) -> u64 {
+        self.version.load(Ordering::Acquire)
+    }
+
+    fn inner(&self) -> MutexGuard<'_, Inner> {
+        self.inner.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn changed(&self) {
+        self.version.fetch_add(1, Ordering::AcqRel);
+    }
+
+    /// Returns what wakes streams of events when the class goes on.
+    pub(super) fn paces(&self) -> watch::Receiver<u64> {
+        self.pace.subscribe()
+    }
+
+    /// Takes in a student, or finds one again by the token; a name replaces the one before.
+    ///
+    /// # Errors
+    /// The class is full, or too many come at once.
+    pub fn join(&self, token: Option<Token>, name: Option<&str>) -> Result<Token, Refusal> {
+        let (mut inner, now) = (self.inner(), Instant::now());
+        let name = name.map(|name| clean(name, NAME));
+        let Ok(seat) = inner.seats.find(token) else {
+            let token = inner.seats.join(name, now)?;
+            self.changed();
+            return Ok(token);
+        };
+        if !seat.requests.take(now) {
+            return Err(Refusal::TooFast);
+        }
+        if let Some(name) = name.filter(|name| *name != seat.student.name) {
+            seat.student.name = name;
+            if seat.number.is_some() {
+                // The next answer's commit waits for this line too.
+                drop(self.recorder.append(&[seat.line()]));
+            }
+            self.changed();
+        }
+        Ok(seat.token)
+    }
+
+    /// Counts a request of a student, who may not make too many.
+    ///
+    /// # Errors
+    /// No student of this class, or one who asks too fast.
+    pub fn admit(&self, token: Option<Token>) -> Result<Token, Refusal> {
+        let mut inner = self.inner();
+        let seat = inner.seats.find(token)?;
+        match seat.requests.take(Instant::now()) {
+            true => Ok(seat.token),
+            false => Err(Refusal::TooFast),
+        }
+    }
+
+    /// Takes an answer of a student. It counts at once; [`Commit`] tells when it is on the disk.
+    ///
+    /// # Errors
+    /// The step or its round is not open, or the answer does not fit.
+    pub fn answer(&self, token: Token, request: AnswerRequest) -> Result<Commit, Refusal> {
+        let mut inner = self.inner();
+        let own = self.own(&inner, token)?;
+        let open = own.pace.phase == Phase::Ask
+            && (own.pace.step, own.pace.round) == (request.step, request.round);
+        if !open {
+            return Err(Refusal::NotOpen(Box::new(own)));
+        }
+        let question = self.lesson.steps[request.step - 1].question.as_ref();
+        let fits = question.is_some_and(|question| request.answer.fits(&question.kind));
+        if !fits || request.sent > LATEST {
+            return Err(Refusal::Unfit);
+        }
+        let seconds = inner.opened.elapsed().as_secs_f64();
+        let numbered = inner.seats.numbered + 1;
+        let seat = inner.seats.find(Some(token))?;
+        let given = RoundAnswer {
+            step: request.step,
+            round: request.round,
+            answer: request.answer,
+            sent: request.sent,
+            seconds: (seconds * 10.0).round() / 10.0,
+        };
+        let known = seat.student.answers.get(&(given.step, given.round));
+        let same =
+            known.is_some_and(|known| known.answer == given.answer && known.sent == given.sent);
+        if same || !seat.student.takes(&given) {
+            return Ok(self.recorder.append(&[]));
+        }
+        let new = seat.number.is_none();
+        let number = *seat.number.get_or_insert(numbered);
+        let mut lines = Vec::new();
+        if new {
+            lines.push(seat.line());
+        }
+        seat.student.put(given.clone());
+        lines.push(ClassLine::Answer {
+            student: number,
+            given,
+        });
+        seat.changed.send_modify(|_| {});
+        inner.seats.numbered += u32::from(new);
+        // Appended while the class is locked, so that the record has what happens in the order in which it happens.
+        let commit = self.recorder.append(&lines);
+        self.changed();
+        Ok(commit)
+    }
+
+    /// Returns where the class is for a student.
+    ///
+    /// # Errors
+    /// No student of this class.
+    pub fn own_pace(&self, token: Token) -> Result<OwnPace, Refusal> {
+        self.own(&self.inner(), token)
+    }
+
+    fn own(&self, inner: &Inner, token: Token) -> Result<OwnPace, Refusal> {
+        let index = inner.seats.place(token).ok_or(Refusal::NoStudent)?;
+        let pace = self.pace_of(inner);
+        let answers = &inner.seats.all()[index].student.answers;
+        let answered = answers.get(&(pace.step, pace.round));
+        Ok(OwnPace {
+            pace,
+            steps: self.lesson.steps.len(),
+            answered: answered.map(|given| given.answer.clone()),
+        })
+    }
+
+    /// Returns where the class is.
+    pub fn pace(&self) -> Pace {
+        self.pace_of(&self.inner())
+    }
+
+    fn pace_of(&self, inner: &Inner) -> Pace {
+        let (phase, round) = self.stand(inner, inner.step);
+        Pace {
+            step: inner.step,
+            phase: if inner.ended { Phase::Closed } else { phase },
+            round,
+        }
+    }
+
+    /// Returns where a step stands. One that asks nothing is explained as it is.
+    fn stand(&self, inner: &Inner, step: usize) -> (Phase, u32) {
+        let asks = self.asks(step);
+        let first = (if asks { Phase::Ask } else { Phase::Explain }, 1);
+        inner.paces.get(&step).copied().unwrap_or(first)
+    }
+
+    fn asks(&self, step: usize) -> bool {
+        let step = self.lesson.steps.get(step.wrapping_sub(1));
+        step.is_some_and(|step| step.question.is_some())
+    }
+
+    /// Allows a student to see a step, or its explanation.
+    ///
+    /// # Errors
+    /// A step that does not exist, or what the lecturer has not shown yet.
+    pub fn may_see(&self, step: usize, explanation: bool) -> Result<(), Refusal> {
+        let inner = self.inner();
+        if !(1..=self.lesson.steps.len()).contains(&step) {
+            return Err(Refusal::NoStep);
+        }
+        let explained = self.stand(&inner, step).0 == Phase::Explain;
+        if step > inner.furthest || (explanation && !explained) {
+            return Err(Refusal::NotYet);
+        }
+        Ok(())
+    }
+
+    /// Returns what the lecturer sees.
+    pub fn snapshot(&self) -> Snapshot {
+        let inner = self.inner();
+        let (pace, seats) = (self.pace_of(&inner), inner.seats.all());
+        let problem = match self.content.step(pace.step) {
+            Some(Err(problem)) => Some(problem),
+            _ => inner.problem.clone(),
+        };
+        Snapshot {
+            version: self.version(),
+            pace,
+            steps: self.lesson.steps.len(),
+            asks: self.asks(pace.step),
+            joined: seats.len(),
+            connected: seats.iter().filter(|seat| seat.connected > 0).count(),
+            answered: inner.seats.answered(pace).count(),
+            spread: inner.spread.clone(),
+            problem,
+        }
+    }
+
+    /// Returns the students as the lecturer's own list has them: those with names first, by their names.
+    pub fn students(&self) -> Vec<StudentRow> {
+        let inner = self.inner();
+        let pace = self.pace_of(&inner);
+        let row = |seat: &Seat| StudentRow {
+            name: seat.student.name.clone(),
+            connected: seat.connected > 0,
+            answered: seat.has_answered(pace),
+        };
+        let mut rows: Vec<StudentRow> = inner.seats.all().iter().map(row).collect();
+        rows.sort_by_cached_key(|row| (row.name.is_empty(), row.name.to_lowercase()));
+        rows
+    }
+
+    /// Returns the secrets of the students, in the order in which they came.
+    pub(super) fn tokens(&self) -> Vec<Token> {
+        self.inner()
+            .seats
+            .all()
+            .iter()
+            .map(|seat| seat.token)
+            .collect()
+    }
+
+    /// Opens a stream of events for a student; [`Self::leave`] closes it.
+    pub(super) fn enter(&self, token: Token) -> Result<(u64, watch::Receiver<Streams>), Refusal> {
+        let mut inner = self.inner();
+        let seat = inner.seats.find(Some(token))?;
+        seat.connected += 1;
+        seat.changed.send_modify(|streams| streams.opened += 1);
+        let receiver = seat.changed.subscribe();
+        let number = receiver.borrow().opened;
+        self.changed();
+        Ok((number, receiver))
+    }
+
+    /// Notes that a stream of events is closed.
+    pub(super) fn leave(&self, token: Token) {
+        if let Ok(seat) = self.inner().seats.find(Some(token)) {
+            seat.connected = seat.connected.saturating_sub(1);
+        }
+        self.changed();
+    }
+}
