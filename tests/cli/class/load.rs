@@ -5,6 +5,7 @@
 //! ```
 //! prints how long joining took, how long acknowledging, and the server's memory. Everything stays on this machine, and ends after a minute.
 
+use super::client::Phone;
 use super::command::Running;
 use crate::common::dice::Dice;
 use crate::common::program::Folder;
@@ -45,8 +46,9 @@ fn a_whole_class_joins_and_answers() {
     let class = Running::start(&folder, &[]);
     let begun = Instant::now();
     let together = Barrier::new(phones);
+    let (address, code) = (class.address, &class.code);
     let phone = |index: usize| {
-        let mut phone = class.phone();
+        let mut phone = Phone::new(address, code);
         let begun_here = Instant::now();
         // As a browser does: the page, what it names, joining, the events, the picture.
         let page = phone.get("").text();
