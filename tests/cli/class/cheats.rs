@@ -15,7 +15,7 @@ fn choice(option: usize) -> Value {
 }
 
 #[test]
-fn nobody_reads_anothers_answer() {
+fn nobody_reads_the_answer_of_another() {
     let class = Class::new("read");
     let [mut ada, mut ben] = [class.joined(), class.joined()];
     assert_eq!(ada.answer(1, 1, &choice(0)).status, 200);
