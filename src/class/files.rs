@@ -157,7 +157,7 @@ mod tests {
         };
         assert!(gzip.len() < 100);
         let inside = &gzip[10..gzip.len() - 8];
-        assert_eq!(decompress_to_vec(inside).as_deref(), Ok(text.as_bytes()));
+        assert!(decompress_to_vec(inside).is_ok_and(|inside| inside == text.as_bytes()));
         // Pictures are compressed already, and what would grow is left as it is.
         assert_eq!(StaticFile::new("a.png", text).compressed, [None, None]);
         assert_eq!(StaticFile::new("a.js", "a").compressed, [None, None]);

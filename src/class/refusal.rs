@@ -32,6 +32,14 @@ pub enum Refusal {
     NotYet,
     /// There is no such step.
     NoStep,
+    /// It cannot be read.
+    Malformed,
+    /// It is too long.
+    TooLong,
+    /// It took too long.
+    TooSlow,
+    /// The step cannot be shown, in a sentence.
+    Problem(String),
     /// Something failed on this machine, in a sentence.
     Failed(String),
 }

@@ -1,5 +1,6 @@
 //! What the server answers to each request. The protocol is told in [`super`].
 
+use super::content::StepContent;
 use super::events::events;
 use super::files::StaticFile;
 use super::limits;
@@ -122,14 +123,18 @@ impl IntoResponse for Refusal {
             Self::Full => (StatusCode::SERVICE_UNAVAILABLE, text!("live-full")),
             Self::NotYet => (StatusCode::FORBIDDEN, text!("live-not-yet")),
             Self::NoStep => (StatusCode::NOT_FOUND, text!("live-nothing")),
+            Self::Malformed => (StatusCode::BAD_REQUEST, text!("live-malformed")),
+            Self::TooLong => (StatusCode::PAYLOAD_TOO_LARGE, text!("live-too-long")),
+            Self::TooSlow => (StatusCode::REQUEST_TIMEOUT, text!("live-too-slow")),
+            Self::Problem(words) => (StatusCode::INTERNAL_SERVER_ERROR, words.as_str()),
             Self::Failed(words) => (StatusCode::INSUFFICIENT_STORAGE, words.as_str()),
         };
         refused(status, words)
     }
 }
 
-async fn nothing() -> Response {
-    refused(StatusCode::NOT_FOUND, text!("live-nothing"))
+async fn nothing() -> Refusal {
+    Refusal::NoStep
 }
 
 /// Leads to the folder, so that what is relative to it is found.
@@ -143,7 +148,7 @@ async fn page(State(shared): Class) -> Response {
     let room = &shared.room;
     match room.content().prepared(room.pace().step).await {
         Ok(step) => html(shell(room.lesson(), &step.page, shared.lab.is_some())),
-        Err(problem) => refused(StatusCode::INTERNAL_SERVER_ERROR, &problem),
+        Err(problem) => Refusal::Problem(problem).into_response(),
     }
 }
 
@@ -201,28 +206,25 @@ fn token(headers: &HeaderMap) -> Option<Token> {
 }
 
 /// Reads the body of a request, which may be neither too long nor too slow.
-async fn body(request: Request) -> Result<Vec<u8>, Response> {
-    let too_long = || refused(StatusCode::PAYLOAD_TOO_LARGE, text!("live-too-long"));
+async fn body(request: Request) -> Result<Vec<u8>, Refusal> {
     let length = request.body().size_hint().lower();
     if length > limits::BODY as u64 {
-        return Err(too_long());
+        return Err(Refusal::TooLong);
     }
     let mut body = pin!(request.into_body());
     let mut bytes = Vec::with_capacity(length as usize);
     let read = async {
         while let Some(frame) = poll_fn(|context| body.as_mut().poll_frame(context)).await {
-            let data =
-                frame.map_err(|_| refused(StatusCode::BAD_REQUEST, text!("live-malformed")))?;
-            bytes.extend(data.into_data().unwrap_or_default());
+            let frame = frame.map_err(|_| Refusal::Malformed)?;
+            bytes.extend(frame.into_data().unwrap_or_default());
             if bytes.len() > limits::BODY {
-                return Err(too_long());
+                return Err(Refusal::TooLong);
             }
         }
         Ok(())
     };
-    let slow = |_| refused(StatusCode::REQUEST_TIMEOUT, text!("live-too-slow"));
-    timeout(BODY_TIME, read).await.map_err(slow)??;
-    Ok(bytes)
+    let read = timeout(BODY_TIME, read).await;
+    read.map_err(|_| Refusal::TooSlow)?.map(|()| bytes)
 }
 
 /// What a student says of themselves.
@@ -233,7 +235,7 @@ struct Introduction {
     name: Option<String>,
 }
 
-async fn join(State(shared): Class, request: Request) -> Result<Response, Response> {
+async fn join(State(shared): Class, request: Request) -> Result<Response, Refusal> {
     let known = token(request.headers());
     let bytes = body(request).await?;
     let introduction: Introduction = match bytes.trim_ascii() {
@@ -241,30 +243,26 @@ async fn join(State(shared): Class, request: Request) -> Result<Response, Respon
         bytes => read_json(bytes)?,
     };
     let joined = shared.room.join(known, introduction.name.as_deref());
-    let token = joined.map_err(IntoResponse::into_response)?;
+    let token = joined?;
     // Without a path it holds for the folder of the class, whatever stands before that.
     let cookie = format!("token={token}; Max-Age=86400; HttpOnly; SameSite=Strict");
-    let cookie = HeaderValue::from_str(&cookie).map_err(|_| StatusCode::INTERNAL_SERVER_ERROR);
-    let cookie = cookie.map_err(IntoResponse::into_response)?;
     let steps = shared.room.lesson().steps.len();
     let body = json_body(&json!({ "steps": steps }));
     Ok(([(header::SET_COOKIE, cookie)], body).into_response())
 }
 
-fn read_json<T: for<'de> Deserialize<'de>>(bytes: &[u8]) -> Result<T, Response> {
-    serde_json::from_slice(bytes)
-        .map_err(|_| refused(StatusCode::BAD_REQUEST, text!("live-malformed")))
+fn read_json<T: for<'de> Deserialize<'de>>(bytes: &[u8]) -> Result<T, Refusal> {
+    serde_json::from_slice(bytes).map_err(|_| Refusal::Malformed)
 }
 
 /// Lets in a request of a student, who may not make too many.
-fn admitted(shared: &Shared, headers: &HeaderMap) -> Result<Token, Response> {
-    let admitted = shared.room.admit(token(headers));
-    admitted.map_err(IntoResponse::into_response)
+fn admitted(shared: &Shared, headers: &HeaderMap) -> Result<Token, Refusal> {
+    shared.room.admit(token(headers))
 }
 
-async fn follow(State(shared): Class, headers: HeaderMap) -> Result<Response, Response> {
+async fn follow(State(shared): Class, headers: HeaderMap) -> Result<Response, Refusal> {
     let token = admitted(&shared, &headers)?;
-    let events = events(&shared.room, token).map_err(IntoResponse::into_response)?;
+    let events = events(&shared.room, token)?;
     let kind = HeaderValue::from_static("text/event-stream");
     // A proxy must not collect what is to be seen at once.
     let flowing = ("x-accel-buffering", HeaderValue::from_static("no"));
@@ -274,17 +272,14 @@ async fn follow(State(shared): Class, headers: HeaderMap) -> Result<Response, Re
     Ok(response)
 }
 
-async fn answer(State(shared): Class, request: Request) -> Result<Response, Response> {
+async fn answer(State(shared): Class, request: Request) -> Result<Response, Refusal> {
     let token = admitted(&shared, request.headers())?;
     let bytes = body(request).await?;
     let answer: AnswerRequest = read_json(&bytes)?;
-    let commit = shared.room.answer(token, answer);
-    let commit = commit.map_err(IntoResponse::into_response)?;
-    let failed = |words| Refusal::Failed(words).into_response();
-    match commit.await {
+    match shared.room.answer(token, answer)?.await {
         Ok(Ok(())) => Ok(json_body(&json!({ "saved": true })).into_response()),
-        Ok(Err(words)) => Err(failed(words)),
-        Err(_) => Err(failed(text!("live-over").to_owned())),
+        Ok(Err(words)) => Err(Refusal::Failed(words)),
+        Err(_) => Err(Refusal::Failed(text!("live-over").to_owned())),
     }
 }
 
@@ -292,7 +287,7 @@ async fn question(
     State(shared): Class,
     Path(step): Path<String>,
     headers: HeaderMap,
-) -> Result<Response, Response> {
+) -> Result<Response, Refusal> {
     let content = shown(&shared, &headers, &step, false).await?;
     Ok(html(content.page.html.clone()))
 }
@@ -301,7 +296,7 @@ async fn explanation(
     State(shared): Class,
     Path(step): Path<String>,
     headers: HeaderMap,
-) -> Result<Response, Response> {
+) -> Result<Response, Refusal> {
     let content = shown(&shared, &headers, &step, true).await?;
     Ok(html(content.page.explanation.clone()))
 }
@@ -312,13 +307,12 @@ async fn shown(
     headers: &HeaderMap,
     step: &str,
     explanation: bool,
-) -> Result<Arc<super::StepContent>, Response> {
+) -> Result<Arc<StepContent>, Refusal> {
     admitted(shared, headers)?;
-    let step = number(step).ok_or_else(|| Refusal::NoStep.into_response())?;
-    let may = shared.room.may_see(step, explanation);
-    may.map_err(IntoResponse::into_response)?;
+    let step = number(step).ok_or(Refusal::NoStep)?;
+    shared.room.may_see(step, explanation)?;
     let prepared = shared.room.content().prepared(step).await;
-    prepared.map_err(|problem| refused(StatusCode::INTERNAL_SERVER_ERROR, &problem))
+    prepared.map_err(Refusal::Problem)
 }
 
 /// Reads a number of a step or a picture as it is written in addresses.
@@ -331,18 +325,15 @@ async fn picture(
     State(shared): Class,
     Path((step, picture)): Path<(String, String)>,
     headers: HeaderMap,
-) -> Result<Response, Response> {
-    let missing = || Refusal::NoStep.into_response();
+) -> Result<Response, Refusal> {
     let (step, picture) = number(&step)
         .zip(picture.strip_suffix(".png").and_then(number))
-        .ok_or_else(missing)?;
-    let may = shared.room.may_see(step, false);
-    may.map_err(IntoResponse::into_response)?;
+        .ok_or(Refusal::NoStep)?;
+    shared.room.may_see(step, false)?;
     let prepared = shared.room.content().prepared(step).await;
-    let content =
-        prepared.map_err(|problem| refused(StatusCode::INTERNAL_SERVER_ERROR, &problem))?;
-    let index = picture.checked_sub(1).ok_or_else(missing)?;
-    let file = content.pictures.get(index).ok_or_else(missing)?;
+    let content = prepared.map_err(Refusal::Problem)?;
+    let index = picture.checked_sub(1).ok_or(Refusal::NoStep)?;
+    let file = content.pictures.get(index).ok_or(Refusal::NoStep)?;
     Ok(given(file, &headers, YEAR))
 }
 
@@ -360,7 +351,7 @@ async fn lab(
         return refused(StatusCode::NOT_FOUND, text!("live-no-lab"));
     };
     let Some(file) = files.get(&path) else {
-        return nothing().await;
+        return Refusal::NoStep.into_response();
     };
     // What is asked for with a version does not change.
     let kept = match (uri.query(), &*path) {
