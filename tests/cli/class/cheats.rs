@@ -315,7 +315,7 @@ fn a_class_is_full_at_a_thousand_and_invented_students_make_room() {
         match room.join(None, None) {
             Ok(_) => joined += 1,
             Err(shading_lab::class::Refusal::TooFast) => {
-                std::thread::sleep(Duration::from_millis(20))
+                std::thread::sleep(Duration::from_millis(20));
             }
             Err(refusal) => panic!("{refusal:?}"),
         }

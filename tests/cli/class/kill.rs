@@ -58,7 +58,7 @@ fn nothing_acknowledged_is_lost_however_often_the_class_is_killed() {
     let folder = Folder::new("class-kill");
     let mut dice = Dice(7);
     let mut tokens: Vec<Option<String>> = vec![None; PHONES];
-    let mut next = vec![0.0; PHONES];
+    let mut next = [0.0; PHONES];
     let told: Vec<Arc<Mutex<Told>>> = (0..PHONES).map(|_| Arc::default()).collect();
     for kill in 0..kills {
         let mut class = Running::start(&folder, &[]);
