@@ -52,16 +52,18 @@ pub use hand_in::{
 pub use hint::{CurveFault, Hint, Side};
 pub use inventory::{ItemStatistics, TestStatistics, normalised_gain};
 pub use kinds::kind::AnyKind;
+#[cfg(feature = "app")]
+pub(crate) use kinds::ordinate;
 pub use kinds::{
     Answer, AnswerKey, CURVE_POINTS, Choice, ChoiceOption, Curve, CurveOf, Extreme, Find, Goal,
     Item, Kind, Match, MatchValues, Order, Point, RightIf, Settings, Solution, Value, letter,
     picture_distance, short_answer, short_number,
 };
-#[cfg(feature = "app")]
-pub(crate) use kinds::{abscissa, ordinate, with_unit};
+#[cfg(any(feature = "app", feature = "class"))]
+pub(crate) use kinds::{abscissa, with_unit};
 pub use lab::{Lab, LabPlace};
 pub use links::{may_open, without_closed_links};
-#[cfg(feature = "app")]
+#[cfg(any(feature = "app", feature = "class"))]
 pub(crate) use page::blocks;
 pub use prose::Prose;
 pub use question::{Question, Wrong};
@@ -70,6 +72,15 @@ pub use record::{Answered, Record, how_given};
 pub use stage::{OVERLAYS, Stage, Staged};
 pub use words::{in_words, without_marks};
 pub use worksheet::{Worksheet, worksheet};
+#[cfg(feature = "class")]
+pub(crate) use {
+    control::{control_unit, long_control_name},
+    hand_in::digest,
+    html::{Element, Html, element},
+    kinds::{kind::Printed, lettered_html},
+    page::inline,
+    worksheet::{FilledStep, answer, stage_picture},
+};
 
 use crate::document::{LoadError, ending, read_text};
 use crate::text::Message;
@@ -152,7 +163,7 @@ pub struct LessonProblem {
 }
 
 impl LessonError {
-    fn one(line: u64, words: impl Into<String>) -> Self {
+    pub(crate) fn one(line: u64, words: impl Into<String>) -> Self {
         let words = words.into();
         Self {
             problems: vec![LessonProblem { line, words }],

@@ -166,6 +166,7 @@ files! {
     "parameters" "scenes" "problems" "render" "export" "document" "report" "point" "line" "picture" "engine"
     "controls" "lights" "files" "window" "links" "lesson" "course" "class" "animation"
     #[cfg(not(target_arch = "wasm32"))] "live"
+    #[cfg(not(target_arch = "wasm32"))] "phone"
     #[cfg(not(target_arch = "wasm32"))] "cli"
 }
 

@@ -81,7 +81,7 @@ pub fn control_name(key: &str) -> String {
 }
 
 /// Returns the unit of a control's value as numbers have it; empty where there is none.
-pub(super) fn control_unit(key: &str) -> &'static str {
+pub(crate) fn control_unit(key: &str) -> &'static str {
     match Parameter::of_key(key).and_then(|(parameter, _)| parameter.unit) {
         Some(Unit::Degrees) => "°",
         Some(unit) => unit.name(),
@@ -90,7 +90,7 @@ pub(super) fn control_unit(key: &str) -> &'static str {
 }
 
 /// Returns a control's name for those who do not see its row: with its letter, unless that is its name.
-pub(super) fn long_control_name(key: &str) -> String {
+pub(crate) fn long_control_name(key: &str) -> String {
     match Parameter::of_key(key).map(|(parameter, _)| parameter) {
         Some(parameter) if !["", parameter.name()].contains(&parameter.letter) => {
             format!("{} ({})", parameter.name(), parameter.letter)

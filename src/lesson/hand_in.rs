@@ -275,7 +275,7 @@ pub fn clean(text: &str, most: usize) -> String {
 }
 
 /// Returns the FNV-1a hash (Fowler, Noll and Vo 1991) of texts, each followed by its length.
-pub(super) fn digest<'t>(
+pub(crate) fn digest<'t>(
     texts: impl IntoIterator<Item = &'t (impl AsRef<str> + ?Sized + 't)>,
 ) -> String {
     let mut hash = 0xcbf2_9ce4_8422_2325u64;

@@ -4,7 +4,9 @@
 use std::fmt::{self, Display, Formatter, Write as _};
 
 /// The elements without content.
-const VOID: [&str; 6] = ["img", "meta", "circle", "image", "path", "rect"];
+const VOID: [&str; 8] = [
+    "img", "input", "link", "meta", "circle", "image", "path", "rect",
+];
 
 /// A fragment of a page.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -14,12 +14,16 @@ mod shape;
 mod value;
 
 pub use choice::{Choice, ChoiceOption, RightIf};
-pub use curve::{CURVE_POINTS, Curve, CurveOf};
+#[cfg(any(feature = "app", feature = "class"))]
+pub use curve::abscissa;
 #[cfg(feature = "app")]
-pub use curve::{abscissa, ordinate};
+pub use curve::ordinate;
+pub use curve::{CURVE_POINTS, Curve, CurveOf};
 pub use extreme::Extreme;
 pub(super) use lettered::Bars;
 pub use lettered::letter;
+#[cfg(feature = "class")]
+pub(crate) use lettered::lettered_html;
 pub use matching::{Match, MatchValues, picture_distance};
 pub use number::{digits, short_number, with_unit};
 pub use order::{Item, Order};

@@ -304,7 +304,7 @@ impl LabPlace<'_> {
     }
 
     /// Draws the picture as it is shown.
-    pub(super) fn counted_picture(&self) -> Result<Frame, String> {
+    pub(crate) fn counted_picture(&self) -> Result<Frame, String> {
         self.render(1, |renderer, scene| renderer.render(scene).clone())
     }
 

@@ -6,7 +6,7 @@ use super::class::ClassQuestion;
 use super::html::{Element, Html, element};
 use super::kinds::kind::Printed;
 use super::page::{blank_picture, blocks, inline, page, picture};
-use super::{Budget, Lab, Lesson, LessonError, Question, Solution, Staged, Step};
+use super::{Budget, Lab, LabPlace, Lesson, LessonError, Question, Solution, Staged, Step};
 use crate::analysis::comparison::{Captions, comparison_sheet, draw_panes, panes_on_sheet};
 use crate::analysis::defects::{defects, draw_defects};
 use crate::analysis::normals::{NormalField, draw_normals};
@@ -153,34 +153,17 @@ impl StepPart {
         let lab = Lab::within(&staged, budget);
         let place = lab.place(&staged);
         let wrong = |(line, words): (u64, String)| LessonError::one(line, words);
-        let text = step.text.filled(&place).map_err(wrong)?;
+        // Solved for a sheet without answers too, since a probe that only the answer needs is marked.
+        let seed = (sheet.answers || sheet.samples > 0).then_some(sheet.seed);
+        let filled = FilledStep::new((index, step), &lab, place, seed)?;
         let own_picture = |question: &Question| question.kind.asks().uses_picture();
         let title = Html::from(format!("{}. ", index + 1)).with(inline(&step.title));
         let mut section = element("section")
             .class("step")
             .broken()
             .line(element("h2").with(title));
-        let question = |words: String| {
-            let line = step
-                .question
-                .as_ref()
-                .map_or(step.line, |question| question.line);
-            wrong((line, text!("lesson-question", words = words)))
-        };
-        // What is asked and found decides whether the probe is marked.
-        let mut solved = None;
-        if let Some(asks) = &step.question {
-            let asked = ClassQuestion::filled(index, asks, place).map_err(wrong)?;
-            // Solved for a sheet without answers too, since a probe that only the answer needs is marked.
-            let wanted = sheet.answers || sheet.samples > 0;
-            let right = wanted.then(|| asks.solve(place, sheet.seed));
-            let right = right.transpose().map_err(question)?;
-            let told = sheet.answers || asks.kind.asks().shows_target();
-            solved = Some((asks, asked, right.filter(|_| told)));
-        }
-        let places = |question: &Question| question.kind.asks().asks_place();
-        let probed = lab.probe_measured() && !step.question.as_ref().is_some_and(places);
-        let frame = stage_picture(&lab, step, &staged, sheet.samples, probed);
+        let question = |words: String| step.question_problem(words);
+        let frame = stage_picture(&lab, step, &staged, sheet.samples, filled.probed);
         let frame = frame.map_err(|words| wrong((step.line, words)))?;
         if !step.question.as_ref().is_some_and(own_picture) {
             let single = staged.scene.shown_panes().len() == 1;
@@ -193,11 +176,13 @@ impl StepPart {
             section = section.line(element("figure").class(class).with(image));
         }
         let mut part = Self {
-            section: section.with(blocks(&text)),
+            section: section.with(blocks(&filled.text)),
             question: None,
         };
-        if let Some((asks, asked, right)) = solved {
+        if let (Some(asks), Some(asked)) = (&step.question, filled.asked) {
             let after = step.after.filled(&place).map_err(wrong)?;
+            let told = sheet.answers || asks.kind.asks().shows_target();
+            let right = filled.right.filter(|_| told);
             let printed = Printed {
                 ask: &asked.ask,
                 options: &asked.options,
@@ -220,8 +205,53 @@ impl StepPart {
     }
 }
 
+/// A step's texts with their numbers, and what they were taken from.
+pub(crate) struct FilledStep {
+    pub text: String,
+    /// The question's texts.
+    pub asked: Option<ClassQuestion>,
+    /// The right answer, where it was wanted.
+    pub right: Option<Solution>,
+    /// Numbers are taken at the probe, and it does not show what is asked for: it is marked in the picture.
+    pub probed: bool,
+}
+
+impl FilledStep {
+    /// Fills in the numbers of a step in its lab; with a `seed` solves its question too.
+    pub(crate) fn new(
+        (index, step): (usize, &Step),
+        lab: &Lab,
+        place: LabPlace<'_>,
+        seed: Option<u64>,
+    ) -> Result<Self, LessonError> {
+        let wrong = |(line, words): (u64, String)| LessonError::one(line, words);
+        let text = step.text.filled(&place).map_err(wrong)?;
+        let (mut asked, mut right) = (None, None);
+        if let Some(asks) = &step.question {
+            asked = Some(ClassQuestion::filled(index, asks, place).map_err(wrong)?);
+            let solved = seed.map(|seed| asks.solve(place, seed)).transpose();
+            right = solved.map_err(|words| step.question_problem(words))?;
+        }
+        let places = |question: &Question| question.kind.asks().asks_place();
+        Ok(Self {
+            text,
+            asked,
+            right,
+            probed: lab.probe_measured() && !step.question.as_ref().is_some_and(places),
+        })
+    }
+}
+
+impl Step {
+    /// Returns a problem of its question as one of the lesson.
+    pub(crate) fn question_problem(&self, words: String) -> LessonError {
+        let line = self.question.as_ref().map_or(self.line, |asks| asks.line);
+        LessonError::one(line, text!("lesson-question", words = words))
+    }
+}
+
 /// Returns the right answer and its explanation as HTML.
-fn answer(
+pub(crate) fn answer(
     asked: &ClassQuestion,
     question: &Question,
     right: Option<&Solution>,
@@ -242,7 +272,7 @@ fn answer(
 
 /// Draws the picture of a step as the window shows it: with its panes, or with its overlays; with a ring round the
 /// probe if numbers are taken there. Leaves out the profile's curve if it would be the answer.
-fn stage_picture(
+pub(crate) fn stage_picture(
     lab: &Lab,
     step: &Step,
     staged: &Staged,

@@ -13,4 +13,6 @@ mod hand_in;
 mod inventory;
 mod models;
 mod mutations;
+#[cfg(feature = "class")]
+mod phone;
 mod worksheet;
