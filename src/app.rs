@@ -29,6 +29,8 @@ pub use start::run;
 pub use views::profile::Profiles;
 pub use views::scan::ScanView;
 
+#[cfg(feature = "class")]
+use crate::class::Live;
 use crate::document::{Loaded, picture_bytes};
 use crate::lesson::Lesson;
 use crate::link::is_link;
@@ -43,6 +45,8 @@ use engine::Engine;
 use picture::Room;
 use serde::{Deserialize, Serialize};
 use session::action::Action;
+#[cfg(feature = "class")]
+use session::action::ClassAction;
 use session::notice::Notice;
 use session::recovery::Recovery;
 use session::window::{Figure, ViewStates};
@@ -195,6 +199,12 @@ impl App {
             self.state.open_lesson(Arc::new(lesson), built_in);
         }
         self
+    }
+
+    /// Shows a live class that has been started.
+    #[cfg(feature = "class")]
+    pub fn teach(&mut self, ctx: &Context, class: Live) {
+        self.state.teach(ctx, class);
     }
 
     /// Makes links begin with `page` from now on, if it is given.
@@ -472,6 +482,14 @@ impl App {
                     self.state.dialog = Some(Dialog::message(text!("course-hand-in"), words));
                 }
             },
+            #[cfg(feature = "class")]
+            Action::Class(ClassAction::Teach) => {
+                if let Some(file) = self.state.class_file() {
+                    self.ask_file(ctx, FileTask::Class, file.display().to_string());
+                }
+            }
+            #[cfg(feature = "class")]
+            Action::Class(action) => self.state.lead_class(ctx, action),
             Action::LoadStage => self.files.load_stage(ctx, &self.state.course),
             Action::Quit if self.may_close() => self.close(ctx),
             Action::CloseUnsaved => self.close(ctx),

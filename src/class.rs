@@ -61,6 +61,7 @@ mod server;
 mod tokens;
 
 pub use content::{Graded, Round, Spread, StepContent};
+pub use files::page_folder;
 pub use live::{Live, LiveOptions};
 pub use record::{Commit, open_record};
 pub use refusal::{OwnPace, Refusal};

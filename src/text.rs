@@ -167,6 +167,7 @@ files! {
     "controls" "lights" "files" "window" "links" "lesson" "course" "class" "animation"
     #[cfg(not(target_arch = "wasm32"))] "live"
     #[cfg(not(target_arch = "wasm32"))] "phone"
+    #[cfg(not(target_arch = "wasm32"))] "wall"
     #[cfg(not(target_arch = "wasm32"))] "cli"
 }
 

@@ -16,6 +16,8 @@ mod question;
 mod results;
 mod step;
 mod target;
+#[cfg(feature = "class")]
+mod teaching;
 mod work;
 
 pub use data::{Course, Held, SavedProgress};
@@ -27,9 +29,13 @@ pub use kinds::{Likeness, Target};
 pub use mark::{from_pixel, paint};
 #[cfg(target_arch = "wasm32")]
 pub use marking::Marking;
+#[cfg(feature = "class")]
+pub use parts::right_colour;
 pub use prose::prose_ui;
 pub use step::{back_ui, head_ui};
 pub use target::as_target;
+#[cfg(feature = "class")]
+pub use teaching::Teaching;
 #[cfg(target_arch = "wasm32")]
 pub use work::Prepare;
 

@@ -17,6 +17,8 @@ pub mod links;
 pub mod menu;
 pub mod notice;
 pub mod state;
+#[cfg(feature = "class")]
+pub mod teaching;
 pub mod terms;
 pub mod toast;
 pub mod welcome;

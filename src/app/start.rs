@@ -1,6 +1,8 @@
 //! Opening the window, or reporting in a sentence why it does not open.
 
 use crate::app::App;
+#[cfg(feature = "class")]
+use crate::class::Live;
 use crate::document::Loaded;
 use crate::lesson::Lesson;
 use crate::text::{Language, text};
@@ -35,7 +37,7 @@ pub struct Start {
     pub fresh: bool,
     /// The live class that the window is for; it is over when the window is closed.
     #[cfg(feature = "class")]
-    pub class: Option<crate::class::Live>,
+    pub class: Option<Live>,
 }
 
 /// Opens the window and returns when it is closed.
@@ -51,7 +53,7 @@ pub fn run(start: Start) -> Result<(), String> {
         page,
         fresh,
         #[cfg(feature = "class")]
-            class: _class,
+        class,
     } = start;
     check_environment()?;
     let viewport = ViewportBuilder::default()
@@ -72,7 +74,15 @@ pub fn run(start: Start) -> Result<(), String> {
         let app = App::new(cc, loaded);
         let app = if fresh { app.fresh(&cc.egui_ctx) } else { app };
         let app = app.with_welcome().in_language(language);
-        let app = app.with_page(page).with_lesson(lesson, seed);
+        #[cfg_attr(
+            not(feature = "class"),
+            expect(unused_mut, reason = "a class changes it")
+        )]
+        let mut app = app.with_page(page).with_lesson(lesson, seed);
+        #[cfg(feature = "class")]
+        if let Some(class) = class {
+            app.teach(&cc.egui_ctx, class);
+        }
         let folder = eframe::storage_dir("shading-lab").map(|folder| folder.join("recovery"));
         Box::new(match folder.filter(|_| !fresh) {
             Some(folder) => app.with_recovery(&folder),

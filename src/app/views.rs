@@ -1,5 +1,7 @@
 //! The views: ways of reading the picture, in groups on the rail at the right.
 
+#[cfg(feature = "class")]
+mod class;
 pub mod compare;
 pub mod curves;
 pub mod defects;
@@ -18,6 +20,8 @@ use crate::app::session::Session;
 use crate::app::session::action::Requests;
 use crate::app::session::appearance::ViewName;
 use crate::app::session::window::WindowState;
+#[cfg(feature = "class")]
+use crate::app::views::class::class_ui;
 use crate::app::views::compare::compare_ui;
 use crate::app::views::curves::curves_ui;
 use crate::app::views::defects::defects_ui;
@@ -180,12 +184,23 @@ pub static GROUPS: [Group; 5] = [
         sign: Sign::Course,
         name: "course",
         wide: false,
-        views: &[View {
-            key: ViewName::Course,
-            name: "course",
-            words: "course.words",
-            show: |ui, p| course_ui(ui, p.session, p.window, p.course, p.requests),
-        }],
+        views: &[
+            View {
+                key: ViewName::Course,
+                name: "course",
+                words: "course.words",
+                show: |ui, p| course_ui(ui, p.session, p.window, p.course, p.requests),
+            },
+            #[cfg(feature = "class")]
+            View {
+                key: ViewName::Class,
+                name: "view-class",
+                words: "view-class.words",
+                show: |ui, p| {
+                    p.with(|p, own| class_ui(ui, own, p.window, p.course, p.requests));
+                },
+            },
+        ],
     },
 ];
 
@@ -316,7 +331,7 @@ pub fn view_ui(
     ui.add_space(4.0);
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
-        // A lesson has its own heading, and is alone in its group.
+        // A lesson has its own heading.
         if window.appearance.view == ViewName::Course && course.heading().is_some() {
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 place_ui(ui, window, narrow);
@@ -355,8 +370,8 @@ pub fn view_ui(
         requests,
         engine,
     };
-    if name == ViewName::Course {
-        // Its navigation stays visible.
+    if matches!(name, ViewName::Course | ViewName::Class) {
+        // Their buttons stay visible.
         return (view.show)(&mut inside, &mut parts);
     }
     let show = if hidden {

@@ -1,6 +1,7 @@
 //! Shared widgets: letters, colours, signs, formulas, drawings, tables, and the keyboard's focus.
 
 pub mod background;
+pub mod code;
 pub mod dialog;
 pub mod drawing;
 pub mod fingers;

@@ -4,7 +4,7 @@ use hyper::body::Bytes;
 use miniz_oxide::deflate::compress_to_vec;
 use std::collections::HashMap;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The effort of compression, of 10.
 const EFFORT: u8 = 9;
@@ -86,6 +86,14 @@ fn crc(bytes: &[u8]) -> u32 {
     !bytes.iter().fold(u32::MAX, |crc, byte| {
         (crc >> 8) ^ table[((crc ^ u32::from(*byte)) & 0xff) as usize]
     })
+}
+
+/// The folder beside the program in which releases have its page.
+const PAGE: &str = "page";
+
+/// Returns the folder in which releases have the program's page, whether it is there or not.
+pub fn page_folder() -> Option<PathBuf> {
+    Some(std::env::current_exe().ok()?.parent()?.join(PAGE))
 }
 
 /// Reads the files of the program's page in a folder, by their paths in it; none where it is no such page. Symbolic links are not

@@ -17,9 +17,10 @@ use crate::text::in_language;
 use seats::{Seat, Seats, Streams};
 use serde::Deserialize;
 use std::collections::HashMap;
+use std::fmt;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::mpsc::{Sender, channel};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::Instant;
 use tokio::sync::watch;
 
@@ -99,6 +100,17 @@ pub struct Room {
     version: AtomicU64,
     pace: watch::Sender<u64>,
     engine: Sender<()>,
+    listener: Listener,
+}
+
+/// What is told of every change: the lecturer's window.
+#[derive(Default)]
+struct Listener(OnceLock<Box<dyn Fn() + Send + Sync>>);
+
+impl fmt::Debug for Listener {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Listener").finish_non_exhaustive()
+    }
 }
 
 impl Room {
@@ -132,6 +144,7 @@ impl Room {
             version: AtomicU64::new(0),
             pace: watch::Sender::new(0),
             engine,
+            listener: Listener::default(),
         });
         let weak = Arc::downgrade(&room);
         let language = room.head.language;
@@ -180,6 +193,15 @@ impl Room {
 
     fn changed(&self) {
         self.version.fetch_add(1, Ordering::AcqRel);
+        if let Some(tell) = self.listener.0.get() {
+            tell();
+        }
+    }
+
+    /// Has a function called after every change, from the thread that made it; the first one stays. It must not ask for anything of
+    /// the class.
+    pub fn on_change(&self, tell: impl Fn() + Send + Sync + 'static) {
+        let _ = self.listener.0.set(Box::new(tell));
     }
 
     /// Returns what wakes streams of events when the class goes on.

@@ -5,7 +5,9 @@ use super::lesson::open;
 use super::output::{Failure, note, print_json};
 use clap::Args;
 use serde_json::{Value, json};
-use shading_lab::class::{Command, Live, LiveOptions, ServerOptions, Snapshot, Spread};
+use shading_lab::class::{
+    Command, Live, LiveOptions, ServerOptions, Snapshot, Spread, page_folder,
+};
 use shading_lab::lesson::{Pace, answer_parts};
 use shading_lab::text::{excerpt, text};
 use std::io::{BufRead, stdin};
@@ -21,8 +23,6 @@ const MOST: u32 = 500;
 /// The records of classes, and of rehearsals, where none is named.
 const RECORD: &str = "class.jsonl";
 const REHEARSAL: &str = "rehearsal.jsonl";
-/// The folder beside the program in which releases have its page.
-const PAGE: &str = "page";
 
 #[derive(Args)]
 pub struct ClassCommand {
@@ -61,13 +61,12 @@ impl ClassCommand {
             Some(_) => REHEARSAL,
             None => RECORD,
         };
-        let beside = || Some(std::env::current_exe().ok()?.parent()?.join(PAGE));
         let options = LiveOptions {
             record: self.output.unwrap_or_else(|| record.into()),
             server: ServerOptions {
                 bind: self.bind,
                 port: self.port,
-                page: self.page.or_else(beside),
+                page: self.page.or_else(page_folder),
             },
             url: self.url,
             rehearse: self.rehearse.unwrap_or(0),
@@ -94,7 +93,7 @@ fn window(lesson: shading_lab::lesson::Lesson, live: Live, seed: u64) -> Result<
         loaded,
         lesson: Some(lesson),
         seed: Some(seed),
-        language: None,
+        language: Some(text::language()),
         page: None,
         fresh: false,
         class: Some(live),

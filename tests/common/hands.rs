@@ -1,7 +1,9 @@
 //! The window without a screen, and helpers that operate it: controls are found by role and name.
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, TexturesDelta};
+use eframe::egui::{
+    Color32, Event, Key, Modifiers, PointerButton, Pos2, Rect, Shape, TexturesDelta, pos2,
+};
 use egui_kittest::kittest::{NodeT, Queryable};
 use egui_kittest::{Harness, TestRenderer};
 use serde::Serialize;
@@ -129,6 +131,37 @@ fn built(
     harness
 }
 
+/// Decodes the QR code in the window: the black squares that are painted over white.
+pub fn decoded_code(harness: &Harness<'_, App>) -> String {
+    let shapes = harness.output().shapes.iter();
+    let mesh = shapes.filter_map(|clipped| match &clipped.shape {
+        Shape::Mesh(mesh) => mesh
+            .vertices
+            .iter()
+            .all(|vertex| vertex.color == Color32::BLACK)
+            .then_some(mesh),
+        _ => None,
+    });
+    let mesh = mesh.max_by_key(|mesh| mesh.vertices.len()).expect("a code");
+    let mut pixels = vec![255u8; 1280 * 800];
+    for corners in mesh.vertices.as_chunks::<4>().0 {
+        let (min, max) = corners
+            .iter()
+            .fold((pos2(1e9, 1e9), Pos2::ZERO), |(min, max), vertex| {
+                (min.min(vertex.pos), max.max(vertex.pos))
+            });
+        for y in min.y.round() as usize..max.y.round() as usize {
+            pixels[y * 1280 + min.x.round() as usize..y * 1280 + max.x.round() as usize].fill(0);
+        }
+    }
+    let mut image =
+        rqrr::PreparedImage::prepare_from_greyscale(1280, 800, |x, y| pixels[y * 1280 + x]);
+    let [code] = &image.detect_grids()[..] else {
+        panic!("one code")
+    };
+    code.decode().expect("a readable code").1
+}
+
 /// Runs frames until nothing asks for another. What other threads work out may take its time: a lesson shows a spinner meanwhile.
 pub fn settle(harness: &mut Harness<'_, App>) {
     let begun = Instant::now();
@@ -200,7 +233,7 @@ pub fn open_view(harness: &mut Harness<'_, App>, name: &str) {
         if harness.query_by_role_and_label(Role::Tab, name).is_some() {
             break;
         }
-        press(harness, group);
+        press_rail(harness, group);
     }
     harness
         .get_by_role_and_label(Role::Tab, name)
@@ -220,6 +253,13 @@ pub fn press(harness: &mut Harness<'_, App>, key: &str) {
     harness
         .get_by_role_and_label(Role::Button, named(key))
         .click_accesskit();
+    settle(harness);
+}
+
+/// Clicks a button of the rail: of several of a name the last one, behind the menus.
+pub fn press_rail(harness: &mut Harness<'_, App>, key: &str) {
+    let buttons = harness.query_all_by_role_and_label(Role::Button, named(key));
+    buttons.last().expect("a button").click_accesskit();
     settle(harness);
 }
 

@@ -1,13 +1,11 @@
 //! Links in the window: copied, pasted, and shown as a QR code.
 
 use crate::common::hands::{
-    built_in, enter, open_view, picture, press, scene, undo, wait, window, window_looking,
-    window_of, window_with,
+    built_in, decoded_code, enter, open_view, picture, press, scene, undo, wait, window,
+    window_looking, window_of, window_with,
 };
 use eframe::egui::accesskit::Role;
-use eframe::egui::{
-    Color32, Event, Key, Modifiers, OutputCommand, PointerButton, Pos2, Shape, ViewportId, pos2,
-};
+use eframe::egui::{Event, Key, Modifiers, OutputCommand, PointerButton, ViewportId, pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use glam::DVec2;
@@ -127,37 +125,6 @@ fn a_window_opens_on_a_link_with_its_view_probe_and_line() {
     }
 }
 
-/// Decodes the QR code in the window: the black squares that are painted over white.
-fn decoded(harness: &Harness<'_, App>) -> String {
-    let shapes = harness.output().shapes.iter();
-    let mesh = shapes.filter_map(|clipped| match &clipped.shape {
-        Shape::Mesh(mesh) => mesh
-            .vertices
-            .iter()
-            .all(|vertex| vertex.color == Color32::BLACK)
-            .then_some(mesh),
-        _ => None,
-    });
-    let mesh = mesh.max_by_key(|mesh| mesh.vertices.len()).expect("a code");
-    let mut pixels = vec![255u8; 1280 * 800];
-    for corners in mesh.vertices.as_chunks::<4>().0 {
-        let (min, max) = corners
-            .iter()
-            .fold((pos2(1e9, 1e9), Pos2::ZERO), |(min, max), vertex| {
-                (min.min(vertex.pos), max.max(vertex.pos))
-            });
-        for y in min.y.round() as usize..max.y.round() as usize {
-            pixels[y * 1280 + min.x.round() as usize..y * 1280 + max.x.round() as usize].fill(0);
-        }
-    }
-    let mut image =
-        rqrr::PreparedImage::prepare_from_greyscale(1280, 800, |x, y| pixels[y * 1280 + x]);
-    let [code] = &image.detect_grids()[..] else {
-        panic!("one code")
-    };
-    code.decode().expect("a readable code").1
-}
-
 #[test]
 fn the_code_over_the_window_is_the_link_and_any_key_or_click_closes_it() {
     let mut harness = with_page("highlight");
@@ -171,7 +138,7 @@ fn the_code_over_the_window_is_the_link_and_any_key_or_click_closes_it() {
                 .query_by_role_and_label(Role::Image, &name)
                 .is_some()
         );
-        assert_eq!(decoded(&harness), link);
+        assert_eq!(decoded_code(&harness), link);
         assert!(read(&link).is_ok());
         let mode = scene(&harness).shading.mode;
         if closes == 0 {
@@ -223,7 +190,7 @@ fn without_a_page_its_address_is_asked_for() {
     harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
     field(&mut harness, PAGE);
     assert_eq!(harness.state().state().window.appearance.page, PAGE);
-    assert!(decoded(&harness).starts_with("https://example.org/lab/?scene=gold&"));
+    assert!(decoded_code(&harness).starts_with("https://example.org/lab/?scene=gold&"));
 }
 
 #[test]

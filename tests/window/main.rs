@@ -6,6 +6,8 @@
 mod common;
 
 mod claims;
+#[cfg(feature = "class")]
+mod class;
 mod conditions_panel;
 mod controls;
 mod course;

@@ -3,6 +3,8 @@
 use super::glide::Glide;
 use super::kinds::{Widget, widget_of};
 use super::marking::HandedIn;
+#[cfg(feature = "class")]
+use super::teaching::Teaching;
 use super::work::{Prepare, Prepared};
 use crate::app::session::appearance::Overlays;
 use crate::app::session::document::CoursePart;
@@ -42,6 +44,9 @@ pub struct Course {
     pub openings: u64,
     /// The animation towards a step's scene.
     pub gliding: Option<Glide>,
+    /// The live class that is going on.
+    #[cfg(feature = "class")]
+    pub class: Option<Teaching>,
 }
 
 impl Default for Course {
@@ -55,6 +60,8 @@ impl Default for Course {
             list: None,
             openings: 0,
             gliding: None,
+            #[cfg(feature = "class")]
+            class: None,
         }
     }
 }
@@ -311,7 +318,20 @@ impl Course {
     /// Returns whether the right answer is shown: in a test never.
     pub fn revealed(&self) -> bool {
         let shown = |answered: &Answered| answered.grade.right || answered.looked_up > 0;
-        !self.is_test() && self.answered().is_some_and(shown)
+        let answered = !self.is_test() && self.answered().is_some_and(shown);
+        answered || self.is_explained()
+    }
+
+    /// Returns whether the step is explained to a class that is going on.
+    #[cfg(feature = "class")]
+    fn is_explained(&self) -> bool {
+        let pair = self.class.as_ref().zip(self.open.as_ref());
+        pair.is_some_and(|(class, open)| class.explains(&open.lesson.name, open.step))
+    }
+
+    #[cfg(not(feature = "class"))]
+    fn is_explained(&self) -> bool {
+        false
     }
 
     /// Keeps the answer of a test once the student has given one. It has no grade, so that the file in which it is kept does not

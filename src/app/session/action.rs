@@ -3,6 +3,8 @@
 use super::appearance::{Appearance, ViewName};
 use crate::analysis::Format;
 use crate::analysis::scan::ScanLevel;
+#[cfg(feature = "class")]
+use crate::class::Command;
 use crate::scene::{CompareView, Light, ShadingMode, Symbol};
 use std::path::PathBuf;
 
@@ -97,6 +99,9 @@ pub enum Action {
     View(ViewName),
     /// Moves through the course.
     Course(Turn),
+    /// Starts a live class, leads it, or ends it.
+    #[cfg(feature = "class")]
+    Class(ClassAction),
     /// Asks for a name and a file for the answers to the lesson.
     HandIn,
     /// Makes the current scene the target of a match.
@@ -158,6 +163,22 @@ pub enum Turn {
     Again,
     /// The list of lessons.
     List,
+}
+
+/// What the lecturer does with a live class.
+#[cfg(feature = "class")]
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum ClassAction {
+    /// Asks for the file of the answers.
+    Teach,
+    /// Starts it about the open lesson, with the answers in this file.
+    Start(PathBuf),
+    /// Shows the step in place of the address for those who join.
+    Begin,
+    Perform(Command),
+    /// What comes next: the answers, the explanation, or the next step.
+    Onward,
+    End,
 }
 
 /// A move through the steps of a scanned polygon.

@@ -122,8 +122,9 @@ impl Appearance {
     /// the room is there for it.
     pub fn projector(&mut self) {
         (self.scale, self.projector) = (1.0, !self.projector);
-        self.controls = !self.projector && self.view != ViewName::Course;
-        self.views = !self.projector || self.view == ViewName::Course && self.views;
+        let of_course = matches!(self.view, ViewName::Course | ViewName::Class);
+        self.controls = !self.projector && !of_course;
+        self.views = !self.projector || of_course && self.views;
     }
 
     /// Returns the scale of the interface in a window of this height, in points before scaling.
@@ -189,6 +190,8 @@ pub enum ViewName {
     Stability,
     /// Lessons.
     Course,
+    /// The live class.
+    Class,
 }
 
 impl ViewName {

@@ -46,7 +46,8 @@ pub struct WindowState {
 impl WindowState {
     /// Returns whether a view is visible.
     pub fn shows(&self, view: ViewName) -> bool {
-        let hidden = self.hidden && view != ViewName::Course;
+        let of_course = matches!(view, ViewName::Course | ViewName::Class);
+        let hidden = self.hidden && !of_course;
         self.appearance.views && !self.picture_alone && !hidden && self.appearance.view == view
     }
 

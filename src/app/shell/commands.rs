@@ -4,6 +4,8 @@
 use crate::analysis::scan::ScanLevel;
 use crate::app::course::Course;
 use crate::app::picture::{handles, orbit};
+#[cfg(feature = "class")]
+use crate::app::session::action::ClassAction;
 use crate::app::session::action::{Action, Requests, Turn, Walk};
 use crate::app::session::appearance::{Appearance, ViewName};
 use crate::app::session::notice::Notice;
@@ -14,6 +16,8 @@ use crate::app::system;
 use crate::app::views::after;
 use crate::app::views::scan::ScanView;
 use crate::app::widgets::focus;
+#[cfg(feature = "class")]
+use crate::class::Command as ClassCommand;
 use crate::link::is_link;
 use crate::scene::{Light, Scene, ShadingMode};
 use crate::text;
@@ -22,6 +26,9 @@ use std::mem;
 use std::sync::LazyLock;
 
 /// The sections that are menus, in the order of the bar; "compare" is a submenu of "view".
+#[cfg(feature = "class")]
+pub const MENUS: [&str; 6] = ["file", "edit", "view", "scene", "course", "help"];
+#[cfg(not(feature = "class"))]
 pub const MENUS: [&str; 5] = ["file", "edit", "view", "scene", "help"];
 
 /// A group of commands: a menu, a part of Help, or both.
@@ -362,7 +369,14 @@ fn scan() -> Section {
 }
 
 fn course() -> Section {
-    Section::new("course").gesture("course-step")
+    let section = Section::new("course");
+    #[cfg(feature = "class")]
+    let section = section
+        .item("lessons", "", Action::View(ViewName::Course))
+        .item("teach", "", Action::Class(ClassAction::Teach))
+        .item("class", "", Action::View(ViewName::Class))
+        .gesture("class-step");
+    section.gesture("course-step")
 }
 
 fn help() -> Section {
@@ -415,7 +429,9 @@ pub fn listen(ctx: &Context, window: &mut WindowState, course: &Course, requests
                 {
                     // Keys of a presenter's remote. In a lesson they work anywhere in the window.
                     let by = if *key == Key::PageDown { 1 } else { -1 };
-                    Some(if lesson {
+                    Some(if let Some(action) = class_step(course, by) {
+                        action
+                    } else if lesson {
                         Action::Course(Turn::Step(by))
                     } else {
                         Action::NextScene(by)
@@ -445,6 +461,23 @@ pub fn listen(ctx: &Context, window: &mut WindowState, course: &Course, requests
             requests.ask(Action::PictureAlone);
         }
     }
+}
+
+/// Returns what a key of the remote does in a class that is going on.
+#[cfg(feature = "class")]
+fn class_step(course: &Course, by: isize) -> Option<Action> {
+    let class = course.class.as_ref()?;
+    let action = match by {
+        1 if class.joining => ClassAction::Begin,
+        1 => ClassAction::Onward,
+        _ => ClassAction::Perform(ClassCommand::Back),
+    };
+    Some(Action::Class(action))
+}
+
+#[cfg(not(feature = "class"))]
+fn class_step(_: &Course, _: isize) -> Option<Action> {
+    None
 }
 
 fn find(key: Key, modifiers: Modifiers) -> Option<Action> {

@@ -70,6 +70,9 @@ pub enum FileTask {
     SaveAnswer(Format),
     /// The answers to a lesson, with the student's name.
     HandIn(String),
+    /// The answers of a live class; an existing file goes on.
+    #[cfg(feature = "class")]
+    Class,
 }
 
 /// The settings for exporting a picture.
@@ -142,6 +145,14 @@ impl FileTask {
                 text!("file-picture"),
                 &["png"],
                 "answers.png",
+            ),
+            #[cfg(feature = "class")]
+            Self::Class => (
+                text!("wall-file"),
+                text!("wall-file.verb"),
+                text!("wall-file.kind"),
+                &["jsonl"],
+                "class.jsonl",
             ),
             Self::SaveAnswer(format) => {
                 let example = match format {

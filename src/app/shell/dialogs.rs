@@ -10,6 +10,8 @@ use super::links;
 use crate::app::controls::scenes::{Gallery, scenes_ui};
 use crate::app::course::prose_ui;
 use crate::app::session::action::Action;
+#[cfg(feature = "class")]
+use crate::app::session::action::ClassAction;
 use crate::app::session::window::WindowState;
 use crate::app::shell::state::AppState;
 use crate::app::shell::state::Leaving;
@@ -117,6 +119,12 @@ fn accept(ctx: &Context, state: &mut AppState, files: &mut Files, mut dialog: Di
             task: FileTask::Open,
             ..
         } => vec![],
+        // A class goes on with the answers that are there.
+        #[cfg(feature = "class")]
+        Dialog::File {
+            task: FileTask::Class,
+            ..
+        } => vec![],
         Dialog::File { path, .. } => vec![PathBuf::from(path)],
         Dialog::Code(form) => code::targets(&state.window, form),
         _ => vec![],
@@ -153,6 +161,11 @@ pub fn perform(ctx: &Context, state: &mut AppState, files: &mut Files, dialog: D
             FileTask::HandIn(name) => {
                 let (document, course) = (state.session.document(), &mut state.course);
                 files.hand_in(ctx, document, course, name, PathBuf::from(path));
+            }
+            #[cfg(feature = "class")]
+            FileTask::Class => {
+                let start = ClassAction::Start(PathBuf::from(path.trim()));
+                state.requests.ask(Action::Class(start));
             }
             FileTask::Export(mut form) => {
                 let (session, window, file) = (&state.session, &state.window, PathBuf::from(&path));
@@ -266,6 +279,10 @@ fn file_ui(ui: &mut Ui, task: &mut FileTask, path: &mut String, state: &AppState
             ui.add_space(8.0);
             ui.colored_label(ui.visuals().error_fg_color, wrong);
         }
+    }
+    #[cfg(feature = "class")]
+    if *task == FileTask::Class {
+        ui.add(Label::new(RichText::new(text!("wall-file.sentence")).weak()).wrap());
     }
     if let FileTask::HandIn(name) = task {
         ui.label(RichText::new(text!("course-hand-in.sentence")).weak());

@@ -266,7 +266,7 @@ fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, size: Vec2) {
     }
     if beside {
         // Wider for a lesson, which is read and has questions to answer.
-        let lesson = window.appearance.view == ViewName::Course;
+        let lesson = matches!(window.appearance.view, ViewName::Course | ViewName::Class);
         let (name, share, most) = if lesson {
             ("course", 0.34, 520.0)
         } else {

@@ -7,6 +7,7 @@ use crate::app::session::document::{Document, Origin};
 use crate::app::session::place::{ProbePoint, ProfileLine};
 use crate::app::shell::state::AppState;
 use crate::app::system;
+use crate::app::widgets::code::{code_side, paint_code};
 use crate::app::widgets::dialog::Choice;
 use crate::app::widgets::focus::{heading, named};
 use crate::app::widgets::theme::text_field;
@@ -17,8 +18,8 @@ use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
 use eframe::egui::{
-    Align, Area, Button, Color32, Context, Event, FontId, Galley, Id, Key, Mesh, OpenUrl, Order,
-    OutputCommand, Painter, Rect, RichText, Sense, Shape, Ui, pos2,
+    Align, Area, Button, Color32, Context, Event, FontId, Galley, Id, Key, OpenUrl, Order,
+    OutputCommand, Painter, Rect, RichText, Sense, Ui, pos2,
 };
 use std::sync::Arc;
 
@@ -363,26 +364,11 @@ fn paint(painter: &Painter, room: Rect, pixels_per_point: f32, shown: &LinkCode)
     }
     texts.push(text(text!("link-code-closes").to_owned(), small, GREY, 1));
     let below: f32 = texts.iter().map(|text| text.size().y + 0.5 * GAP).sum();
-    // Whole pixels for each module, so that no edge is blurred.
-    let side = inner.width().min(inner.height() - below) * pixels_per_point;
-    let modules = shown.code.side() as f32;
-    let module = (side / modules).floor().max(1.0);
-    let size = module * modules / pixels_per_point;
+    let side = inner.width().min(inner.height() - below);
+    let size = code_side(&shown.code, side, pixels_per_point);
     let left = inner.center().x - 0.5 * size;
     let top = inner.top() + 0.5 * (inner.height() - below - size).max(0.0);
-    let whole = |points: f32| (points * pixels_per_point).round();
-    let corner = |x: usize, y: usize| {
-        let at = |start: f32, modules: usize| {
-            (whole(start) + module * modules as f32) / pixels_per_point
-        };
-        pos2(at(left, x), at(top, y))
-    };
-    let mut mesh = Mesh::default();
-    for [x, y, count] in shown.code.runs() {
-        let rect = Rect::from_min_max(corner(x, y), corner(x + count, y + 1));
-        mesh.add_colored_rect(rect, Color32::BLACK);
-    }
-    painter.add(Shape::mesh(mesh));
+    paint_code(painter, &shown.code, pos2(left, top), side);
     let mut y = top + size;
     for text in texts {
         let (height, colour) = (text.size().y, Color32::BLACK);

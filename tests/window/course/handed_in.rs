@@ -68,7 +68,7 @@ fn opened(path: &Path) -> Harness<'static, App> {
 
 fn show_course(harness: &mut Harness<'_, App>) {
     if !harness.state().state().window.shows(ViewName::Course) {
-        press(harness, "course");
+        hands::press_rail(harness, "course");
     }
 }
 

@@ -72,7 +72,7 @@ fn another_scene_shows_its_numbers_and_a_way_back() {
     assert_ne!(scene(&harness).material.n, 20.0);
     assert!(!hides(&mut harness));
     // The step's question is about its own scene.
-    press(&mut harness, "course");
+    hands::press_rail(&mut harness, "course");
     assert!(
         harness
             .query_by_role_and_label(Role::RadioButton, "Wider")

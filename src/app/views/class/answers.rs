@@ -1,0 +1,315 @@
+//! The answers to a question, the round before beside the present one.
+
+use super::charts::{Colours, Range, clicks, curves, highest, numbers};
+use crate::app::course::{prose_ui, right_colour};
+use crate::app::widgets::drawing::{drawing_ui, paint, plot_style, rgb};
+use crate::app::widgets::focus::named;
+use crate::app::widgets::palette::vector_text;
+use crate::class::{Round, Spread};
+use crate::figure::PlotStyle;
+use crate::figure::palette::Vector;
+use crate::lesson::{
+    Answer, ClassQuestion, Kind, Question, Solution, control_name, letter, short_answer, slider,
+};
+use crate::text::text;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{
+    Color32, ColorImage, Rect, RichText, Sense, TextureHandle, TextureOptions, Ui, pos2, vec2,
+};
+use egui_commonmark::CommonMarkCache;
+use glam::DVec2;
+
+/// The height of a plot as a fraction of its width, and the most that one is high, in points.
+const ASPECT: f32 = 0.62;
+const HIGHEST: f32 = 420.0;
+/// The height of a bar, in points.
+const BAR: f32 = 18.0;
+/// The most orders that have bars.
+const ORDERS: usize = 6;
+/// The most wrong models that are named.
+const MODELS: usize = 3;
+
+/// What is shown of a question's answers.
+pub struct Answers<'a> {
+    pub question: &'a Question,
+    pub asked: &'a ClassQuestion,
+    pub spread: &'a Spread,
+    /// True if the right answer may be seen.
+    pub right: bool,
+    /// From 1.
+    pub step: usize,
+    pub markdown: &'a mut CommonMarkCache,
+    /// The picture of a step that clicks are shown in.
+    pub picture: &'a mut Option<(usize, TextureHandle)>,
+}
+
+impl<'a> Answers<'a> {
+    /// Returns the last two rounds with their numbers.
+    fn rounds(&self) -> Vec<(usize, &'a Round)> {
+        let rounds = &self.spread.rounds;
+        let numbered = rounds.iter().enumerate();
+        let last = numbered.skip(rounds.len().saturating_sub(2));
+        last.map(|(index, round)| (index + 1, round)).collect()
+    }
+
+    fn solution(&self) -> Option<&'a Solution> {
+        self.asked.solution().filter(|_| self.right)
+    }
+}
+
+/// Shows the answers of the last two rounds.
+pub fn answers_ui(ui: &mut Ui, answers: &mut Answers<'_>) {
+    match &answers.question.kind {
+        Kind::Choice(_) => choices_ui(ui, answers),
+        Kind::Order(_) => orders_ui(ui, answers),
+        Kind::Match(_) => {}
+        _ => rounds_ui(ui, answers),
+    }
+    if answers.right {
+        models_ui(ui, answers);
+    }
+}
+
+/// Shows a drawing for each round, side by side.
+fn rounds_ui(ui: &mut Ui, answers: &mut Answers<'_>) {
+    let rounds = answers.rounds();
+    let several = rounds.len() > 1;
+    ui.columns(rounds.len().max(1), |columns| {
+        for (ui, (number, round)) in columns.iter_mut().zip(rounds) {
+            round_ui(ui, answers, round);
+            caption_ui(ui, answers, (number, round), several);
+        }
+    });
+}
+
+/// Says which round it is, how many answered, and how many of them rightly once that may be seen.
+fn caption_ui(ui: &mut Ui, answers: &Answers<'_>, (number, round): (usize, &Round), several: bool) {
+    let count = round.answers.len();
+    let words = if answers.right {
+        text!("wall-right-of", right = round.right(), count = count)
+    } else {
+        text!("wall-count", count = count)
+    };
+    let words = if several {
+        format!("{}: {words}", text!("wall-round", round = number))
+    } else {
+        words
+    };
+    ui.label(RichText::new(words).weak());
+}
+
+fn round_ui(ui: &mut Ui, answers: &mut Answers<'_>, round: &Round) {
+    let style = plot_style(ui);
+    let width = ui.available_width();
+    let size = vec2(width, (ASPECT * width).min(HIGHEST));
+    let size = DVec2::new(size.x.into(), size.y.into());
+    let colours = Colours {
+        answer: rgb(vector_text(ui.visuals(), Vector::L)),
+        right: rgb(right_colour(ui)),
+    };
+    let words = || text!("wall-count", count = round.answers.len());
+    let drawing = match (&answers.question.kind, answers.solution()) {
+        (Kind::Curve(curve), right) => {
+            let names = [&curve.x_name, &curve.y_name].map(|name| name.plain());
+            let right = match right {
+                Some(Solution::Curve(right)) => Some(&right[..]),
+                _ => None,
+            };
+            curves(
+                curve,
+                [&names[0], &names[1]],
+                round,
+                right,
+                (size, &style, colours),
+            )
+        }
+        (Kind::Point(_), _) => return picture_ui(ui, answers, round, (&style, colours)),
+        _ => {
+            let Some((ends, name, tolerance)) = range(answers.question) else {
+                return;
+            };
+            let right = match answers.solution() {
+                Some(Solution::Value(right) | Solution::Settings(right)) => {
+                    Some([*right, tolerance])
+                }
+                _ => None,
+            };
+            let range = Range {
+                ends,
+                name: &name,
+                count: text!("wall-students-axis"),
+                right,
+            };
+            let most = answers.rounds().into_iter();
+            let most = most.map(|(_, round)| highest(ends, &values(round))).max();
+            let style = (size, &style, colours);
+            numbers(range, &values(round), most.unwrap_or(0), style)
+        }
+    };
+    drawing_ui(ui, &drawing, Sense::hover(), words);
+}
+
+/// Returns the ends and the name of the axis of a question for a number, and how far from the right one is right too.
+fn range(question: &Question) -> Option<([f64; 2], String, f64)> {
+    match &question.kind {
+        Kind::Value(value) => Some(([value.from, value.to], value.unit.clone(), value.tolerance)),
+        Kind::Settings(settings) => {
+            let (.., slider) = slider(&settings.control)?;
+            let name = control_name(&settings.control);
+            Some(([slider.from, slider.to], name, 0.0))
+        }
+        _ => None,
+    }
+}
+
+fn values(round: &Round) -> Vec<f64> {
+    let answers = round.answers.iter();
+    let value = |answer: &Answer| match answer {
+        Answer::Value(value) | Answer::Settings(value) => Some(*value),
+        _ => None,
+    };
+    answers.filter_map(|graded| value(&graded.answer)).collect()
+}
+
+/// Shows the picture of the step with the clicks in it.
+fn picture_ui(
+    ui: &mut Ui,
+    answers: &mut Answers<'_>,
+    round: &Round,
+    (style, colours): (&PlotStyle, Colours),
+) {
+    let (Some(frame), Kind::Point(point)) = (&answers.asked.picture, &answers.question.kind) else {
+        return;
+    };
+    let step = answers.step;
+    if answers
+        .picture
+        .as_ref()
+        .is_none_or(|(known, _)| *known != step)
+    {
+        let size = [frame.width as usize, frame.height as usize];
+        let image = ColorImage::from_rgba_unmultiplied(size, frame.pixels.as_flattened());
+        let texture = ui
+            .ctx()
+            .load_texture("class", image, TextureOptions::LINEAR);
+        *answers.picture = Some((step, texture));
+    }
+    let Some((_, texture)) = answers.picture.as_ref() else {
+        return;
+    };
+    let size = vec2(frame.width as f32, frame.height as f32);
+    let most = vec2(ui.available_width(), HIGHEST);
+    let shown = size * (most / size).min_elem();
+    let (rect, response) = ui.allocate_exact_size(shown, Sense::hover());
+    let words = text!("wall-count", count = round.answers.len());
+    named(response, Role::Image, &words);
+    let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+    let painter = ui.painter_at(rect);
+    painter.image(texture.id(), rect, whole, Color32::WHITE);
+    let right = match answers.solution() {
+        Some(Solution::Point(places)) => Some(&places[..]),
+        _ => None,
+    };
+    let size = DVec2::new(shown.x.into(), shown.y.into());
+    let drawing = clicks(round, right, point.tolerance, (size, style.text, colours));
+    paint(&painter, &drawing, rect.min);
+}
+
+/// Shows each option with a bar for each round.
+fn choices_ui(ui: &mut Ui, answers: &mut Answers<'_>) {
+    let right = match answers.solution() {
+        Some(Solution::Choice(right)) => Some(*right),
+        _ => None,
+    };
+    for (option, words) in answers.asked.options.iter().enumerate() {
+        let words = format!("{}\\. {words}", letter(option));
+        ui.push_id(option, |ui| prose_ui(ui, answers.markdown, &words));
+        let is_this = |answer: &Answer| *answer == Answer::Choice(option);
+        bars_ui(ui, &answers.rounds(), is_this, right == Some(option));
+    }
+}
+
+/// Shows the most frequent orders with a bar for each round, and which letter stands for what.
+fn orders_ui(ui: &mut Ui, answers: &mut Answers<'_>) {
+    let rounds = answers.rounds();
+    let mut orders: Vec<(&Answer, usize)> = Vec::new();
+    for graded in rounds.iter().flat_map(|(_, round)| &round.answers) {
+        match orders
+            .iter_mut()
+            .find(|(known, _)| *known == &graded.answer)
+        {
+            Some((_, count)) => *count += 1,
+            None => orders.push((&graded.answer, 1)),
+        }
+    }
+    orders.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+    let right = answers.solution().map(Answer::right);
+    for (order, _) in orders.into_iter().take(ORDERS) {
+        ui.label(RichText::new(short_answer(order)).strong());
+        let is_this = |answer: &Answer| answer == order;
+        bars_ui(ui, &rounds, is_this, right.as_ref() == Some(order));
+    }
+    for (item, words) in answers.asked.options.iter().enumerate() {
+        let words = format!("{}\\. {words}", letter(item));
+        ui.push_id(item, |ui| prose_ui(ui, answers.markdown, &words));
+    }
+}
+
+/// Shows a bar for each round: how many of its answers are this one.
+fn bars_ui(
+    ui: &mut Ui,
+    rounds: &[(usize, &Round)],
+    is_this: impl Fn(&Answer) -> bool,
+    is_right: bool,
+) {
+    let visuals = ui.visuals();
+    let right = right_colour(ui);
+    let plain = vector_text(visuals, Vector::L);
+    for (index, (number, round)) in rounds.iter().enumerate() {
+        let given = round.answers.iter();
+        let count = given.filter(|graded| is_this(&graded.answer)).count();
+        let share = count as f32 / round.answers.len().max(1) as f32;
+        let sign = if is_right { " ✓" } else { "" };
+        let words = format!("{count} ({:.0} %){sign}", 100.0 * share);
+        let words = match rounds.len() {
+            1 => words,
+            _ => format!("{number}: {words}"),
+        };
+        ui.horizontal(|ui| {
+            let width = 0.7 * ui.available_width();
+            let (rect, response) = ui.allocate_exact_size(vec2(width, BAR), Sense::hover());
+            named(response, Role::Image, &words);
+            let faint = ui.visuals().widgets.noninteractive.bg_stroke.color;
+            ui.painter()
+                .rect_filled(rect, 3.0, faint.gamma_multiply(0.5));
+            let filled = rect.with_max_x(rect.min.x + share * rect.width());
+            let colour = if is_right { right } else { plain };
+            // The round before is paler.
+            let last = index + 1 == rounds.len();
+            let colour = if last {
+                colour
+            } else {
+                colour.gamma_multiply(0.5)
+            };
+            ui.painter().rect_filled(filled, 3.0, colour);
+            ui.label(words);
+        });
+    }
+    ui.add_space(4.0);
+}
+
+/// Shows which wrong models the answers of the last round agree with.
+fn models_ui(ui: &mut Ui, answers: &mut Answers<'_>) {
+    let Some(round) = answers.spread.rounds.last() else {
+        return;
+    };
+    for (model, count) in round.models().into_iter().take(MODELS) {
+        let Some(says) = answers.asked.says.get(model) else {
+            continue;
+        };
+        let words = format!("**{count} ×** {says}");
+        ui.push_id(("model", model), |ui| {
+            prose_ui(ui, answers.markdown, &words)
+        });
+    }
+}
