@@ -16,7 +16,7 @@ use crate::analysis::{Answer, Format, ReportContext, Subject};
 use crate::animation::{FilmFormat, Sweep, write_film};
 use crate::export::Export;
 use crate::figure::{Drawing, Paper};
-use crate::geometry::{Mesh, ModelMaterial, ObjError, Remark, read_model};
+use crate::geometry::{Mesh, ObjError, Remark, read_model};
 use crate::link::{self, Link, Shown};
 use crate::picture::{PictureError, PictureText, read_scene_text, write_png};
 use crate::render::{Frame, Renderer, can_be_had};
@@ -128,9 +128,9 @@ pub(crate) fn undrawn(object: &Object, model: Option<&Mesh>) -> Vec<String> {
             text!("document-textures", names = names)
         ));
     }
-    let clear = |material: &ModelMaterial| material.dissolve.is_some_and(|part| part < 1.0);
-    if let Some(first) = mesh.materials.iter().find(|material| clear(material)) {
-        let words = text!("document-dissolve", name = first.name.as_str());
+    let mut materials = mesh.materials.iter();
+    if let Some(first) = materials.find(|material| material.refracts_by_model()) {
+        let words = text!("document-illum-refracts", name = first.name.as_str());
         warnings.push(format!("{own}: {words}"));
     }
     warnings

@@ -66,7 +66,7 @@ pub enum ExportError {
 pub fn export_mesh(scene: &Scene, mesh: &Mesh) -> VertexMesh {
     let mut vertices = mesh.with_vertex_normals(Plan::normals(scene), scene.object.weighting);
     if scene.material.source == MaterialSource::Scene {
-        vertices.face_materials.clear();
+        vertices.drop_materials();
     }
     vertices
 }

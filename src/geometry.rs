@@ -1,5 +1,6 @@
 //! Shapes: meshes of n-sided polygons, their vertex normals, and the true surfaces that they stand for.
 
+mod balls;
 mod bezier;
 mod concave;
 mod mesh;
@@ -12,6 +13,7 @@ mod teapot;
 mod vector;
 mod vertex_normals;
 
+pub use balls::built_in;
 pub use mesh::{Corner, Mesh, NO_NORMAL, VertexMesh};
 pub use mtl::{ModelMaterial, NO_MATERIAL, Remark};
 pub use obj::{ObjError, OpenLibrary, read_model, read_obj};

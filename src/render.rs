@@ -15,7 +15,7 @@ mod rays;
 mod renderer;
 mod simd;
 
-pub(crate) use face_materials::{FaceMaterials, for_each_material};
+pub(crate) use face_materials::{FaceMaterials, any_transmits, for_each_material, transmits};
 pub use node::Memory;
 pub use rays::Transmission;
 pub use renderer::{

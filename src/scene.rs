@@ -8,6 +8,7 @@ mod access;
 pub mod camera;
 mod choice;
 pub mod compare;
+mod face_material;
 mod format;
 pub mod light;
 pub mod material;
@@ -36,6 +37,7 @@ pub use camera::{
 pub(crate) use choice::choices;
 pub use choice::{Choice, ChoiceOption};
 pub use compare::{Compare, CompareView, DifferenceKind, Pane};
+pub use face_material::FaceMaterial;
 pub use format::Coefficient;
 pub use light::{AreaShape, Attenuation, Light, LightKind};
 pub use material::{

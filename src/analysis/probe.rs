@@ -24,7 +24,7 @@ pub use zero::{ZeroCause, ZeroCauses};
 use crate::illumination::Equation;
 use crate::render::{Evaluation, Renderer, Transmission};
 use crate::scene::{
-    Backfacing, LightKind, Material, PatternKind, ReflectionModel, Rgb, Scene, View,
+    Backfacing, FaceMaterial, LightKind, PatternKind, ReflectionModel, Rgb, Scene, View,
 };
 use crate::text;
 use glam::{DVec2, DVec3};
@@ -90,6 +90,9 @@ pub struct ProbeHit {
     pub ambient: Rgb,
     /// True if `ambient` is light from other surfaces.
     pub bounced: bool,
+    /// The colour of the model's vertices here, which tints Od; none where they have none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tint: Option<Rgb>,
     /// Od where the equation is evaluated; the weighted mean if that is at several points.
     #[serde(skip)]
     pub color: Rgb,
@@ -119,8 +122,8 @@ pub struct ProbeHit {
 pub struct HitMaterial {
     /// The name in the model.
     pub name: String,
-    /// The numbers of the equation, with the scene's changes.
-    pub numbers: Material,
+    /// The numbers of the equation and of the light that passes, with the scene's changes.
+    pub numbers: FaceMaterial,
 }
 
 impl HitMaterial {
@@ -128,7 +131,7 @@ impl HitMaterial {
     fn scene_of<'s>(this: Option<&Self>, scene: &'s Scene) -> Cow<'s, Scene> {
         let mut own = Cow::Borrowed(scene);
         if let Some(Self { numbers, .. }) = this {
-            own.to_mut().material = numbers.clone();
+            numbers.clone().replace_in(own.to_mut());
         }
         own
     }
@@ -137,22 +140,35 @@ impl HitMaterial {
 impl Serialize for HitMaterial {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let Self { name, numbers } = self;
-        let mut object = serializer.serialize_struct("material", 7)?;
+        let FaceMaterial {
+            material,
+            kt,
+            relative_ior,
+        } = numbers;
+        let mut object = serializer.serialize_struct("material", 9)?;
         object.serialize_field("name", name)?;
-        object.serialize_field("ka", &numbers.ka)?;
-        object.serialize_field("kd", &numbers.kd)?;
-        object.serialize_field("ks", &numbers.ks)?;
-        object.serialize_field("n", &numbers.n)?;
-        object.serialize_field("color", &numbers.color)?;
-        object.serialize_field("specular_color", &numbers.specular_color)?;
+        object.serialize_field("ka", &material.ka)?;
+        object.serialize_field("kd", &material.kd)?;
+        object.serialize_field("ks", &material.ks)?;
+        object.serialize_field("n", &material.n)?;
+        object.serialize_field("color", &material.color)?;
+        object.serialize_field("specular_color", &material.specular_color)?;
+        object.serialize_field("kt", kt)?;
+        object.serialize_field("relative_ior", relative_ior)?;
         object.end()
     }
 }
 
 impl ProbeHit {
-    /// Returns the scene as this point shows it: its material is the face's.
+    /// Returns the scene as this point shows it: its material is the face's, and its colours have the tint.
     pub fn scene_of<'s>(&self, scene: &'s Scene) -> Cow<'s, Scene> {
-        HitMaterial::scene_of(self.material.as_ref(), scene)
+        let mut own = HitMaterial::scene_of(self.material.as_ref(), scene);
+        if let Some(tint) = self.tint {
+            let own = own.to_mut();
+            own.material.color *= tint;
+            own.pattern.color *= tint;
+        }
+        own
     }
 }
 
@@ -313,8 +329,12 @@ pub fn probe(renderer: &mut Renderer, scene: &Scene, x: u32, y: u32) -> Probe {
             let color: Rgb = evaluation
                 .points
                 .iter()
-                .map(|site| equation.pattern_color(site.point) * site.weight)
+                .map(|site| equation.pattern_color(site.point) * site.tint * site.weight)
                 .sum();
+            let tint = renderer.is_tinted().then(|| {
+                let points = evaluation.points.iter();
+                points.map(|site| site.tint * site.weight).sum()
+            });
             let constant = Rgb::from_array(equation.ambient) * color;
             let scattered = bounced.unwrap_or(Rgb::ZERO);
             let reflected = evaluation.intensity(&shining) + scattered;
@@ -342,12 +362,13 @@ pub fn probe(renderer: &mut Renderer, scene: &Scene, x: u32, y: u32) -> Probe {
                 depth: evaluation.depth,
                 face: evaluation.face,
                 material,
+                tint,
                 ambient: constant + scattered,
                 bounced: bounced.is_some(),
-                color: if equation.has_pattern() {
-                    color
-                } else {
-                    scene.material.color
+                color: match tint {
+                    _ if equation.has_pattern() => color,
+                    Some(tint) => scene.material.color * tint,
+                    None => scene.material.color,
                 },
                 lights,
                 reflected,
@@ -376,7 +397,7 @@ fn light_terms(
     let here = equation.respond_world(light, evaluation.position, evaluation.normal, None);
     let (mut diffuse, mut specular, mut reached) = (Rgb::ZERO, Rgb::ZERO, 0.0);
     for site in &evaluation.points {
-        let response = shining.respond_world(light, site.point, site.normal, site.reached);
+        let response = site.respond(shining, light);
         diffuse += site.weight * response.diffuse;
         specular += site.weight * response.specular;
         reached += site.weight * response.reached;

@@ -2,7 +2,7 @@
 
 use super::codec::Codec;
 use super::report::Answer;
-use crate::geometry::{Mesh, NO_MATERIAL};
+use crate::geometry::{Mesh, NO_MATERIAL, built_in};
 use crate::render::Renderer;
 use crate::scene::{MaterialSource, ObjectKind, Scene, choices};
 use Format::{Csv, Json, Png, Svg};
@@ -68,12 +68,15 @@ impl Subject {
 
     /// Returns whether faces of its model have materials of the model.
     pub fn has_own_materials(&self) -> bool {
-        let model = self.model.as_deref().filter(|_| {
-            let Scene {
-                object, material, ..
-            } = &self.scene;
-            object.kind == ObjectKind::Obj && material.source == MaterialSource::Model
-        });
+        let Scene {
+            object, material, ..
+        } = &self.scene;
+        let model = if object.kind == ObjectKind::Obj {
+            self.model.as_deref()
+        } else {
+            built_in(object.kind).map(|mesh| &**mesh)
+        };
+        let model = model.filter(|_| material.source == MaterialSource::Model);
         model.is_some_and(|mesh| mesh.face_materials.iter().any(|own| *own != NO_MATERIAL))
     }
 

@@ -1,7 +1,7 @@
 //! The error of replacing an area light by N points: the difference from many points, over a small picture.
 
 use crate::illumination::Equation;
-use crate::render::Renderer;
+use crate::render::{Renderer, WeightedPoint};
 use crate::scene::{Light, LightKind, Rgb, Scene};
 use serde::{Deserialize, Serialize};
 
@@ -61,7 +61,11 @@ pub fn sampling_error(
     for pixel in pixels.filter_map(|(x, y)| renderer.evaluation(x, y)) {
         let difference = pixel.points.iter().map(|at| {
             let [coarse, fine] = [&coarse, &fine].map(|equations| {
-                let light = equations[pixel.material].respond_world(0, at.point, at.normal, None);
+                let at = WeightedPoint {
+                    reached: None,
+                    ..*at
+                };
+                let light = at.respond(&equations[pixel.material], 0);
                 (light.diffuse + light.specular) * at.weight
             });
             coarse - fine

@@ -259,11 +259,10 @@ static SECTIONS: [Section; 8] = [
         open: Open::Special,
         symbols: &[Symbol::Kt, Symbol::Transmitted],
         tables: &[],
-        items: &[Rows(&[
-            &material::KT,
-            &material::TRANSPARENCY_IOR,
-            &material::THROUGH,
-        ])],
+        items: &[
+            Chosen(&[Rows(&[&material::KT, &material::TRANSPARENCY_IOR])]),
+            Rows(&[&material::THROUGH]),
+        ],
     },
     Section {
         title: "controls-camera",

@@ -19,7 +19,8 @@ use crate::app::session::appearance::{Overlays, ViewName};
 use crate::app::session::place::ProbePoint;
 use crate::app::session::window::WindowState;
 use crate::figure::Area;
-use crate::render::{Frame, FrameReport, Term, coarseness};
+use crate::geometry::Mesh;
+use crate::render::{Frame, FrameReport, Term, coarseness, transmits};
 use crate::scene::{AmbientSource, CompareView, DifferenceKind, Image, Scene};
 use crate::text;
 use crate::text::Language;
@@ -66,8 +67,8 @@ pub struct Engine {
 }
 
 /// Returns whether each pixel of a scene may take many rays.
-fn takes_rays(scene: &Scene) -> bool {
-    let transparent = scene.transparency.kt > 0.0;
+fn takes_rays(scene: &Scene, model: Option<&Mesh>) -> bool {
+    let transparent = transmits(scene, model);
     scene.shading.shadows || transparent || scene.ambient.source != AmbientSource::Constant
 }
 
@@ -133,7 +134,7 @@ impl Engine {
         // A click is answered first: what is clicked is seen before a picture that takes long is drawn.
         let is_long = |(pane, wanted): &(usize, Wanted<'_>)| {
             let cost = self.panes[*pane].expected(wanted);
-            cost > LONG || (cost > 0 && takes_rays(wanted.scene))
+            cost > LONG || (cost > 0 && takes_rays(wanted.scene, model.map(|model| &**model)))
         };
         let defers = !held && !self.deferred && wanted.iter().any(is_long);
         self.deferred = defers;

@@ -119,7 +119,8 @@ fn functions(scene: &Scene, mesh: &VertexMesh) -> String {
 
 /// Returns the features that fixed-function OpenGL cannot express.
 fn limits(scene: &Scene, mesh: &VertexMesh) -> Vec<Limit> {
-    let mut limits = surroundings(scene);
+    let (materials, _) = Materials::of(scene, Some(mesh));
+    let mut limits = surroundings(scene, &materials);
     let shading = match scene.shading.mode {
         ShadingMode::Phong => Some(limit!("export-limit-phong")),
         ShadingMode::Exact => Some(limit!("export-limit-exact")),
@@ -127,7 +128,6 @@ fn limits(scene: &Scene, mesh: &VertexMesh) -> Vec<Limit> {
         ShadingMode::Interpolated | ShadingMode::Gouraud => interpolation(scene, false),
     };
     limits.extend(shading);
-    let (materials, _) = Materials::of(scene, Some(mesh));
     let specular = materials.each(scene, |scene| match SpecularForm::of(scene) {
         SpecularForm::None => vec![],
         _ => specular_limits(scene),

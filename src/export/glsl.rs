@@ -11,7 +11,7 @@ use super::sources::{
 };
 use super::text::{filled, float, head, said, vec3};
 use super::{Export, Part, export_mesh};
-use crate::geometry::Mesh;
+use crate::geometry::{Mesh, built_in};
 use crate::illumination::{Index, SpecularForm};
 use crate::render::srgb;
 use crate::scene::{
@@ -59,10 +59,11 @@ pub fn glsl_330(scene: &Scene) -> Export {
 /// Returns the shaders as [`glsl_330`] does, for the mesh of an object of kind `obj`: where its faces have several materials, a
 /// uniform chooses among them.
 pub fn glsl_330_of_model(scene: &Scene, model: Option<&Mesh>) -> Export {
-    let model = model.filter(|_| scene.object.kind == ObjectKind::Obj);
+    let given = model.filter(|_| scene.object.kind == ObjectKind::Obj);
+    let model = built_in(scene.object.kind).map(|mesh| &**mesh).or(given);
     let mesh = model.map(|mesh| export_mesh(scene, mesh));
     let (materials, _) = Materials::of(scene, mesh.as_ref());
-    let mut limits = surroundings(scene);
+    let mut limits = surroundings(scene, &materials);
     let shading = match scene.shading.mode {
         ShadingMode::Exact if scene.object.kind.has_surface() => {
             Some(limit!("export-limit-exact-pixels"))
@@ -167,7 +168,9 @@ fn terms(scene: &Scene, materials: &Materials) -> String {
     let form = forms.first().copied().unwrap_or(SpecularForm::None);
     let indices: Vec<Option<Index>> = match form {
         SpecularForm::None => vec![],
-        _ => materials.all.iter().map(Index::of).collect(),
+        _ => (materials.all.iter())
+            .map(|own| Index::of(&own.material))
+            .collect(),
     };
     let by_angle = indices.iter().any(Option::is_some);
     let always = indices.iter().all(Option::is_some);

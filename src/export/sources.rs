@@ -3,9 +3,9 @@
 use super::limit::{Limit, holding, limit};
 use crate::geometry::VertexMesh;
 use crate::illumination::{SpecularForm, area_samples, attenuation_at, direction};
-use crate::render::{FaceMaterials, for_each_material};
+use crate::render::{FaceMaterials, any_transmits, for_each_material};
 use crate::scene::{
-    AmbientSource, Attenuation, FlatAt, Interpolation, Light, LightKind, Material, PatternKind,
+    AmbientSource, Attenuation, FaceMaterial, FlatAt, Interpolation, Light, LightKind, PatternKind,
     Projection, Scene, Viewer,
 };
 use glam::DVec3;
@@ -16,9 +16,11 @@ const PARALLEL_BEYOND: f64 = 1e9;
 /// The materials of what is drawn.
 pub(super) struct Materials {
     /// The materials, one or more, in the order of their first polygons.
-    pub all: Vec<Material>,
+    pub all: Vec<FaceMaterial>,
     /// The name of each, for comments; empty for the scene's.
     names: Vec<String>,
+    /// True if colours of vertices tint Od.
+    tinted: bool,
 }
 
 impl Materials {
@@ -28,7 +30,9 @@ impl Materials {
         let all = face_materials.materials(scene);
         let name = |index| plain(face_materials.name(index).unwrap_or_default());
         let names = (0..all.len()).map(name).collect();
-        (Self { all, names }, face_materials)
+        let tinted = mesh.is_some_and(|mesh| !mesh.corner_colors.is_empty());
+        let materials = Self { all, names, tinted };
+        (materials, face_materials)
     }
 
     /// Returns a material's name for a comment.
@@ -142,7 +146,7 @@ impl Emitter<'_> {
 
 /// Returns the features that neither the calls nor the shaders express: mostly those that need more than one surface
 /// at a time.
-pub(super) fn surroundings(scene: &Scene) -> Vec<Limit> {
+pub(super) fn surroundings(scene: &Scene, materials: &Materials) -> Vec<Limit> {
     let unit = scene.camera.distance();
     let measured = (1.0 / GREATEST_LENGTH..GREATEST_LENGTH).contains(&unit);
     let shining = scene
@@ -156,9 +160,10 @@ pub(super) fn surroundings(scene: &Scene) -> Vec<Limit> {
             limit!("export-limit-shadows"),
         ),
         (
-            scene.transparency.kt > 0.0,
+            any_transmits(&materials.all),
             limit!("export-limit-transparency"),
         ),
+        (materials.tinted, limit!("export-limit-vertex-colours")),
         (scene.ground.visible, limit!("export-limit-ground")),
         (backdrop, limit!("export-limit-backdrop")),
         (

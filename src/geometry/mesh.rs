@@ -74,6 +74,10 @@ pub struct Mesh<C = Corner> {
     pub materials: Vec<ModelMaterial>,
     /// The material of each face: an index into `materials`, or [`NO_MATERIAL`](super::NO_MATERIAL). Empty where `materials` is.
     pub face_materials: Vec<u16>,
+    /// The colours that tint the surface's own, Od, between the corners that have them.
+    pub colors: Vec<Vec3>,
+    /// The colour of each corner: an index into `colors`. Empty where these are.
+    pub corner_colors: Vec<u32>,
     /// What could not be read of the file's materials.
     pub remarks: Vec<Remark>,
 }
@@ -126,6 +130,19 @@ impl<C: AtPoint> Mesh<C> {
     /// Returns the material of face `f`: an index into `materials`, or [`NO_MATERIAL`].
     pub fn face_material(&self, f: usize) -> u16 {
         self.face_materials.get(f).copied().unwrap_or(NO_MATERIAL)
+    }
+
+    /// Returns the colour of a corner by its index into `corners`: white where it has none.
+    pub fn corner_color(&self, corner: usize) -> Vec3 {
+        let color = self.corner_colors.get(corner);
+        let color = color.and_then(|color| self.colors.get(*color as usize));
+        color.copied().unwrap_or(Vec3::ONE)
+    }
+
+    /// Drops the materials and colours of the faces: they have the scene's.
+    pub(crate) fn drop_materials(&mut self) {
+        self.face_materials.clear();
+        self.corner_colors.clear();
     }
 
     /// Returns the points of face `f`, relative to `origin`, in double precision.

@@ -1,6 +1,6 @@
 //! The materials of a model, as its MTL file gives them.
 
-use crate::scene::{Material, Rgb};
+use crate::scene::{FaceMaterial, Material, Rgb, Transparency};
 use serde::{Deserialize, Serialize};
 
 /// The number of a face whose material the model does not define: the scene's is used there.
@@ -27,6 +27,8 @@ pub struct ModelMaterial {
     pub illum: Option<u32>,
     /// The textures' files, without their folders, which are not drawn.
     pub maps: Vec<String>,
+    /// True if a texture (`map_d`) has the opacity.
+    pub masked: bool,
 }
 
 impl ModelMaterial {
@@ -62,6 +64,28 @@ impl ModelMaterial {
             roughness: Material::roughness_of(n),
             ..Material::default()
         }
+    }
+
+    /// Returns the numbers of the equation, and those of the light that passes: Kt = 1 − `d`, in every illumination model, and
+    /// η = `Ni`.
+    ///
+    /// `illum` does not decide: Maya writes 4, glass, for whatever is opaque, and Blender `d` below 1 with its 6 and 9. Old
+    /// Blender writes `d 0` where a texture has the opacity; that is opaque without the texture. Without `Ni`, or with 0 for
+    /// none, light is not bent.
+    pub fn face_material(&self) -> FaceMaterial {
+        let hidden = |d: &f64| self.masked && *d == 0.0;
+        let dissolve = self.dissolve.filter(|d| !hidden(d)).unwrap_or(1.0);
+        let ior = self.ior.filter(|ior| *ior > 0.0).unwrap_or(1.0);
+        FaceMaterial {
+            material: self.material(),
+            kt: 1.0 - dissolve,
+            relative_ior: ior.clamp(*Transparency::IOR.start(), *Transparency::IOR.end()),
+        }
+    }
+
+    /// Returns whether its makers mean light to pass by `Ks` and `Tf`, as Wavefront's models 6 and 7 have it, without a `d`.
+    pub fn refracts_by_model(&self) -> bool {
+        matches!(self.illum, Some(6 | 7)) && self.face_material().kt == 0.0
     }
 }
 

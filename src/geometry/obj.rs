@@ -22,8 +22,8 @@ use std::io::BufRead;
 ///
 /// Vertices with equal coordinates become one point, so that averaging sees every face there; consecutive duplicate
 /// corners, and faces that this leaves with fewer than three, are dropped; a concave polygon stays one, see
-/// [`Mesh::with_concave_faces_cut`]. A fourth number of a vertex is its weight and divides
-/// the others, further ones are colours and are ignored. Normals are made unit vectors; one that is zero or not finite
+/// [`Mesh::with_concave_faces_cut`]. A single number after the coordinates of a vertex is its weight and divides them, three
+/// are its colour, from 0 to 1. Normals are made unit vectors; one that is zero or not finite
 /// counts as not given. Coordinates far from the origin are taken relative to the first vertex, in double precision.
 ///
 /// Memory stays below six times the size of the file.
@@ -96,8 +96,8 @@ struct Builder {
     /// The point at each place, by the bits of its coordinates.
     points: HashMap<[u32; 3], u32>,
     materials: Uses,
-    /// True if a vertex has a colour.
-    colored: bool,
+    /// The colours of the vertices, each with its number in the mesh once a face uses it; empty while none has a colour.
+    colors: Vec<(Vec3, u32)>,
 }
 
 impl Builder {
@@ -130,21 +130,20 @@ impl Builder {
         mut words: impl Iterator<Item = &'w [u8]>,
     ) -> Result<(), String> {
         let (mut point, xyz) = vector(&mut words, "obj-coordinate", "obj-three-coordinates")?;
-        match (words.next(), words.next()) {
-            (Some(weight), None) => {
-                let weight = parse_number(weight, "obj-weight")?;
-                if weight == 0.0 {
-                    return Err(text!("obj-weight-zero").to_owned());
-                }
-                point /= weight;
+        let (first, more) = (words.next(), words.next());
+        let color = more.map(|more| color_of([first, Some(more), words.next(), words.next()]));
+        if let (Some(weight), None) = (first, more) {
+            let weight = parse_number(weight, "obj-weight")?;
+            if weight == 0.0 {
+                return Err(text!("obj-weight-zero").to_owned());
             }
-            (_, Some(_)) if !self.colored => {
-                self.colored = true;
-                let words = text!("obj-vertex-colours").to_owned();
-                self.materials.remark(None, line.number, words);
-            }
-            _ => {}
+            point /= weight;
         }
+        if color == Some(None) {
+            let words = text!("obj-vertex-colours").to_owned();
+            self.materials.remark(None, line.number, words);
+        }
+        self.color(color.flatten());
         if self.vertices.is_empty() && point.is_finite() && point.abs().max_element() > FAR {
             self.mesh.origin = point.round();
         }
@@ -155,6 +154,14 @@ impl Builder {
         // Adding zero makes −0 and 0 one.
         self.vertices.push((relative + 0.0, UNUSED));
         Ok(())
+    }
+
+    /// Notes the colour of the vertex to come; white beside others that have one.
+    fn color(&mut self, color: Option<Vec3>) {
+        if color.is_some() || !self.colors.is_empty() {
+            self.colors.resize(self.vertices.len(), (Vec3::ONE, UNUSED));
+            self.colors.push((color.unwrap_or(Vec3::ONE), UNUSED));
+        }
     }
 
     fn normal<'w>(&mut self, mut words: impl Iterator<Item = &'w [u8]>) -> Result<(), String> {
@@ -171,18 +178,29 @@ impl Builder {
     ) -> Result<(), String> {
         let mut corners = words
             .map(|word| self.corner(line, word))
-            .collect::<Result<Vec<_>, _>>()?;
+            .collect::<Result<Vec<(Corner, usize)>, _>>()?;
         if corners.len() < 3 {
             return Err(text!("obj-few-vertices", count = corners.len()));
         }
         // A corner that repeats the one before is left out.
-        corners.dedup_by_key(|corner| corner.position);
-        while let [first, .., last] = corners[..]
+        corners.dedup_by_key(|(corner, _)| corner.position);
+        while let [(first, _), .., (last, _)] = corners[..]
             && first.position == last.position
         {
             corners.pop();
         }
         if corners.len() >= 3 {
+            if !self.colors.is_empty() {
+                let before = self.mesh.corners.len();
+                let white = self.mesh.corner_colors.len()..before;
+                let white = white.map(|_| self.used_color(None)).collect::<Vec<_>>();
+                self.mesh.corner_colors.extend(white);
+                for (_, vertex) in &corners {
+                    let color = self.used_color(Some(*vertex));
+                    self.mesh.corner_colors.push(color);
+                }
+            }
+            let corners = corners.into_iter().map(|(corner, _)| corner);
             self.mesh.corners.extend(corners);
             self.materials.face(self.mesh.face_count());
             self.mesh.starts.push(self.mesh.corners.len() as u32);
@@ -190,7 +208,8 @@ impl Builder {
         Ok(())
     }
 
-    fn corner(&mut self, line: &Line, word: &[u8]) -> Result<Corner, String> {
+    /// Reads a corner and the number of its vertex in the file.
+    fn corner(&mut self, line: &Line, word: &[u8]) -> Result<(Corner, usize), String> {
         let mut fields = word.split(|&byte| byte == b'/');
         let [position, texture, normal] =
             [fields.next(), fields.next(), fields.next()].map(Option::unwrap_or_default);
@@ -207,10 +226,24 @@ impl Builder {
         } else {
             self.used_normal(index("obj-no-such-normal", normal, self.normals.len())?)
         };
-        Ok(Corner {
-            position: self.point(vertex),
-            normal,
-        })
+        let position = self.point(vertex);
+        Ok((Corner { position, normal }, vertex))
+    }
+
+    /// Returns the number in the mesh of the colour of a vertex of the file; of white without one.
+    fn used_color(&mut self, vertex: Option<usize>) -> u32 {
+        let mut white = (Vec3::ONE, UNUSED);
+        let known = vertex.and_then(|vertex| self.colors.get_mut(vertex));
+        let (color, number) = known.unwrap_or(&mut white);
+        if *number == UNUSED {
+            let colors = &mut self.mesh.colors;
+            // Neighbours are often alike.
+            if colors.last() != Some(color) {
+                colors.push(*color);
+            }
+            *number = colors.len() as u32 - 1;
+        }
+        *number
     }
 
     /// Returns the number in the mesh of the point at a vertex of the file.
@@ -246,6 +279,8 @@ impl Builder {
         mesh.normals.shrink_to_fit();
         mesh.starts.shrink_to_fit();
         mesh.corners.shrink_to_fit();
+        mesh.colors.shrink_to_fit();
+        mesh.corner_colors.shrink_to_fit();
         mesh
     }
 }
@@ -272,6 +307,18 @@ fn vector<'w>(
         vector[k] = parse_number(xyz[k], one)?;
     }
     Ok((vector, xyz))
+}
+
+/// Returns the colour that these words give: three numbers from 0 to 1, as MeshLab writes them.
+fn color_of<'w>(words: [Option<&'w [u8]>; 4]) -> Option<Vec3> {
+    let channel = |word: Option<&'w [u8]>| {
+        let number = parse_number(word?, "obj-coordinate").ok()?;
+        (0.0..=1.0).contains(&number).then_some(number as f32)
+    };
+    let [r, g, b, None] = words else {
+        return None;
+    };
+    Some(Vec3::new(channel(r)?, channel(g)?, channel(b)?))
 }
 
 fn parse_number(word: &[u8], expected: &str) -> Result<f64, String> {

@@ -7,6 +7,7 @@ mod count;
 mod shapes;
 mod teapot;
 
+use super::balls::built_in;
 use super::mesh::Mesh;
 use super::sizes::{CONE, CYLINDER};
 use crate::scene::{Object, ObjectKind};
@@ -23,6 +24,7 @@ pub use count::{divisions_for, triangles};
 /// | cube | each upright side `segments`/4 (at least 1) × `rings` quads, top and bottom `segments`/4 squared |
 /// | plane | `segments` across (x) × `rings` down (y) |
 /// | corrugated | `segments` slopes, each of `rings` strips from top to bottom |
+/// | balls | three of 16 × 8, with a material each |
 /// | polygons | those of the scene |
 /// | teapot | each of its 32 patches `segments`/4 round × `rings`/4 along (at least 1; handle and spout 2 round), triangles at the poles |
 ///
@@ -41,6 +43,9 @@ pub fn tessellate(object: &Object) -> Mesh {
         ObjectKind::Corrugated => shapes::corrugated(divisions(object.segments, 2), rings),
         ObjectKind::Polygons => Mesh::from(&object.polygons()),
         ObjectKind::Teapot => teapot::teapot((rings / 4).max(1), (segments / 4).max(1)),
+        ObjectKind::Balls => {
+            built_in(object.kind).map_or_else(Mesh::default, |mesh| Mesh::clone(mesh))
+        }
         ObjectKind::Obj => Mesh {
             starts: vec![0],
             ..Mesh::default()

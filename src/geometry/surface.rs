@@ -137,7 +137,7 @@ impl Surface {
             ObjectKind::Cube => solids::cube(ray),
             ObjectKind::Plane => solids::plane(ray),
             ObjectKind::Corrugated => solids::corrugated(ray, self.slopes),
-            ObjectKind::Teapot | ObjectKind::Obj | ObjectKind::Polygons => None,
+            ObjectKind::Teapot | ObjectKind::Balls | ObjectKind::Obj | ObjectKind::Polygons => None,
         }
     }
 }

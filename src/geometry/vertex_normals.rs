@@ -22,7 +22,7 @@ impl Mesh {
     ///   pair of point and normal.
     /// - `Facet`: every face has vertices of its own, with its own normal.
     ///
-    /// A vertex at which faces of different materials meet is one for each of them.
+    /// A vertex at which faces of different materials or colours meet is one for each of them.
     ///
     /// # Guarantees
     /// Every normal has unit length. Where the average is zero (opposed faces), it is the normal of the first face there
@@ -35,7 +35,7 @@ impl Mesh {
             }
             NormalSource::Exact | NormalSource::File => self.with_given_normals(weighting),
         };
-        vertices.with_one_material_per_vertex()
+        vertices.with_one_look_per_vertex()
     }
 
     fn vertex_mesh(
@@ -62,6 +62,8 @@ impl Mesh {
             convex,
             materials: self.materials.clone(),
             face_materials: self.face_materials.clone(),
+            colors: self.colors.clone(),
+            corner_colors: self.corner_colors.clone(),
             remarks: vec![],
         }
     }
@@ -216,22 +218,23 @@ impl Mesh {
 }
 
 impl VertexMesh {
-    /// Splits the vertices at which faces of different materials meet. The first material's vertex stays; the others are
-    /// appended.
-    fn with_one_material_per_vertex(mut self) -> Self {
-        if self.face_materials.is_empty() {
+    /// Splits the vertices at which faces of different materials, or corners of different colours, meet. The first one's vertex
+    /// stays; the others are appended.
+    fn with_one_look_per_vertex(mut self) -> Self {
+        if self.face_materials.is_empty() && self.corner_colors.is_empty() {
             return self;
         }
         let mut own = vec![None; self.positions.len()];
-        let mut others: HashMap<(u32, u16), u32> = HashMap::new();
+        let mut others: HashMap<(u32, (u16, [u32; 3])), u32> = HashMap::new();
         for f in 0..self.face_count() {
             let material = self.face_material(f);
             for c in self.starts[f] as usize..self.starts[f + 1] as usize {
                 let vertex = self.corners[c];
-                if *own[vertex as usize].get_or_insert(material) == material {
+                let look = (material, self.corner_color(c).to_array().map(f32::to_bits));
+                if *own[vertex as usize].get_or_insert(look) == look {
                     continue;
                 }
-                self.corners[c] = *others.entry((vertex, material)).or_insert_with(|| {
+                self.corners[c] = *others.entry((vertex, look)).or_insert_with(|| {
                     let (position, normal) = (
                         self.positions[vertex as usize],
                         self.normals[vertex as usize],

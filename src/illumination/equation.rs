@@ -345,17 +345,18 @@ impl<T: Scalar> Equation<T> {
         site: &ShadingPoint<R>,
         reached: Option<Reached<'_>>,
     ) -> [R; 3] {
-        self.illuminate_by(self.form, site, reached)
+        self.illuminate_by(self.form, site, reached, None)
     }
 
     /// Returns I as [`Self::illuminate`] does, by a given form of the specular factor: where it is a constant, the other
-    /// forms are not compiled in.
+    /// forms are not compiled in. `tint` multiplies Od.
     #[inline(always)]
     pub fn illuminate_by<R: Real<Scalar = T>>(
         &self,
         form: SpecularForm,
         site: &ShadingPoint<R>,
         reached: Option<Reached<'_>>,
+        tint: Option<[R; 3]>,
     ) -> [R; 3] {
         let like = site.inverse_distance;
         let V3 { x: r, y: g, z: b } = V3::constant(like, self.ambient);
@@ -364,6 +365,10 @@ impl<T: Scalar> Equation<T> {
             .pattern
             .as_ref()
             .map(|pattern| pattern.color(site.position));
+        let color = match (color, tint) {
+            (Some([r, g, b]), Some(tint)) => Some([r * tint[0], g * tint[1], b * tint[2]]),
+            (color, tint) => color.or(tint),
+        };
         if let Some(color) = color {
             sum = [sum[0] * color[0], sum[1] * color[1], sum[2] * color[2]];
         }
@@ -511,6 +516,23 @@ impl Equation<f64> {
     pub fn illuminate_world(&self, point: DVec3, n: DVec3, reached: Option<Reached<'_>>) -> Rgb {
         let site = self.site_at(point, n);
         Rgb::from_array(self.illuminate(&site, reached))
+    }
+
+    /// Returns I at a point of the world as [`Self::illuminate_world`] does, with `tint` times Od, seen from the direction `v`,
+    /// unit; without it as in the picture.
+    pub fn illuminate_tinted(
+        &self,
+        (point, n): (DVec3, DVec3),
+        tint: Rgb,
+        v: Option<DVec3>,
+        reached: Option<Reached<'_>>,
+    ) -> Rgb {
+        let mut site = self.site_at(point, n);
+        if let Some(v) = v {
+            site.view = V3::from(v);
+        }
+        let tint = Some(tint.to_array());
+        Rgb::from_array(self.illuminate_by(self.form, &site, reached, tint))
     }
 
     /// Evaluates one source as [`Self::respond`] does, with the scene's specular form.

@@ -1,7 +1,7 @@
 //! The work that a lesson may cause, counted before it is done: a file from anybody ends soon, and at the same place on every machine.
 
 use crate::geometry::{Mesh, triangles};
-use crate::render::{FrameReport, Plan, Stage, TooLarge, check_memory_for};
+use crate::render::{FrameReport, Plan, Stage, TooLarge, check_memory_for, transmits};
 use crate::scene::{AmbientSource, ObjectKind, Scene};
 use crate::text::text;
 use std::sync::Arc;
@@ -171,7 +171,7 @@ fn picture(scene: &Scene, model: Option<&Mesh>, runs: impl Fn(Stage) -> bool) ->
     if scene.shading.shadows {
         rays += SHADOW * points;
     }
-    if scene.transparency.kt > 0.0 {
+    if transmits(scene, model) {
         rays += THROUGH;
     } else if scene.ground.visible {
         rays += BESIDE;

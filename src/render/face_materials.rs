@@ -1,7 +1,7 @@
 //! The materials of an object's faces: a model's own, with the scene's changes, or the scene's for all.
 
-use crate::geometry::{ModelMaterial, VertexMesh};
-use crate::scene::{Material, Scene};
+use crate::geometry::{Mesh, ModelMaterial, NO_MATERIAL, VertexMesh, built_in};
+use crate::scene::{FaceMaterial, MaterialSource, Scene};
 use std::borrow::Cow;
 use std::collections::HashMap;
 
@@ -38,13 +38,13 @@ impl FaceMaterials {
     }
 
     /// Returns the materials in `scene`, at least one.
-    pub fn materials(&self, scene: &Scene) -> Vec<Material> {
+    pub fn materials(&self, scene: &Scene) -> Vec<FaceMaterial> {
         if self.own.is_empty() {
-            return vec![scene.material.clone()];
+            return vec![FaceMaterial::of_scene(scene)];
         }
         let material = |own: &Option<ModelMaterial>| match own {
-            Some(own) => scene.object.material(&own.name, &own.material()),
-            None => scene.material.clone(),
+            Some(own) => scene.object.material(&own.name, &own.face_material()),
+            None => FaceMaterial::of_scene(scene),
         };
         self.own.iter().map(material).collect()
     }
@@ -65,17 +65,39 @@ impl FaceMaterials {
 /// Calls `each` with the scene once for each of `materials`, which is then the scene's, and collects what it returns.
 pub fn for_each_material<T>(
     scene: &Scene,
-    materials: &[Material],
+    materials: &[FaceMaterial],
     mut each: impl FnMut(&Scene) -> T,
 ) -> Vec<T> {
     let mut own = Cow::Borrowed(scene);
-    let with = |material: &Material| {
-        if own.material != *material {
-            own.to_mut().material = material.clone();
+    let with = |material: &FaceMaterial| {
+        if FaceMaterial::of_scene(&own) != *material {
+            material.clone().replace_in(own.to_mut());
         }
         each(&own)
     };
     materials.iter().map(with).collect()
+}
+
+/// Returns whether light passes through any of these materials.
+pub fn any_transmits(materials: &[FaceMaterial]) -> bool {
+    materials.iter().any(|own| own.kt > 0.0)
+}
+
+/// Returns whether light passes through any surface of the object of `scene`, which shows `model` if it is one.
+pub fn transmits(scene: &Scene, model: Option<&Mesh>) -> bool {
+    let own = scene.material.source == MaterialSource::Model;
+    let all = scene.transparency.kt > 0.0;
+    let model = if scene.object.kind.is_model() {
+        model
+    } else {
+        built_in(scene.object.kind).map(|mesh| &**mesh)
+    };
+    let Some(model) = model.filter(|model| own && !model.materials.is_empty()) else {
+        return all;
+    };
+    let changed = |own: &ModelMaterial| scene.object.material(&own.name, &own.face_material()).kt;
+    model.materials.iter().any(|own| changed(own) > 0.0)
+        || all && model.face_materials.contains(&NO_MATERIAL)
 }
 
 /// The indices of items, those of each material together, in their order.

@@ -5,7 +5,7 @@ use super::lens::DEEPEST;
 use super::node::{Memory, capacity, capacity_of_planes};
 use crate::geometry::{Mesh, VertexMesh, tessellate};
 use crate::illumination::direction;
-use crate::scene::{Camera, Object, area_vector};
+use crate::scene::{Camera, Object, Rgb, area_vector};
 use glam::{DVec3, Vec3};
 use std::collections::HashMap;
 use std::sync::{Arc, OnceLock};
@@ -54,7 +54,9 @@ impl MeshSource {
             memory.triangles += capacity(&mesh.starts)
                 + capacity(&mesh.corners)
                 + capacity(&mesh.cut)
-                + capacity(&mesh.face_materials);
+                + capacity(&mesh.face_materials)
+                + capacity(&mesh.corner_colors);
+            memory.vertices += capacity(&mesh.colors);
         }
     }
 }
@@ -71,6 +73,8 @@ pub struct Model {
     /// The coordinates and normals of the vertices, padded by zeros.
     pub position: Planes,
     pub normal: Planes,
+    /// The colours of the vertices that tint Od, padded; empty where they have none.
+    pub tint: Planes,
     /// The vertices of each triangle, counter-clockwise from outside.
     pub triangles: Vec<[u32; 3]>,
     pub faces: Vec<u32>,
@@ -93,6 +97,7 @@ impl Model {
         mesh.corners.shrink_to_fit();
         let face_materials = FaceMaterials::of(&mesh);
         let vertex_materials = vertex_materials(&mesh, &face_materials.faces);
+        let tint = tints(&mesh);
         let count = mesh.triangle_count();
         let (mut triangles, mut faces) = (Vec::with_capacity(count), Vec::with_capacity(count));
         for face in 0..mesh.face_count() {
@@ -105,6 +110,7 @@ impl Model {
             radius: mesh.radius(),
             position: planes(&mesh.positions),
             normal: planes(&mesh.normals),
+            tint,
             triangles,
             faces,
             starts: mesh.starts,
@@ -119,6 +125,7 @@ impl Model {
 
     pub fn count(&self, memory: &mut Memory) {
         memory.vertices += capacity_of_planes(&self.position) + capacity_of_planes(&self.normal);
+        memory.vertices += capacity_of_planes(&self.tint);
         memory.triangles += capacity(&self.triangles)
             + capacity(&self.faces)
             + capacity(&self.starts)
@@ -162,6 +169,33 @@ impl Model {
 
     pub fn normal(&self, vertex: u32) -> DVec3 {
         vector_at(&self.normal, vertex).as_dvec3()
+    }
+
+    /// Returns the colour of a vertex that tints Od.
+    pub fn tint(&self, vertex: u32) -> Rgb {
+        self.mean_tint(&[(vertex, 1.0)])
+    }
+
+    /// Returns the weighted mean of the colours of vertices; white where they have none.
+    pub fn mean_tint(&self, vertices: &[(u32, f64)]) -> Rgb {
+        if !self.is_tinted() {
+            return Rgb::ONE;
+        }
+        let tint = |&(v, weight): &(u32, f64)| vector_at(&self.tint, v).as_dvec3() * weight;
+        vertices.iter().map(tint).sum()
+    }
+
+    /// Returns the mean of the colours of a face's corners.
+    pub fn face_tint(&self, face: u32) -> Rgb {
+        let corners = self.face(face);
+        let weight = 1.0 / corners.len().max(1) as f64;
+        let corners: Vec<_> = corners.iter().map(|&v| (v, weight)).collect();
+        self.mean_tint(&corners)
+    }
+
+    /// Returns whether vertices have colours.
+    pub fn is_tinted(&self) -> bool {
+        !self.tint[0].is_empty()
     }
 
     pub fn face_centre(&self, face: u32) -> DVec3 {
@@ -222,6 +256,18 @@ fn vertex_materials(mesh: &VertexMesh, face_materials: &[u16]) -> Vec<u16> {
         }
     }
     materials
+}
+
+/// Returns the colour of each vertex, which that of its corners is.
+fn tints(mesh: &VertexMesh) -> Planes {
+    if mesh.corner_colors.is_empty() {
+        return Planes::default();
+    }
+    let mut colors = vec![Vec3::ONE; mesh.positions.len()];
+    for (corner, vertex) in mesh.corners.iter().enumerate() {
+        colors[*vertex as usize] = mesh.corner_color(corner);
+    }
+    planes(&colors)
 }
 
 fn vector_at(planes: &[Vec<f32>; 3], vertex: u32) -> Vec3 {

@@ -74,7 +74,10 @@ choices! {
     }
 }
 
-const NO_MODEL: Reason = (|scene, _| !scene.object.kind.is_model(), "idle-no-model");
+const NO_MODEL: Reason = (
+    |scene, _| !scene.object.kind.has_materials(),
+    "idle-no-model",
+);
 
 // The reasons why no effect of a light, the ambient term, the specular term and the surface's own colour are not visible.
 pub(super) const NO_LIGHT: Reason = (|scene, _| scene.lights.is_empty(), "idle-no-light");

@@ -1,6 +1,7 @@
 //! Changes of a model's materials, which belong to the scene: the model's files stay as they are.
 
 use super::Rgb;
+use super::face_material::FaceMaterial;
 use super::format::Coefficient;
 use super::material::{self, Material, Reflectance};
 use super::parameter::{Parameter, defaults, table};
@@ -30,6 +31,10 @@ table! {
         IOR ior: Option<Rgb> = None, Other("kind-channels", || range(&material::IOR));
         /// Its own extinction coefficient.
         EXTINCTION extinction: Option<Rgb> = None, Other("kind-channels", || range(&material::EXTINCTION));
+        /// Its own Kt.
+        KT kt: Option<f64> = None, Other("kind-number", || range(&material::KT));
+        /// Its own η of transmitted light.
+        RELATIVE_IOR relative_ior: Option<f64> = None, Other("kind-number", || range(&material::TRANSPARENCY_IOR));
     }
 }
 
@@ -43,10 +48,15 @@ impl MaterialOverride {
     pub const MAX_NAME: usize = 128;
 
     /// Returns the change of the material `name` that makes `wanted` of `own`.
-    pub fn between(name: &str, own: &Material, wanted: &Material) -> Self {
+    pub fn between(name: &str, own: &FaceMaterial, wanted: &FaceMaterial) -> Self {
         let coefficient = |a: Rgb, b: Rgb| (a != b).then_some(Coefficient(b));
         let channels = |a: Rgb, b: Rgb| (a != b).then_some(b);
         let number = |a: f64, b: f64| (a != b).then_some(b);
+        let (kt, relative_ior) = (
+            number(own.kt, wanted.kt),
+            number(own.relative_ior, wanted.relative_ior),
+        );
+        let (own, wanted) = (&own.material, &wanted.material);
         Self {
             name: name.to_owned(),
             ka: coefficient(own.ka, wanted.ka),
@@ -59,12 +69,22 @@ impl MaterialOverride {
             reflectance: (own.reflectance != wanted.reflectance).then_some(wanted.reflectance),
             ior: channels(own.ior, wanted.ior),
             extinction: channels(own.extinction, wanted.extinction),
+            kt,
+            relative_ior,
         }
     }
 
     /// Returns a material with this change.
     #[must_use]
-    pub fn applied_to(&self, own: &Material) -> Material {
+    pub fn applied_to(&self, own: &FaceMaterial) -> FaceMaterial {
+        FaceMaterial {
+            material: self.coefficients(&own.material),
+            kt: self.kt.unwrap_or(own.kt),
+            relative_ior: self.relative_ior.unwrap_or(own.relative_ior),
+        }
+    }
+
+    fn coefficients(&self, own: &Material) -> Material {
         let coefficient = |change: Option<Coefficient>, own| change.map_or(own, |value| value.0);
         Material {
             ka: coefficient(self.ka, own.ka),

@@ -1,8 +1,9 @@
 //! The materials of a scene's model with the scene's changes, and the conditions that these must meet.
 
 use super::Scene;
+use super::face_material::FaceMaterial;
 use super::format::list_of;
-use super::material::Material;
+use super::material::{KT, Material, TRANSPARENCY_IOR};
 use super::material_override::MaterialOverride;
 use super::object::Object;
 use super::parameter::at_most;
@@ -14,7 +15,7 @@ impl Object {
     pub const MAX_MATERIALS: usize = 512;
 
     /// Returns the model's material `name`, which is `own` in its file, as this scene shows it.
-    pub fn material(&self, name: &str, own: &Material) -> Material {
+    pub fn material(&self, name: &str, own: &FaceMaterial) -> FaceMaterial {
         self.materials
             .iter()
             .find(|change| change.name == name)
@@ -22,7 +23,7 @@ impl Object {
     }
 
     /// Changes the model's material `name`, which is `own` in its file, to `wanted`.
-    pub fn change_material(&mut self, name: &str, own: &Material, wanted: &Material) {
+    pub fn change_material(&mut self, name: &str, own: &FaceMaterial, wanted: &FaceMaterial) {
         let change = MaterialOverride::between(name, own, wanted);
         let nothing = MaterialOverride {
             name: name.to_owned(),
@@ -54,11 +55,17 @@ impl Object {
             } else if before.any(|other| other.name == change.name) {
                 checks.found(&format!("{key}.name"), text!("problem-material-twice"));
             }
-            scene.material = change.applied_to(&Material::default());
+            let usual = FaceMaterial::of_scene(&Scene::default());
+            change.applied_to(&usual).replace_in(&mut scene);
             for parameter in Material::PARAMETERS {
                 let own = parameter.key.replacen("material", &key, 1);
                 checks.within(&own, parameter.outside(&scene, 0));
             }
+            checks.within(&format!("{key}.kt"), KT.outside(&scene, 0));
+            checks.within(
+                &format!("{key}.relative_ior"),
+                TRANSPARENCY_IOR.outside(&scene, 0),
+            );
         }
     }
 }

@@ -93,10 +93,7 @@ fn divisions(least: u32) -> Limits {
     Limits::new(f64::from(least), f64::from(Object::MAX_DIVISIONS))
 }
 
-const OWN_POLYGONS: Reason = (
-    |scene, _| matches!(scene.object.kind, ObjectKind::Obj | ObjectKind::Polygons),
-    "idle-own-polygons",
-);
+const OWN_POLYGONS: Reason = (|scene, _| scene.object.kind.is_given(), "idle-own-polygons");
 const NO_POLYGONS: Reason = (
     |scene, _| scene.shading.mode == ShadingMode::Exact,
     "idle-exact-no-polygons",
@@ -139,6 +136,8 @@ choices! {
         /// A sheet folded to and fro at ridges parallel to y, facing +z: −0.75 ≤ x ≤ 0.75, −0.65 ≤ y ≤ 0.65, between z = −0.1
         /// and 0.1. `segments` slopes, at least 2, the first rising from a trough at its left border.
         Corrugated = "corrugated";
+        /// Three balls of radius 0.31 side by side, each with a material of its own: `assets/balls`, read as a model is.
+        Balls = "balls";
         /// The polygons listed in the scene.
         Polygons = "polygons";
         /// A Wavefront OBJ model.
@@ -157,9 +156,19 @@ impl ObjectKind {
         self == Self::Obj
     }
 
-    /// Returns whether there is a true surface that the polygons stand for. A model and a scene's own polygons have none.
+    /// Returns whether its faces may have materials of their own.
+    pub fn has_materials(self) -> bool {
+        matches!(self, Self::Obj | Self::Balls)
+    }
+
+    /// Returns whether its polygons are given, so that it has no numbers of divisions.
+    pub fn is_given(self) -> bool {
+        matches!(self, Self::Obj | Self::Balls | Self::Polygons)
+    }
+
+    /// Returns whether there is a true surface that the polygons stand for. Given polygons have none.
     pub fn has_surface(self) -> bool {
-        !matches!(self, Self::Obj | Self::Polygons)
+        !self.is_given()
     }
 }
 

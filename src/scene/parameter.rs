@@ -349,6 +349,8 @@ impl Parameter {
         // A key of a model's material is called as the scene's own.
         let of_model = List::of(self.key) == Some(List::Materials);
         let key = match self.key.rsplit_once('.') {
+            Some((_, "kt")) if of_model => "transparency.kt".to_owned(),
+            Some((_, "relative_ior")) if of_model => "transparency.ior".to_owned(),
             Some((_, key)) if of_model && key != "name" => format!("material.{key}"),
             _ => self.key.to_owned(),
         };

@@ -95,6 +95,7 @@ fn probe_at(scene: &Scene, size: [u32; 2], pixel: [u32; 2]) -> Probe {
             depth,
             face: None,
             material: None,
+            tint: None,
             ambient,
             bounced: false,
             color: scene.material.color,

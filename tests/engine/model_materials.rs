@@ -2,13 +2,15 @@
 
 use crate::common::dice::Dice;
 use crate::common::simd::levels;
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 use shading_lab::analysis::probe::{HitMaterial, probe};
 use shading_lab::analysis::study::{Method, StudyQuestion};
 use shading_lab::analysis::{Question, Subject, unwatched};
 use shading_lab::geometry::{Mesh, ModelMaterial, NO_MATERIAL, tessellate};
 use shading_lab::render::Renderer;
-use shading_lab::scene::{Choice, Material, MaterialSource, ObjectKind, Rgb, Scene, ShadingMode};
+use shading_lab::scene::{
+    Choice, Interpolation, MaterialSource, ObjectKind, Rgb, Scene, ShadingMode,
+};
 use std::sync::Arc;
 
 /// Returns six materials that differ in every number, with highlights of both forms, without one, and without diffuse light.
@@ -99,7 +101,7 @@ pub fn scene(set: &[&str]) -> Scene {
     scene.with_overrides(set).expect("sound overrides")
 }
 
-fn linear(renderer: &mut Renderer, scene: &Scene) -> (Vec<[u32; 4]>, Vec<[u8; 4]>) {
+pub fn linear(renderer: &mut Renderer, scene: &Scene) -> (Vec<[u32; 4]>, Vec<[u8; 4]>) {
     renderer.keep_linear(true);
     let stored = renderer.render(scene).pixels.clone();
     let bits = renderer
@@ -109,7 +111,7 @@ fn linear(renderer: &mut Renderer, scene: &Scene) -> (Vec<[u32; 4]>, Vec<[u8; 4]
     (bits.collect(), stored)
 }
 
-const VARIANTS: [&[&str]; 16] = [
+pub const VARIANTS: [&[&str]; 16] = [
     &[],
     &[
         "light=[{position=[3,3,1]}, {kind=\"directional\", direction=[-1,-3,-2], color=[0.3,0.4,0.9]}, {kind=\"spot\", position=[1,2,3], direction=[-1,-2,-3], cone=20}]",
@@ -170,7 +172,7 @@ const VARIANTS: [&[&str]; 16] = [
 ];
 
 /// Compares every pixel of a picture of `mesh` with the picture in which the material of its face is the scene's for all.
-fn equal_to_each_alone(
+pub fn equal_to_each_alone(
     mesh: &Arc<Mesh>,
     scene: &Scene,
     renderer: impl Fn() -> Renderer,
@@ -193,10 +195,8 @@ fn equal_to_each_alone(
         }
         seen += 1;
         let mut alone = scene.clone();
-        alone.material = Material {
-            source: MaterialSource::Scene,
-            ..own.material()
-        };
+        own.face_material().replace_in(&mut alone);
+        alone.material.source = MaterialSource::Scene;
         let mut renderer = renderer().with_model(Some(Arc::clone(mesh)));
         let (one, one_stored) = linear(&mut renderer, &alone);
         for (pixel, face) in faces.iter().enumerate().filter(|(_, face)| shown(face)) {
@@ -298,7 +298,7 @@ fn the_probe_sees_what_the_picture_shows_with_the_faces_material() {
             let own = mesh.materials.get(usize::from(mesh.face_material(face)));
             let expected = own.map(|own| HitMaterial {
                 name: own.name.clone(),
-                numbers: own.material(),
+                numbers: own.face_material(),
             });
             assert_eq!(hit.material, expected, "{x}, {y}");
             let shown =
@@ -479,7 +479,7 @@ fn the_plan_counts_the_evaluations_with_each_material() {
 }
 
 #[test]
-fn a_study_refuses_exponents_and_methods_that_know_one_material_only() {
+fn a_study_draws_materials_by_scalar_methods_too_and_refuses_one_exponent_for_all() {
     let mut subject = Subject::new(scene(&["image.size=[24, 20]"]));
     subject.model = Some(cube());
     let question = |methods: &[Method], n: &[f64]| StudyQuestion {
@@ -494,17 +494,34 @@ fn a_study_refuses_exponents_and_methods_that_know_one_material_only() {
         .answer(&subject, &unwatched)
         .expect_err("exponents");
     assert!(refused.contains("material.source=scene"), "{refused}");
+    let all = [
+        Method::Phong,
+        Method::PhongScalar,
+        Method::Taylor,
+        Method::Angular,
+    ];
+    let study = question(&all, &[]).answer(&subject, &unwatched);
+    let study = study.expect("a study");
+    let error = |method: Method| {
+        let mut rows = study.rows.iter();
+        let row = rows.find(|row| {
+            let interpolation = row.setting.interpolation;
+            row.setting.method == method && interpolation != Some(Interpolation::Affine)
+        });
+        row.map(|row| (row.error_rms, row.interior_pixels))
+    };
+    let [phong, scalar] =
+        [Method::Phong, Method::PhongScalar].map(|method| error(method).expect("a row"));
+    assert!(
+        phong.1 > 50 && (phong.0 - scalar.0).abs() < 1e-5,
+        "{phong:?} {scalar:?}"
+    );
+    // Colours of vertices are a carried value more.
+    let mut tinted = Mesh::clone(&cube());
+    (tinted.colors, tinted.corner_colors) = (vec![Vec3::X], vec![0; tinted.corners.len()]);
+    subject.model = Some(Arc::new(tinted));
     let scalar = question(&[Method::PhongScalar], &[]);
     assert!(scalar.answer(&subject, &unwatched).is_err());
-    let both = question(&[Method::Gouraud, Method::PhongScalar], &[]);
-    let study = both.answer(&subject, &unwatched).expect("a study");
-    assert_eq!(study.omitted.len(), 2, "{:?}", study.omitted);
-    assert!(
-        study
-            .rows
-            .iter()
-            .all(|row| row.setting.method == Method::Gouraud)
-    );
     subject.scene.material.source = MaterialSource::Scene;
     assert!(
         exponents.answer(&subject, &unwatched).is_ok()

@@ -4,7 +4,7 @@
 use crate::common::properties;
 use proptest::prelude::*;
 use shading_lab::geometry::{Mesh, ModelMaterial, NO_MATERIAL, read_model, read_obj};
-use shading_lab::scene::{MaterialOverride, Rgb};
+use shading_lab::scene::{MaterialOverride, NormalSource, Rgb, Weighting};
 use shading_lab::text::{Language, in_language};
 
 const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
@@ -83,6 +83,7 @@ fn blender() {
         ior: Some(1.45),
         illum: Some(2),
         maps: vec![],
+        masked: false,
     };
     let oak = ModelMaterial {
         name: "木頭".to_owned(),
@@ -94,7 +95,13 @@ fn blender() {
         ior: Some(1.45),
         illum: Some(9),
         maps: vec!["old oak.png".to_owned(), "oak.png".to_owned()],
+        masked: false,
     };
+    let [plastic, glass] = [&red, &oak].map(ModelMaterial::face_material);
+    assert_eq!(
+        (plastic.kt, glass.kt, glass.relative_ior),
+        (0.0, 0.75, 1.45)
+    );
     assert_eq!(mesh.materials, [red, oak]);
     assert_eq!(mesh.clone().fitted().materials, mesh.materials);
 }
@@ -117,6 +124,12 @@ fn meshlab() {
     let shown = mesh.materials[0].material();
     assert_eq!((shown.ks, shown.n), (Rgb::ZERO, 0.0), "Ns 0 is no gloss");
     assert_eq!(opacities, [Some(1.0), Some(0.25)]);
+    let kts: Vec<_> = mesh
+        .materials
+        .iter()
+        .map(|m| m.face_material().kt)
+        .collect();
+    assert_eq!(kts, [0.0, 0.75]);
     assert_eq!(mesh.materials[0].kd, Some(Rgb::new(1.0, 0.501961, 0.0)));
     // Of a mesh without a material it names a library that it does not write.
     let bare = format!("mtllib ./bare.obj.mtl\n\n{SQUARE}f 1 2 3\n");
@@ -174,9 +187,62 @@ fn opacity_and_transparency() {
         ("d 0", 0.0),
         ("d 5", 1.0),
     ] {
-        assert_eq!(only(statements).dissolve, Some(expected), "{statements}");
+        let material = only(statements);
+        assert_eq!(material.dissolve, Some(expected), "{statements}");
+        assert_eq!(material.face_material().kt, 1.0 - expected, "{statements}");
     }
     assert_eq!(only("Tf 1 1 1").dissolve, None);
+    assert_eq!(
+        only("Kd 1").face_material().kt,
+        0.0,
+        "opaque without a word"
+    );
+}
+
+/// Blender 2.79 writes `d 0` of a material whose opacity is in a texture (io_scene_obj/export_obj.py: the material's own alpha,
+/// to which the texture adds), and `Ni -1` for none. The texture is not drawn, so that the material is opaque.
+#[test]
+fn opacity_in_a_texture() {
+    let masked = "Ns 96.078431\nKa 0.000000 0.000000 0.000000\nKd 0.640000 0.640000 0.640000\nKs 0.000000 0.000000 0.000000\n\
+        d 0.000000\nillum 1\nmap_Kd leaves.png\nmap_d leaves.png";
+    assert_eq!(only(masked).face_material().kt, 0.0);
+    assert_eq!(only("d 0\nmap_Kd leaves.png").face_material().kt, 1.0);
+    assert_eq!(only("d 0.25\nmap_d leaves.png").face_material().kt, 0.75);
+}
+
+/// What passes is told by `d`, whatever the number of the illumination model: Maya writes `illum 4`, glass, with `Tf 1 1 1` and
+/// without `d` of all its materials (objExport of Maya 2018), and Blender's 6 and 9 come with a `d`. In the format's own
+/// description (chapter 5) 6 and 7 refract by `Ks` and `Tf`; that is said.
+#[test]
+fn models_of_glass() {
+    let maya = "illum 4\nKd 0.50 0.50 0.50\nKa 0.00 0.00 0.00\nTf 1.00 1.00 1.00\nNi 1.00\nKs 0.50 0.50 0.50\nNs 18.00";
+    let shown = only(maya).face_material();
+    assert_eq!((shown.kt, shown.material.ks), (0.0, Rgb::splat(0.5)));
+    for illum in 0..=10 {
+        let material = only(&format!("illum {illum}\nKs 0.5\nNs 10\nd 0.5\nNi 1.33"));
+        let shown = material.face_material();
+        assert_eq!((shown.kt, shown.relative_ior), (0.5, 1.33), "{illum}");
+        let shines = shown.material.ks != Rgb::ZERO;
+        assert_eq!(shines, illum > 1, "{illum}");
+        assert!(!material.refracts_by_model(), "{illum}");
+        let without = only(&format!("illum {illum}\nNi 1.33\nTf 0.9 1 1"));
+        assert_eq!(without.face_material().kt, 0.0, "{illum}");
+        assert_eq!(
+            without.refracts_by_model(),
+            [6, 7].contains(&illum),
+            "{illum}"
+        );
+    }
+    // Beyond what refracts: no index, or one that no material has.
+    for (ni, expected) in [
+        ("", 1.0),
+        ("Ni 0", 1.0),
+        ("Ni 0.001", 0.1),
+        ("Ni 1000", 10.0),
+    ] {
+        let shown = only(&format!("d 0.5\n{ni}")).face_material();
+        assert_eq!(shown.relative_ior, expected, "{ni}");
+    }
 }
 
 /// The format's own description (Alias|Wavefront, FILE FORMATS 4.2, October 1995, chapter 5): one number is a grey, `-halo`
@@ -407,13 +473,45 @@ proptest! {
     }
 }
 
+/// As MeshLab and others write them: red, green and blue after the coordinates (vcglib, wrap/io_trimesh/export_obj.h).
 #[test]
-fn colours_of_vertices_are_said_once() {
-    let colored = "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nf 1 2 3\n";
-    let mesh = read_obj(colored.as_bytes(), &mut |_| {}).expect("a triangle");
-    let words = english!("obj-vertex-colours");
-    assert_eq!(remarks(&mesh), [(None, 1, words)]);
-    let weighted = "v 0 0 0 1\nv 1 0 0 1\nv 0 1 0 1\nf 1 2 3\n";
-    let mesh = read_obj(weighted.as_bytes(), &mut |_| {}).expect("a triangle");
-    assert_eq!(remarks(&mesh), []);
+fn colours_of_vertices() {
+    let read = |text: &str| read_obj(text.as_bytes(), &mut |_| {}).expect("a model");
+    let colors = |mesh: &Mesh| -> Vec<[f32; 3]> {
+        let corners = 0..mesh.corners.len();
+        corners
+            .map(|corner| mesh.corner_color(corner).to_array())
+            .collect()
+    };
+    let mesh = read("v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 0 1 0 0 0 1\nf 1 2 3\nf 3 2 1\n");
+    let (r, g, b) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
+    assert_eq!(colors(&mesh), [r, g, b, b, g, r]);
+    assert_eq!((mesh.colors.len(), remarks(&mesh)), (3, vec![]));
+    // A point where colours differ has those of its faces, and its normal is still averaged over all.
+    let seam = "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 0 1 0 1 0 0\nf 1 2 3\nv 0 0 0 0 0 1\nv 0 0 1 0 0 1\nv 1 0 0 0 0 1\nf 4 5 6\n";
+    let mesh = read(seam);
+    assert_eq!(
+        (mesh.positions.len(), colors(&mesh)),
+        (4, vec![r, r, r, b, b, b])
+    );
+    let vertices = mesh.with_vertex_normals(NormalSource::Averaged, Weighting::Equal);
+    assert_eq!(vertices.positions.len(), 6, "two of them for each colour");
+    // White before and between.
+    let some = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nv 0 0 1 0 0 1\nv 1 1 1\nf 1 4 5\n";
+    let w = [1.0; 3];
+    assert_eq!(colors(&read(some)), [w, w, w, w, b, w]);
+    // What is no colour is said once, and a fourth number alone is a weight.
+    for wrong in ["255 0 0", "-1 0 0", "1 0", "1 0 0 1", "a b c", "nan 0 0"] {
+        let mesh = read(&format!(
+            "v 0 0 0 {wrong}\nv 1 0 0 {wrong}\nv 0 1 0 {wrong}\nf 1 2 3\n"
+        ));
+        assert_eq!(
+            remarks(&mesh),
+            [(None, 1, english!("obj-vertex-colours"))],
+            "{wrong}"
+        );
+        assert_eq!(colors(&mesh), [w; 3], "{wrong}");
+    }
+    let weighted = read("v 0 0 0 1\nv 1 0 0 1\nv 0 1 0 1\nf 1 2 3\n");
+    assert_eq!((remarks(&weighted), weighted.colors.len()), (vec![], 0));
 }

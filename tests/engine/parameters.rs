@@ -3,8 +3,8 @@
 use crate::common::program::Folder;
 use shading_lab::scene::parameter::{Kind, Parameter};
 use shading_lab::scene::{
-    Material, MaterialOverride, MaterialSource, Pane, Reflectance, Rgb, Scene, SceneDescription,
-    presets,
+    FaceMaterial, Material, MaterialOverride, MaterialSource, Pane, Reflectance, Rgb, Scene,
+    SceneDescription, presets,
 };
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -56,7 +56,12 @@ fn full() -> Scene {
         extinction: Rgb::ONE,
         source: MaterialSource::Model,
     };
-    let change = MaterialOverride::between("red", &Material::default(), &whole);
+    let whole = FaceMaterial {
+        material: whole,
+        kt: 0.5,
+        relative_ior: 2.0,
+    };
+    let change = MaterialOverride::between("red", &FaceMaterial::default(), &whole);
     scene.object.materials = vec![change];
     scene
 }

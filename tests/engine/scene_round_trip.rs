@@ -120,7 +120,7 @@ prop_compose! {
     fn object()(
         kind in word(&[
             ObjectKind::Sphere, ObjectKind::Torus, ObjectKind::Cylinder, ObjectKind::Cone, ObjectKind::Cube,
-            ObjectKind::Plane, ObjectKind::Teapot, ObjectKind::Corrugated, ObjectKind::Obj, ObjectKind::Polygons,
+            ObjectKind::Plane, ObjectKind::Teapot, ObjectKind::Corrugated, ObjectKind::Balls, ObjectKind::Obj, ObjectKind::Polygons,
         ]),
         segments in 3..=4096u32,
         rings in 3..=4096u32,

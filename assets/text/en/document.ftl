@@ -25,7 +25,7 @@ document-library-beside = expected a file beside the model, without a folder
 document-library-size = larger than { $megabytes } MB, expected a material library
 document-library-drop = drop this file on the page together with the model
 # On stderr and in the window, beside a picture that is drawn.
-document-dissolve = transparency of single materials is not drawn, as of { $name }
+document-illum-refracts = light passes by `d` only, not by `illum 6` and `7`, as of { $name }
 document-no-material = has no material `{ $name }`, which the scene changes
 document-textures = textures are not drawn: { $names }
 document-and-more = { $first } (and { $count } more)

@@ -157,7 +157,7 @@ engine-order-greatest = maximum error
 engine-order-rms = RMS error
 engine-method-affine = { $method }, affine
 engine-method-scanline = { $method }, scan line
-engine-cannot-materials = the scalar code has one material, and the model's faces have their own
+engine-cannot-vertex-colours = the scalar code has one colour a material, and the model's vertices have their own
 engine-study-own-materials = the model's faces have exponents of their own: with `material.source=scene` all have those given
 engine-cannot-rays = the scalar code follows no rays
 engine-cannot-depth-cueing = the scalar code has no depth cueing

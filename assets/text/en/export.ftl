@@ -8,6 +8,7 @@ export-too-large = { $triangles } triangles to write, expected at most { $most }
 export-limit-scale = Division by the picture's maximum intensity, which is known only after drawing: I is clamped.
 export-limit-shadows = Shadows: every light reaches every point.
 export-limit-transparency = Transparency (Kt): the surface is drawn opaque.
+export-limit-vertex-colours = Colours of vertices: Od is the material's colour everywhere.
 export-limit-ground = The ground: only the object is drawn.
 export-limit-backdrop = The backdrop: only the background colour is behind the object.
 export-limit-bounce = Light scattered by other surfaces: Ia is constant.

@@ -104,7 +104,7 @@ obj-no-such-normal = the face names normal { $number }, { $count ->
  }
 
 # Material libraries (MTL) beside models.
-obj-vertex-colours = colours of vertices are not drawn
+obj-vertex-colours = the colour of a vertex is not read, expected three numbers from 0 to 1
 mtl-name-too-long = the name of a material is longer than { $longest } characters; its faces have the scene's material
 mtl-too-many = more than { $most } materials; the faces of the others have the scene's material
 mtl-not-found = no library defines the material `{ $name }`; its faces have the scene's material

@@ -17,6 +17,7 @@ render-term-bounce = one bounce
 render-term-normalise = normalise N
 render-term-position = position of the point
 render-term-pattern = pattern
+render-term-vertex-colours = colours of the vertices
 render-term-ambient = ambient
 render-term-flip = flip N towards the light
 render-term-double-precision = double precision

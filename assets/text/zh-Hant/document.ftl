@@ -25,7 +25,7 @@ document-library-beside = 應為模型旁的檔案，不含資料夾
 document-library-size = 超過 { $megabytes } MB，應為材質庫
 document-library-drop = 請將此檔案與模型一起拖放到網頁上
 # 在標準錯誤輸出與視窗中，隨圖一起出現。
-document-dissolve = 不繪製個別材質的透明度，例如 { $name }
+document-illum-refracts = 只依 `d` 讓光穿透，不依 `illum 6`、`7`，例如 { $name }
 document-no-material = 沒有場景所變更的材質 `{ $name }`
 document-textures = 不繪製紋理：{ $names }
 document-and-more = { $first }（另有 { $count } 項）

@@ -141,7 +141,7 @@ engine-order-greatest = 最大誤差
 engine-order-rms = RMS 誤差
 engine-method-affine = { $method }，仿射
 engine-method-scanline = { $method }，掃描線
-engine-cannot-materials = 純量程式只有一種材質，而模型的面各有自己的材質
+engine-cannot-vertex-colours = 純量程式的每種材質只有一種顏色，而此模型的頂點各有顏色
 engine-study-own-materials = 模型的面各有自己的指數；設定 `material.source=scene` 後全部使用所給的指數
 engine-cannot-rays = 純量程式不追蹤光線
 engine-cannot-depth-cueing = 純量程式沒有深度提示

@@ -8,6 +8,7 @@ export-too-large = 要寫出 { $triangles } 個三角形，最多 { $most } 個�
 export-limit-scale = 除以全圖的最大亮度：要畫完才知道，因此大於 1 的 I 截為 1。
 export-limit-shadows = 陰影：每個光源都照得到每一點。
 export-limit-transparency = 透明度（Kt）：表面以不透明繪製。
+export-limit-vertex-colours = 頂點的顏色：Od 處處為材質的顏色。
 export-limit-ground = 地板：只繪製物體。
 export-limit-backdrop = 背板：物體後方只有背景顏色。
 export-limit-bounce = 其他表面散射的光：Ia 為常數。

@@ -104,7 +104,7 @@ obj-no-such-normal = 面使用法向量 { $number }，{ $count ->
  }
 
 # 模型旁的材質庫（MTL）。
-obj-vertex-colours = 不繪製頂點的顏色
+obj-vertex-colours = 無法讀取頂點的顏色，應為三個 0 到 1 的數
 mtl-name-too-long = 材質名稱超過 { $longest } 個字元；其面使用場景的材質
 mtl-too-many = 材質超過 { $most } 種；其餘材質的面使用場景的材質
 mtl-not-found = 沒有材質庫定義材質 `{ $name }`；其面使用場景的材質

@@ -17,6 +17,7 @@ render-term-bounce = 一次反射
 render-term-normalise = N 單位化
 render-term-position = 點的位置
 render-term-pattern = 圖樣
+render-term-vertex-colours = 頂點的顏色
 render-term-ambient = 環境光
 render-term-flip = N 翻向光源
 render-term-double-precision = 雙精度

@@ -7,7 +7,7 @@ use crate::analysis::report::{Column, Part, Report, Table, as_it_is, fixed};
 use crate::analysis::study::{Fit, order_of};
 use crate::geometry::{divisions_for, triangles};
 use crate::render::Renderer;
-use crate::scene::{Image, ObjectKind, Scene};
+use crate::scene::{Image, Scene};
 use crate::text::text;
 use serde::{Deserialize, Serialize};
 
@@ -103,7 +103,7 @@ fn sized(scene: &Scene, pixels: f64) -> Scene {
 fn divided(scene: &Scene, count: u64) -> Option<Scene> {
     let mut scene = scene.clone();
     let object = &mut scene.object;
-    if matches!(object.kind, ObjectKind::Obj | ObjectKind::Polygons) {
+    if object.kind.is_given() {
         return None;
     }
     [object.segments, object.rings] = divisions_for(object.kind, count);
@@ -254,7 +254,7 @@ impl Growth {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::Object;
+    use crate::scene::{Object, ObjectKind};
 
     #[test]
     fn pictures_and_tessellations_are_as_fine_as_asked_for_or_not_there() {

@@ -109,12 +109,15 @@ impl<'a> Here<'a> {
 
     /// Returns Od, if it is one colour for all evaluations.
     fn od(self) -> Option<Rgb> {
-        if self.scene.pattern.kind == PatternKind::None {
-            Some(self.scene.material.color)
-        } else {
-            self.at_pixel()
-                .then(|| Equation::<f64>::new(self.scene).pattern_color(self.hit.position))
-        }
+        let plain = self.scene.pattern.kind == PatternKind::None;
+        let one = (plain && self.hit.tint.is_none()) || self.at_pixel();
+        one.then(|| {
+            if plain {
+                self.scene.material.color
+            } else {
+                Equation::<f64>::new(self.scene).pattern_color(self.hit.position)
+            }
+        })
     }
 
     /// Returns the ambient term, `Ka·Od·Ia`.

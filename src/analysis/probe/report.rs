@@ -13,7 +13,7 @@ use crate::analysis::sampling::{REFERENCE_SAMPLES, SamplingError, sampling_error
 use crate::analysis::{Question, Subject, Watch};
 use crate::figure::palette::Vector;
 use crate::figure::{Paper, PlotStyle};
-use crate::scene::{Choice, Material, Rgb};
+use crate::scene::{Choice, FaceMaterial, Material, Rgb};
 use crate::text::{fixed, text};
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
@@ -246,7 +246,12 @@ fn light_title(light: LightHere<'_>) -> String {
 }
 
 /// Returns the numbers of a material in the equation, in a line.
-fn numbers_of(material: &Material) -> String {
+fn numbers_of(own: &FaceMaterial) -> String {
+    let FaceMaterial {
+        material,
+        kt,
+        relative_ior,
+    } = own;
     let Material {
         ka,
         kd,
@@ -256,6 +261,9 @@ fn numbers_of(material: &Material) -> String {
         specular_color,
         ..
     } = *material;
+    let through = [("Kt", *kt), ("η", *relative_ior)]
+        .map(|(letter, value)| format!("{letter} = {}", format_number(value)));
+    let through = through.into_iter().filter(|_| *kt > 0.0);
     let mut numbers = vec![("Ka", ka), ("Kd", kd), ("Ks", ks)];
     let others = [("Od", color), ("Os", specular_color)];
     numbers.extend(others.into_iter().filter(|(_, color)| *color != Rgb::ONE));
@@ -263,7 +271,11 @@ fn numbers_of(material: &Material) -> String {
         .iter()
         .map(|(letter, value)| format!("{letter} = {}", triple(*value)));
     let n = format!("n = {}", exponent(n));
-    numbers.chain([n]).collect::<Vec<_>>().join(", ")
+    numbers
+        .chain([n])
+        .chain(through)
+        .collect::<Vec<_>>()
+        .join(", ")
 }
 
 /// Adds the vectors and angles of a light that shines.

@@ -179,7 +179,7 @@ pub(super) fn zero_causes(
                 scene,
                 all,
                 [light, index],
-                (site.point, site.normal),
+                (site.point, site.normal, site.tint),
                 in_shadow,
             );
             for (term, causes) in here.into_iter().enumerate() {
@@ -208,16 +208,16 @@ fn causes_at(
     scene: &Scene,
     equation: &Equation<f64>,
     [light, index]: [usize; 2],
-    (point, normal): (DVec3, DVec3),
+    (point, normal, tint): (DVec3, DVec3, Rgb),
     in_shadow: bool,
 ) -> [ZeroCauses; 2] {
     let material = &scene.material;
     let site = equation.site(V3::from(equation.from_world(point)), V3::from(normal));
     let source = &equation.sources[index];
     let response = equation.respond_to(source, &site);
-    let pattern_color = equation.pattern_color(point);
+    let pattern_color = equation.pattern_color(point) * tint;
     let od = if scene.pattern.kind == PatternKind::None {
-        material.color
+        material.color * tint
     } else {
         pattern_color
     };

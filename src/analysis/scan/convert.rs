@@ -131,6 +131,8 @@ impl Grid {
 struct Shading {
     /// The corners, world.
     points: Vec<DVec3>,
+    /// The colours at the corners that tint Od.
+    tints: Vec<Rgb>,
     /// The triangles as which the polygon is drawn, by the numbers of its corners.
     triangles: Vec<[usize; 3]>,
     orthographic: bool,
@@ -168,7 +170,7 @@ fn seen(renderer: &Renderer, scene: &Scene, face: u32) -> Result<(Scan, Shading)
         .plan()
         .is_some_and(|plan| plan.cued == Cued::AtPoints);
     let evaluated = |at: &WeightedPoint<'_>| {
-        let intensity = equation.illuminate_world(at.point, at.normal, at.reached);
+        let intensity = at.value(&equation);
         if cued {
             intensity * at.scale + scene.depth_cueing.color * (1.0 - at.scale)
         } else {
@@ -220,6 +222,7 @@ fn seen(renderer: &Renderer, scene: &Scene, face: u32) -> Result<(Scan, Shading)
     };
     let shading = Shading {
         points: polygon.corners.iter().map(|at| at.point).collect(),
+        tints: polygon.corners.iter().map(|at| at.tint).collect(),
         triangles: polygon.triangles,
         orthographic: scene.camera.projection == Projection::Orthographic,
         equation,
@@ -230,7 +233,7 @@ fn seen(renderer: &Renderer, scene: &Scene, face: u32) -> Result<(Scan, Shading)
 }
 
 impl Shading {
-    fn intensity(&self, scan: &Scan, value: DVec3, position: DVec3) -> Rgb {
+    fn intensity(&self, scan: &Scan, value: DVec3, (position, tint): (DVec3, Rgb)) -> Rgb {
         if scan.carried != Carried::Normal {
             return value;
         }
@@ -239,7 +242,8 @@ impl Shading {
         } else {
             value
         };
-        self.equation.illuminate_world(position, normal, None)
+        self.equation
+            .illuminate_tinted((position, normal), tint, None, None)
     }
 
     fn stored(&self, intensity: Rgb) -> [u8; 3] {
@@ -247,10 +251,10 @@ impl Shading {
         [r, g, b]
     }
 
-    /// Returns the point seen at a place of the grid, world, and the value there by barycentric weights: on the
+    /// Returns the point seen at a place of the grid, world, and the value and the tint there by barycentric weights: on the
     /// polygon's triangle that contains the place or, on the border, is least away from it; none for a polygon without
     /// area. Weights in space are those in the picture over the depths, normalised to add up to 1 again (Blinn 1992).
-    fn barycentric(&self, scan: &Scan, place: DVec2) -> Option<[DVec3; 2]> {
+    fn barycentric(&self, scan: &Scan, place: DVec2) -> Option<[DVec3; 3]> {
         let corners = &scan.corners;
         let weighted = self.triangles.iter().filter_map(|&triangle| {
             let [a, b, c] = triangle.map(|i| corners[i].place);
@@ -283,6 +287,7 @@ impl Shading {
         Some([
             sum(perspective, &|i| self.points[i]),
             sum(compared, &|i| corners[i].value),
+            sum(compared, &|i| self.tints[i]),
         ])
     }
 }
@@ -386,11 +391,13 @@ fn scan_line(scan: &Scan, shading: &Shading, y: u32) -> ScanLine {
             let centre = DVec2::new(f64::from(x) + 0.5, at);
             let alpha = (centre.x - p.x) / (q.x - p.x);
             let value = mix(alpha, p.value, q.value, scan.carried);
-            let [position, beside] = shading
-                .barycentric(scan, centre)
-                .unwrap_or([shading.points[0], value]);
-            let intensity = shading.intensity(scan, value, position);
-            let barycentric = shading.intensity(scan, beside, position);
+            let [position, beside, tint] = shading.barycentric(scan, centre).unwrap_or([
+                shading.points[0],
+                value,
+                shading.tints[0],
+            ]);
+            let intensity = shading.intensity(scan, value, (position, tint));
+            let barycentric = shading.intensity(scan, beside, (position, tint));
             ScanPixel {
                 x,
                 alpha,

@@ -13,11 +13,12 @@
 
 use super::Method;
 use super::jet::Jet;
-use crate::geometry::{VertexMesh, angle};
+use crate::geometry::{Mesh, VertexMesh, angle};
 use crate::illumination::{Equation, Real, V3};
+use crate::render::{FaceMaterials, for_each_material, transmits};
 use crate::scene::{
-    AmbientSource, Backfacing, CuedBy, Interpolation, PatternKind, Projection, Reflectance,
-    ReflectionModel, Rgb, Scene, View,
+    AmbientSource, Backfacing, CuedBy, Interpolation, MaterialSource, PatternKind, Projection,
+    Reflectance, Reflection, ReflectionModel, Rgb, Scene, View,
 };
 use crate::text::Message;
 use glam::{DVec2, DVec3};
@@ -32,18 +33,25 @@ const NEAR: f64 = 1e-3;
 /// Sine below which two normals count as one: the arc between them is its chord to 10⁻¹².
 const SAME: f64 = 1e-6;
 
-/// Returns the reason why the scalar code cannot draw a scene by `method`, if so; `own` says that faces have materials of the model.
-pub fn cannot_draw(method: Method, scene: &Scene, own: bool) -> Option<Message> {
+/// Returns the reason why the scalar code cannot draw a scene, which shows `model` if it is one, by `method`, if so.
+pub fn cannot_draw(method: Method, scene: &Scene, model: Option<&Mesh>) -> Option<Message> {
     let rays = scene.shading.shadows
         || scene.ground.visible
         || scene.backdrop.pattern != PatternKind::None
-        || scene.transparency.kt > 0.0
+        || transmits(scene, model)
         || scene.ambient.source != AmbientSource::Constant;
     let angular = method == Method::Angular && carried_in_perspective(scene);
-    let two_cosines = scene.reflection.model != ReflectionModel::CookTorrance
-        && scene.material.reflectance == Reflectance::Constant;
+    // A model's own materials have W = 1, unless the scene changes that.
+    let by_angle = scene.material.reflectance != Reflectance::Constant
+        || scene.object.materials.iter().any(|own| {
+            own.reflectance
+                .is_some_and(|law| law != Reflectance::Constant)
+        });
+    let two_cosines = scene.reflection.model != ReflectionModel::CookTorrance && !by_angle;
+    let tinted = scene.material.source == MaterialSource::Model
+        && model.is_some_and(|mesh| !mesh.corner_colors.is_empty());
     match method {
-        _ if own => Some(Message("engine-cannot-materials")),
+        _ if tinted => Some(Message("engine-cannot-vertex-colours")),
         _ if rays => Some(Message("engine-cannot-rays")),
         _ if scene.depth_cueing.by != CuedBy::Off => Some(Message("engine-cannot-depth-cueing")),
         _ if angular => Some(Message("engine-cannot-perspective")),
@@ -78,20 +86,18 @@ impl Historic {
         self.linear.resize(width * height, background);
         self.keys.clear();
         self.keys.resize(width * height, f64::NEG_INFINITY);
-        let shade = Shade::new(scene);
+        let face_materials = if scene.material.source == MaterialSource::Model {
+            FaceMaterials::of(mesh)
+        } else {
+            FaceMaterials::default()
+        };
+        let materials = face_materials.materials(scene);
+        let shades = for_each_material(scene, &materials, Shade::new);
+        let faces = (mesh, &face_materials);
         self.evaluations = match method {
-            Method::Taylor => self.run(&mut Taylor::new(scene, &shade), &shade, mesh),
-            Method::Angular => self.run(&mut Angular::new(&shade), &shade, mesh),
-            _ => {
-                let (perspective, carried) = (carried_in_perspective(scene), Linear::default());
-                let mut phong = Phong {
-                    shade: &shade,
-                    perspective,
-                    carried,
-                    normal: DVec3::ZERO,
-                };
-                self.run(&mut phong, &shade, mesh)
-            }
+            Method::Taylor => self.run(shades.iter().map(Taylor::new), faces),
+            Method::Angular => self.run(shades.iter().map(Angular::new), faces),
+            _ => self.run(shades.iter().map(Phong::new), faces),
         };
         self.stored.clear();
         let code = |value: f32| (255.0 * value.clamp(0.0, 1.0) + 0.5) as u8;
@@ -102,8 +108,14 @@ impl Historic {
         );
     }
 
-    /// Projects and draws every triangle; returns the number of evaluations.
-    fn run<K: Kernel>(&mut self, kernel: &mut K, shade: &Shade, mesh: &VertexMesh) -> u64 {
+    /// Projects and draws every triangle, each by the kernel of its material; returns the number of evaluations.
+    fn run<'a, K: Kernel<'a>>(
+        &mut self,
+        kernels: impl Iterator<Item = K>,
+        (mesh, face_materials): (&VertexMesh, &FaceMaterials),
+    ) -> u64 {
+        let mut kernels: Vec<K> = kernels.collect();
+        let shade = kernels[0].shade();
         let near = NEAR * shade.unit;
         let corner = |(position, normal): (&glam::Vec3, &glam::Vec3)| {
             let (at, depth) = shade.view.project(mesh.origin + position.as_dvec3())?;
@@ -129,6 +141,7 @@ impl Historic {
         let culls = mesh.closed && (shade.view.eye - mesh.origin).length() > mesh.radius();
         let mut evaluations = 0;
         for face in 0..mesh.face_count() {
+            let kernel = &mut kernels[face_materials.of_face(face as u32)];
             for triangle in mesh.face_triangles(face) {
                 let [a, b, c] = triangle.map(|vertex| corners[vertex as usize]);
                 if let (Some(a), Some(b), Some(c)) = (a, b, c) {
@@ -139,7 +152,7 @@ impl Historic {
         evaluations
     }
 
-    fn triangle<K: Kernel>(
+    fn triangle<'a, K: Kernel<'a>>(
         &mut self,
         kernel: &mut K,
         corners: [ScreenVertex; 3],
@@ -291,6 +304,10 @@ struct Shade {
     view: View,
     equation: Equation<f64>,
     perspective: bool,
+    /// True if values between vertices are linear in space and not in the picture.
+    carried_in_perspective: bool,
+    reflection: Reflection,
+    n: f64,
     /// World units per unit of the equation.
     unit: f64,
 }
@@ -301,6 +318,9 @@ impl Shade {
             view: View::new(&scene.camera, scene.image.size),
             equation: Equation::new(scene),
             perspective: scene.camera.projection == Projection::Perspective,
+            carried_in_perspective: carried_in_perspective(scene),
+            reflection: scene.reflection.clone(),
+            n: scene.material.n,
             unit: scene.camera.distance(),
         }
     }
@@ -338,10 +358,11 @@ impl Shade {
 }
 
 /// A method of finding intensities along spans.
-trait Kernel {
+trait Kernel<'a> {
     /// True if the equation is evaluated at each pixel instead of once per triangle.
     const PER_PIXEL: bool = true;
 
+    fn shade(&self) -> &'a Shade;
     fn begin_triangle(&mut self, triangle: &[ScreenVertex; 3]);
     fn begin_span(&mut self, span: &Span);
     /// Returns the intensity at a pixel of the span whose key is `key`.
@@ -358,7 +379,22 @@ struct Phong<'a> {
     normal: DVec3,
 }
 
-impl Kernel for Phong<'_> {
+impl<'a> Phong<'a> {
+    fn new(shade: &'a Shade) -> Self {
+        Self {
+            shade,
+            perspective: shade.carried_in_perspective,
+            carried: Linear::default(),
+            normal: DVec3::ZERO,
+        }
+    }
+}
+
+impl<'a> Kernel<'a> for Phong<'a> {
+    fn shade(&self) -> &'a Shade {
+        self.shade
+    }
+
     fn begin_triangle(&mut self, triangle: &[ScreenVertex; 3]) {
         self.carried = carried(triangle, self.perspective);
     }
@@ -400,7 +436,11 @@ impl<'a> Angular<'a> {
     }
 }
 
-impl Kernel for Angular<'_> {
+impl<'a> Kernel<'a> for Angular<'a> {
+    fn shade(&self) -> &'a Shade {
+        self.shade
+    }
+
     fn begin_triangle(&mut self, triangle: &[ScreenVertex; 3]) {
         self.normals = triangle.map(|corner| corner.normal.normalize_or(DVec3::Z));
     }
@@ -457,13 +497,13 @@ struct Taylor<'a> {
 }
 
 impl<'a> Taylor<'a> {
-    fn new(scene: &Scene, shade: &'a Shade) -> Self {
+    fn new(shade: &'a Shade) -> Self {
         Self {
             shade,
-            perspective: carried_in_perspective(scene),
-            model: scene.reflection.model,
-            flips: scene.reflection.backfacing == Backfacing::Flip,
-            n: scene.material.n,
+            perspective: shade.carried_in_perspective,
+            model: shade.reflection.model,
+            flips: shade.reflection.backfacing == Backfacing::Flip,
+            n: shade.n,
             centre: DVec2::ZERO,
             expansions: Vec::new(),
             state: Vec::new(),
@@ -471,8 +511,12 @@ impl<'a> Taylor<'a> {
     }
 }
 
-impl Kernel for Taylor<'_> {
+impl<'a> Kernel<'a> for Taylor<'a> {
     const PER_PIXEL: bool = false;
+
+    fn shade(&self) -> &'a Shade {
+        self.shade
+    }
 
     fn begin_triangle(&mut self, triangle: &[ScreenVertex; 3]) {
         self.centre = triangle.iter().map(|corner| corner.at).sum::<DVec2>() / 3.0;
@@ -619,7 +663,7 @@ mod tests {
             ..Light::default()
         }];
         let shade = Shade::new(&scene);
-        let mut kernel = Taylor::new(&scene, &shade);
+        let mut kernel = Taylor::new(&shade);
         let slope = 0.01;
         let tilt = |x: f64| view.right * (slope * x) - view.forward;
         let corner = |x: f64, y: f64| ScreenVertex {

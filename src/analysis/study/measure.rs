@@ -16,8 +16,8 @@ const INSIDE: f64 = 0.2;
 
 /// Measures a subject. `watch` is called after each frame; when it stops the work, the results so far are returned.
 pub fn study(subject: &Subject, request: &StudyQuestion, watch: &dyn Watch<Study>) -> Study {
-    let own = subject.has_own_materials();
-    let (settings, omitted) = settings(request, &subject.scene, own);
+    let model = subject.model.as_deref();
+    let (settings, omitted) = settings(request, &subject.scene, model);
     let repeats = request.repeats.max(1);
     let total = settings.len() as u64 * u64::from(repeats);
     let mut measure = Measure::new(subject);
@@ -51,8 +51,12 @@ pub fn study(subject: &Subject, request: &StudyQuestion, watch: &dyn Watch<Study
 }
 
 /// Returns the settings of `request`, those of one method together from coarse to fine, and the omissions.
-/// `own` says that faces have materials of the model.
-fn settings(request: &StudyQuestion, scene: &Scene, own: bool) -> (Vec<Setting>, Vec<Omission>) {
+/// `model` is the mesh that the scene shows, if it is one of a file.
+fn settings(
+    request: &StudyQuestion,
+    scene: &Scene,
+    model: Option<&Mesh>,
+) -> (Vec<Setting>, Vec<Omission>) {
     let (mut settings, mut omissions) = (Vec::new(), Vec::new());
     let divisions = divisions(request, scene);
     let exponents = if request.n.is_empty() {
@@ -67,7 +71,7 @@ fn settings(request: &StudyQuestion, scene: &Scene, own: bool) -> (Vec<Setting>,
                 drawn.shading.interpolation = interpolation.unwrap_or(scene.shading.interpolation);
                 if let Some(reason) = method
                     .is_scalar()
-                    .then(|| cannot_draw(method, &drawn, own))
+                    .then(|| cannot_draw(method, &drawn, model))
                     .flatten()
                 {
                     let omission = Omission {
@@ -123,8 +127,7 @@ fn divisions(request: &StudyQuestion, scene: &Scene) -> Vec<[u32; 2]> {
     const LEAST_RINGS: u32 = 3;
     let object = &scene.object;
     let own = [object.segments, object.rings];
-    if matches!(object.kind, ObjectKind::Obj | ObjectKind::Polygons) || request.segments.is_empty()
-    {
+    if object.kind.is_given() || request.segments.is_empty() {
         return vec![own];
     }
     let per_segment = f64::from(own[1]) / f64::from(own[0].max(1));

@@ -8,7 +8,7 @@ use crate::app::engine::Engine;
 use crate::app::session::Session;
 use crate::app::session::window::WindowState;
 use crate::app::widgets::focus::switch_named;
-use crate::geometry::Mesh;
+use crate::geometry::{Mesh, built_in};
 use crate::scene::material::SOURCE;
 use crate::scene::{MaterialSource, Rgb};
 use crate::text;
@@ -32,10 +32,16 @@ pub struct ChosenMaterial {
     probed: Option<[u32; 2]>,
 }
 
+/// Returns the mesh whose faces may have materials of their own.
+fn mesh(session: &Session) -> Option<&Arc<Mesh>> {
+    let kind = session.shown.scene.object.kind;
+    built_in(kind).or(session.shown.model.as_ref().filter(|_| kind.is_model()))
+}
+
 /// Returns the model's materials, if faces have them.
 fn model(session: &Session) -> Option<&Arc<Mesh>> {
     let own = session.shown.scene.material.source == MaterialSource::Model;
-    let model = session.shown.model.as_ref().filter(|_| own)?;
+    let model = mesh(session).filter(|_| own)?;
     (!model.materials.is_empty()).then_some(model)
 }
 
@@ -46,8 +52,8 @@ pub fn has_several(session: &Session) -> bool {
 
 /// Shows a line for each of the model's materials. What is probed anew is chosen.
 pub fn list_ui(ui: &mut Ui, session: &mut Session, window: &mut WindowState, engine: &Engine) {
-    let has = |model: &Arc<Mesh>| !model.materials.is_empty();
-    if !session.shown.model.as_ref().is_some_and(has) {
+    let has = |model: &Arc<Mesh>| !(model.materials.is_empty() && model.corner_colors.is_empty());
+    if !mesh(session).is_some_and(has) {
         return;
     }
     let (initial, scene) = (&session.initial, &mut session.shown.scene);
@@ -80,7 +86,8 @@ pub fn list_ui(ui: &mut Ui, session: &mut Session, window: &mut WindowState, eng
     let area = ScrollArea::vertical().max_height(MOST_LINES * line);
     area.id_salt("model").show(ui, |ui| {
         for (number, own) in model.materials.iter().enumerate() {
-            let colour = object.material(&own.name, &own.material()).kd;
+            let shown = object.material(&own.name, &own.face_material());
+            let colour = shown.material.kd;
             if line_ui(ui, &own.name, colour, chosen.number == Some(number)) {
                 chosen.number = Some(number);
             }
@@ -125,16 +132,16 @@ pub fn with_chosen(
 ) {
     let own = number.zip(model(session));
     let own = own.map(|(number, model)| &model.materials[number]);
-    let Some((name, own)) = own.map(|own| (own.name.clone(), own.material())) else {
+    let Some((name, own)) = own.map(|own| (own.name.clone(), own.face_material())) else {
         return edit(session);
     };
     let before = session.shown.scene.object.material(&name, &own);
     let opened = session.initial.object.material(&name, &own);
-    let scene = std::mem::replace(&mut session.shown.scene.material, before.clone());
-    let initial = std::mem::replace(&mut session.initial.material, opened);
+    let scene = before.clone().replace_in(&mut session.shown.scene);
+    let initial = opened.replace_in(&mut session.initial);
     edit(session);
-    let wanted = std::mem::replace(&mut session.shown.scene.material, scene);
-    session.initial.material = initial;
+    let wanted = scene.replace_in(&mut session.shown.scene);
+    initial.replace_in(&mut session.initial);
     if wanted != before {
         let object = &mut session.shown.scene.object;
         object.change_material(&name, &own, &wanted);

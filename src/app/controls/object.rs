@@ -59,6 +59,7 @@ pub fn object_ui(ui: &mut Ui, session: &mut Session, requests: &mut Requests, en
             });
             parameter(ui, initial, &mut shown.scene, &FIT);
         }
+        ObjectKind::Balls => {}
         ObjectKind::Polygons => polygons_ui(ui, vertex, object),
         _ => {
             if kind != ObjectKind::Corrugated {

@@ -6,6 +6,7 @@ use crate::app::session::Session;
 use crate::app::session::window::WindowState;
 use crate::app::widgets::palette::tone_text;
 use crate::figure::palette::Vector;
+use crate::geometry::built_in;
 use crate::scene::{Material, Rgb, Scene};
 use crate::text::text;
 use eframe::egui::{Checkbox, RichText, Ui};
@@ -37,11 +38,13 @@ pub fn switch(session: &mut Session, window: &mut WindowState, term: usize) {
     window.own.put(kept);
     let Session { shown, initial, .. } = session;
     let object = &mut shown.scene.object;
-    for material in shown.model.iter().flat_map(|model| &model.materials) {
-        let (name, own) = (&material.name, material.material());
+    let model = built_in(object.kind).or(shown.model.as_ref());
+    for material in model.iter().flat_map(|model| &model.materials) {
+        let (name, own) = (&material.name, material.face_material());
         let mut wanted = object.material(name, &own);
-        let opened = coefficients(&mut initial.object.material(name, &own)).map(|value| *value);
-        *coefficients(&mut wanted)[term] = if off { Rgb::ZERO } else { opened[term] };
+        let mut opened = initial.object.material(name, &own);
+        let opened = coefficients(&mut opened.material).map(|value| *value);
+        *coefficients(&mut wanted.material)[term] = if off { Rgb::ZERO } else { opened[term] };
         object.change_material(name, &own, &wanted);
     }
 }

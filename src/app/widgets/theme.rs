@@ -59,8 +59,12 @@ pub fn forget_letters(ctx: &Context, known: &mut Option<f32>) {
         .replace(now)
         .is_some_and(|before| before.to_bits() != now.to_bits())
     {
-        // The window has no font providers; setting none again clears the atlas.
-        ctx.set_font_providers(Vec::new());
+        // Other fonts have another atlas: these have a family more, which nothing uses. The desktop's own fonts, which have
+        // what ours lack, such as the names of a model's materials, stay.
+        let mut fonts = fonts();
+        let unused = FontFamily::Name(now.to_string().into());
+        fonts.families.insert(unused, vec![FONTS[0].0.to_owned()]);
+        ctx.set_fonts(fonts);
     }
 }
 

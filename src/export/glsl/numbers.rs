@@ -31,7 +31,8 @@ pub fn constants(scene: &Scene, materials: &Materials) -> String {
         }
     };
     let numbers = |kind, name, value: fn(&Material) -> String| {
-        let values: Vec<String> = materials.all.iter().map(value).collect();
+        let all = materials.all.iter().map(|own| value(&own.material));
+        let values: Vec<String> = all.collect();
         own(kind, name, &values)
     };
     let colors = |name, value: fn(&Material) -> String| numbers("vec3", name, value);
@@ -48,7 +49,7 @@ pub fn constants(scene: &Scene, materials: &Materials) -> String {
         }
         _ => {
             let n = numbers("float", "n", |material| float(material.n.min(MIRROR)));
-            let mirror = materials.all.iter().all(|material| material.n > MIRROR);
+            let mirror = materials.all.iter().all(|own| own.material.n > MIRROR);
             n + if mirror { " // a mirror" } else { "" }
         }
     };

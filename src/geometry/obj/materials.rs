@@ -236,7 +236,10 @@ fn statement(
             material.dissolve = Some(if opaque_tr { tr } else { 1.0 - tr });
         }
         "bump" | "disp" | "decal" | "refl" | "norm" => material.maps.push(texture(rest)),
-        map if map.starts_with("map_") => material.maps.push(texture(rest)),
+        map if map.starts_with("map_") => {
+            material.masked |= map == "map_d";
+            material.maps.push(texture(rest));
+        }
         _ => {}
     }
     Ok(())

@@ -73,6 +73,7 @@ fn segments_per_ring(kind: ObjectKind) -> f64 {
         ObjectKind::Plane
         | ObjectKind::Teapot
         | ObjectKind::Corrugated
+        | ObjectKind::Balls
         | ObjectKind::Obj
         | ObjectKind::Polygons => 1.0,
     }
@@ -97,6 +98,7 @@ fn triangle_count(kind: ObjectKind, segments: u32, rings: u32) -> u64 {
             2 * along * (24 * round + 8 * round.max(2)) - 8 * round
         }
         ObjectKind::Corrugated => 2 * limited(segments, 2) * r,
+        ObjectKind::Balls => 3 * (2 * 16 * 7),
         ObjectKind::Obj | ObjectKind::Polygons => 0,
     }
 }

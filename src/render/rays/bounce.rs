@@ -11,7 +11,7 @@ use crate::illumination::{Equation, LANES, Lanes, Real, V3};
 use crate::render::lens::FARTHEST;
 use crate::render::node::{Memory, capacity};
 use crate::render::raster::{Coverage, ROWS};
-use crate::scene::{Material, Rgb};
+use crate::scene::{FaceMaterial, Material, Rgb};
 use fearless_simd::{dispatch, prelude::*};
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
@@ -38,6 +38,8 @@ struct Receiver {
     normal: Vec3,
     /// The index of the material of the object there; `None` on the floor.
     on_object: Option<usize>,
+    /// The colour that tints Od there.
+    tint: Vec3,
 }
 
 impl Receiver {
@@ -75,7 +77,7 @@ impl Bounced {
     pub fn run(
         &mut self,
         world: &World<'_>,
-        (object, materials): (&DiffuseSurface<'_>, &[Material]),
+        (object, materials): (&DiffuseSurface<'_>, &[FaceMaterial]),
         coverage: Coverage<'_>,
     ) {
         let (scene, lens) = (world.scene, world.hits.lens);
@@ -103,7 +105,10 @@ impl Bounced {
                 {
                     let point = lens.world(receiver.place.as_dvec3());
                     let [constant, diffuse] = match receiver.on_object {
-                        Some(own) => returned(&object.equations[own], &materials[own], point),
+                        Some(own) => {
+                            let own = (&object.equations[own], &materials[own].material);
+                            returned(own, receiver.tint.as_dvec3(), point)
+                        }
                         None => {
                             let ground = &scene.ground;
                             [ground.color * ground.ka, ground.color * ground.kd]
@@ -128,12 +133,12 @@ impl Bounced {
 }
 
 /// Returns the light that the object reflects of the constant ambient light, and of light from other surfaces.
-fn returned(pattern: &Equation<f64>, material: &Material, point: DVec3) -> [Rgb; 2] {
+fn returned((pattern, material): (&Equation<f64>, &Material), tint: Rgb, point: DVec3) -> [Rgb; 2] {
     let color = if pattern.has_pattern() {
         pattern.pattern_color(point)
     } else {
         material.color
-    };
+    } * tint;
     [material.ka * color, material.kd * color]
 }
 
@@ -154,7 +159,7 @@ fn find_receivers(
     let parts = receivers.par_chunks_mut(ROWS * width).zip(coverage.parts());
     parts.for_each_init(FloorScratch::default, |scratch, (part, (band, fragments))| {
         hits.walk(band, fragments, |x, row, hit| {
-            part[row * width + x] = Receiver { place: near(hit.point), normal: hit.normal.as_vec3(), on_object: Some(hit.material) };
+            part[row * width + x] = Receiver { place: near(hit.point), normal: hit.normal.as_vec3(), on_object: Some(hit.material), tint: hit.tint.as_vec3() };
         });
         if world.ground.is_none() {
             return;
@@ -165,7 +170,7 @@ fn find_receivers(
             });
             for (x, receiver) in line.iter_mut().enumerate() {
                 if let Some(place) = scratch.seen(x) {
-                    *receiver = Receiver { place, normal: Vec3::Y, on_object: None };
+                    *receiver = Receiver { place, normal: Vec3::Y, on_object: None, tint: Vec3::ONE };
                 }
             }
         }
@@ -255,7 +260,7 @@ fn arriving(
     on_floor.clear();
     let mut see_past = |direction: DVec3| {
         if let Beyond::Floor(point) = world.meet(start, direction) {
-            on_floor.push((point, DVec3::Y, 0));
+            on_floor.push(LitPoint::of_floor(point));
         }
     };
     // A convex solid lies behind the tangent plane of each of its points.
@@ -268,7 +273,13 @@ fn arriving(
                 packet.set(ray, start - middle, *direction, f64::INFINITY);
             }
             solid.nearest(&packet, ALL, |ray, hit| match hit {
-                Some(hit) => on_object.push((hit.point, hit.normal, hit.material)),
+                Some(hit) => on_object.push(LitPoint {
+                    point: hit.point,
+                    normal: hit.normal,
+                    material: hit.material,
+                    tint: hit.tint,
+                    view: None,
+                }),
                 None => see_past(directions[ray]),
             });
         }

@@ -7,6 +7,7 @@ use crate::geometry::{Ray, Surface, SurfaceHit, TOGETHER};
 use crate::render::lens::{Lens, pixel_centre};
 use crate::render::model::Model;
 use crate::render::raster::{Band, Block, Fragment, Triangles, fragment, is_seen};
+use crate::scene::Rgb;
 use fearless_simd::{Level, Simd, dispatch};
 use glam::{DVec2, DVec3};
 use std::ops::Range;
@@ -39,6 +40,8 @@ pub struct SolidHit {
     pub facing: DVec3,
     /// The index of the polygon's material.
     pub material: usize,
+    /// The colour that tints Od.
+    pub tint: Rgb,
 }
 
 impl Solid<'_> {
@@ -138,6 +141,7 @@ impl Solid<'_> {
                     normal: hit.normal,
                     facing: hit.normal,
                     material: 0,
+                    tint: Rgb::ONE,
                 };
                 each(ray, hit.map(seen));
             });
@@ -158,6 +162,7 @@ impl Solid<'_> {
                         .model
                         .face_materials
                         .of_face(self.model.faces[triangle as usize]),
+                    tint: self.tint(triangle, weights),
                 }
             };
             each(ray, nearest.hit(ray).map(hit));
@@ -179,6 +184,15 @@ impl Solid<'_> {
         } else {
             start
         }
+    }
+
+    /// Returns the tint of a triangle where its second and third corner have these weights.
+    fn tint(&self, triangle: u32, [w1, w2]: [f64; 2]) -> Rgb {
+        if !self.model.is_tinted() {
+            return Rgb::ONE;
+        }
+        let tints = self.model.triangles[triangle as usize].map(|v| self.model.tint(v));
+        mean(&tints, DVec3::new(1.0 - w1 - w2, w1, w2))
     }
 
     /// Returns the unit normal of a triangle where its second and third corner have these weights.
@@ -206,6 +220,8 @@ pub struct PrimaryHit {
     pub lifted: DVec3,
     /// The index of the polygon's material.
     pub material: usize,
+    /// The colour that tints Od.
+    pub tint: Rgb,
 }
 
 /// The points of the object that a picture's pixels show.
@@ -273,6 +289,7 @@ impl PrimaryHits<'_> {
             normal,
             lifted: point,
             material: 0,
+            tint: Rgb::ONE,
         }
     }
 
@@ -313,6 +330,8 @@ struct Facet<'a> {
     corners: [DVec3; 3],
     normals: [DVec3; 3],
     material: usize,
+    /// The corners' tints, where they have any.
+    tints: Option<[Rgb; 3]>,
     /// The one normal of a facet that is not smooth.
     flat: Option<DVec3>,
     /// The two numerators and the denominator: their dot products with the vector that differs from pixel to pixel, and constants.
@@ -355,6 +374,7 @@ impl<'a> Facet<'a> {
             corners,
             normals,
             material: model.face_materials.of_face(model.faces[triangle]),
+            tints: model.is_tinted().then(|| vertices.map(|v| model.tint(v))),
             flat,
             slopes,
             constants,
@@ -376,12 +396,14 @@ impl<'a> Facet<'a> {
         }
         let share = DVec3::new(1.0 - w1 - w2, w1, w2);
         let point = mean(&self.corners, share);
+        let tint = self.tints.map_or(Rgb::ONE, |tints| mean(&tints, share));
         match self.flat {
             Some(normal) => PrimaryHit {
                 point,
                 normal,
                 lifted: point,
                 material: self.material,
+                tint,
             },
             None => {
                 let normal = mean(&self.normals, share)
@@ -396,6 +418,7 @@ impl<'a> Facet<'a> {
                     normal,
                     lifted: self.lifted(point, share),
                     material: self.material,
+                    tint,
                 }
             }
         }

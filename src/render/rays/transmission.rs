@@ -1,9 +1,13 @@
 //! The view past the object, and through it: rays refracted at the surface, or through the whole solid.
+//!
+//! A ray that has passed a surface passes the next ones of the same material, whose own light is not added. At a surface of
+//! another material it sees that surface, by its equation, with the weight 1 − Kt and goes on with Kt.
 
 use super::packet::{Packet, RAYS};
-use super::solid::PrimaryHit;
-use super::world::{Beyond, FloorScratch, LightScratch, World, in_range};
+use super::solid::{PrimaryHit, SolidHit};
+use super::world::{Beyond, FloorScratch, LightScratch, LitPoint, World, in_range};
 use crate::illumination::{mirror, refract};
+use crate::render::face_materials::any_transmits;
 use crate::render::raster::{Coverage, ROWS};
 use crate::scene::{Rgb, Through};
 use fearless_simd::dispatch;
@@ -32,6 +36,11 @@ pub struct Transmission {
 struct Path {
     point: DVec3,
     direction: DVec3,
+    /// The index of the material that it has passed last.
+    material: usize,
+    /// The part of its light that is still to come, and the light of surfaces of other materials.
+    left: f64,
+    gathered: Rgb,
     told: Transmission,
 }
 
@@ -53,11 +62,14 @@ impl World<'_> {
         let mut paths = [Path {
             point: DVec3::ZERO,
             direction: DVec3::X,
+            material: 0,
+            left: 1.0,
+            gathered: Rgb::ZERO,
             told: none,
         }; RAYS];
         for (path, (_, hit, incident)) in paths.iter_mut().zip(rays) {
-            (path.point, path.direction) = (hit.point, *incident);
-            path.told.t = self.pass(path, hit.normal);
+            (path.point, path.direction, path.material) = (hit.point, *incident, hit.material);
+            path.told.t = self.pass(path, hit.normal, hit.material);
         }
         let mut packet = Packet::default();
         let (middle, _) = solid.ball();
@@ -68,7 +80,8 @@ impl World<'_> {
             0
         };
         let convex = solid.is_convex();
-        let mut lost = 0_u32;
+        let (mut lost, mut ended) = (0_u32, 0_u32);
+        let mut others = Vec::new();
         while inside != 0 {
             for (ray, path) in paths.iter().enumerate() {
                 let start = path.point + path.direction * solid.clearance() - middle;
@@ -85,7 +98,16 @@ impl World<'_> {
                     return;
                 };
                 path.point = hit.point;
-                self.pass(path, hit.normal);
+                if hit.material != path.material {
+                    others.push((ray, path.left, seen_from(path.direction, &hit)));
+                    path.left *= self.materials[hit.material].kt;
+                    if path.left == 0.0 {
+                        ended |= 1 << ray;
+                        return;
+                    }
+                    path.material = hit.material;
+                }
+                self.pass(path, hit.normal, hit.material);
                 // A ray that has left a convex solid does not meet it again.
                 let gone = convex && path.direction.dot(hit.facing) > 0.0;
                 let spent = path.told.refractions + path.told.total_reflections >= MOST_EVENTS;
@@ -93,19 +115,20 @@ impl World<'_> {
                 on |= u32::from(!spent && !gone) << ray;
             });
             inside = on;
+            self.see_others(&mut others, &mut paths, scratch);
         }
-        let mut on_floor = [(0, (DVec3::ZERO, DVec3::Y, 0)); RAYS];
+        let mut on_floor = [(0, LitPoint::FLOOR); RAYS];
         let mut count = 0;
         for (ray, path) in paths
             .iter_mut()
             .enumerate()
             .take(rays.len())
-            .filter(|(ray, _)| lost >> ray & 1 == 0)
+            .filter(|(ray, _)| (lost | ended) >> ray & 1 == 0)
         {
             match self.meet(path.point, path.direction) {
                 Beyond::Elsewhere(color) => path.told.seen = color,
                 Beyond::Floor(point) => {
-                    on_floor[count] = (ray, (point, DVec3::Y, 0));
+                    on_floor[count] = (ray, LitPoint::of_floor(point));
                     count += 1;
                 }
             }
@@ -114,14 +137,35 @@ impl World<'_> {
         self.floor.light(&points[..count], scratch, |index, color| {
             paths[on_floor[index].0].told.seen = color;
         });
-        rays.iter()
-            .zip(&paths)
-            .for_each(|((number, ..), path)| each(*number, path.told));
+        for ((number, ..), path) in rays.iter().zip(&mut paths) {
+            path.told.seen = path.gathered + path.told.seen * path.left;
+            each(*number, path.told);
+        }
     }
 
-    /// Refracts the path at a surface whose outward normal is `n`, or mirrors it where it cannot leave.
-    fn pass(&self, path: &mut Path, n: DVec3) -> Option<DVec3> {
-        let (eta, enters) = (self.scene.transparency.ior, path.direction.dot(n) <= 0.0);
+    /// Adds the light of surfaces of other materials, each a ray's number, the part of its light still to come before, and
+    /// the point: of that part, 1 − Kt is the surface's own, by its equation.
+    fn see_others(
+        &self,
+        others: &mut Vec<(usize, f64, LitPoint)>,
+        paths: &mut [Path; RAYS],
+        scratch: &mut LightScratch,
+    ) {
+        if let Some(object) = self.object.as_ref().filter(|_| !others.is_empty()) {
+            let points: Vec<LitPoint> = others.iter().map(|(.., point)| *point).collect();
+            object.light(&points, scratch, |index, color| {
+                let (ray, left, point) = &others[index];
+                let own = left * (1.0 - self.materials[point.material].kt);
+                paths[*ray].gathered += color * own;
+            });
+        }
+        others.clear();
+    }
+
+    /// Refracts the path at a surface of `material` whose outward normal is `n`, or mirrors it where it cannot leave.
+    fn pass(&self, path: &mut Path, n: DVec3, material: usize) -> Option<DVec3> {
+        let eta = self.materials[material].relative_ior;
+        let enters = path.direction.dot(n) <= 0.0;
         // A single surface has the same medium before it whichever way it faces.
         let (n, eta) = match (enters, self.scene.transparency.through) {
             (true, _) => (n, eta),
@@ -144,7 +188,7 @@ impl World<'_> {
         columns: &Range<usize>,
         seen: &mut Vec<Vec3>,
     ) {
-        let (hits, passes) = (&self.hits, self.scene.transparency.kt > 0.0);
+        let (hits, passes) = (&self.hits, any_transmits(self.materials));
         let width = coverage.size[0] as usize;
         seen.resize(width * coverage.size[1] as usize, Vec3::ZERO);
         // Only the pixels of these columns are unset.
@@ -169,7 +213,7 @@ impl World<'_> {
                     };
                     let mut waiting = Vec::with_capacity(RAYS);
                     hits.walk(band, fragments, |x, row, hit| {
-                        if !columns.contains(&x) {
+                        if !columns.contains(&x) || self.materials[hit.material].kt == 0.0 {
                             return;
                         }
                         waiting.push((row * width + x, hit, hits.lens.eye_ray(x, first_row + row).1));
@@ -189,12 +233,24 @@ impl World<'_> {
                         match self.meet(origin, direction) {
                             Beyond::Elsewhere(color) => *pixel = in_range(color),
                             Beyond::Floor(point) => {
-                                self.floor.light(&[(point, DVec3::Y, 0)], scratch, |_, color| *pixel = in_range(color));
+                                self.floor.light(&[LitPoint::of_floor(point)], scratch, |_, color| *pixel = in_range(color));
                             }
                         }
                     }
                 }
             },
         );
+    }
+}
+
+/// Returns a point of the object as a ray in this direction sees it: from the side that it comes from.
+fn seen_from(direction: DVec3, hit: &SolidHit) -> LitPoint {
+    let from_inside = direction.dot(hit.facing) > 0.0;
+    LitPoint {
+        point: hit.point,
+        normal: if from_inside { -hit.normal } else { hit.normal },
+        material: hit.material,
+        tint: hit.tint,
+        view: Some(-direction.normalize()),
     }
 }

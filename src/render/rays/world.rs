@@ -6,7 +6,9 @@ use super::shadow::{ShadowCaster, Waiting};
 use super::solid::{PrimaryHits, Solid};
 use crate::illumination::{BRIGHTEST, Equation, Fields, LANES, Lanes, Reached, V3};
 use crate::render::lens::{FARTHEST, Lens};
-use crate::scene::{Backfacing, Ground, Material, Pattern, PatternKind, Reflectance, Rgb, Scene};
+use crate::scene::{
+    Backfacing, FaceMaterial, Ground, Material, Pattern, PatternKind, Reflectance, Rgb, Scene,
+};
 use fearless_simd::{dispatch, f64x8, prelude::*};
 use glam::{DVec2, DVec3, Vec3};
 
@@ -14,6 +16,10 @@ use glam::{DVec2, DVec3, Vec3};
 pub struct World<'a> {
     pub scene: &'a Scene,
     pub hits: PrimaryHits<'a>,
+    /// The materials of the object's faces.
+    pub materials: &'a [FaceMaterial],
+    /// The object as rays through its other materials meet it, if it has several and light passes.
+    pub object: Option<DiffuseSurface<'a>>,
     /// The height of the floor, if there is one.
     pub ground: Option<f64>,
     wall: Option<Wall>,
@@ -49,7 +55,12 @@ impl<'a> World<'a> {
 
     /// Creates the world of `scene`; `ka` is the floor's coefficient of ambient light, and `shadows` says whether the
     /// object casts any.
-    pub fn new(scene: &'a Scene, hits: PrimaryHits<'a>, ka: f64, shadows: bool) -> Self {
+    pub fn new(
+        (scene, materials): (&'a Scene, &'a [FaceMaterial]),
+        hits: PrimaryHits<'a>,
+        ka: f64,
+        shadows: bool,
+    ) -> Self {
         let (lens, backdrop) = (hits.lens, &scene.backdrop);
         let wall =
             Fields::new(backdrop.pattern, backdrop.scale, 2, DVec3::ZERO, 1.0).map(|fields| Wall {
@@ -73,6 +84,8 @@ impl<'a> World<'a> {
         floor.reflection.backfacing = Backfacing::Clamp;
         Self {
             scene,
+            materials,
+            object: None,
             ground: scene.ground.visible.then_some(scene.ground.height),
             wall,
             wall_depth: depth.filter(|depth| *depth > 0.0).unwrap_or(f64::INFINITY),
@@ -204,8 +217,38 @@ pub struct LightScratch {
     pub waiting: Waiting,
 }
 
-/// A point of such a surface, world, with its normal and the index of its material.
-pub type LitPoint = (DVec3, DVec3, usize);
+/// A point of such a surface.
+#[derive(Clone, Copy, Debug)]
+pub struct LitPoint {
+    /// The point, world.
+    pub point: DVec3,
+    pub normal: DVec3,
+    /// The index of its material.
+    pub material: usize,
+    /// The colour that tints Od.
+    pub tint: Rgb,
+    /// V, unit; `None` for the picture's.
+    pub view: Option<DVec3>,
+}
+
+impl LitPoint {
+    /// The floor before a point of it is known.
+    pub const FLOOR: Self = Self {
+        point: DVec3::ZERO,
+        normal: DVec3::Y,
+        material: 0,
+        tint: Rgb::ONE,
+        view: None,
+    };
+
+    /// Returns a point of the floor.
+    pub const fn of_floor(point: DVec3) -> Self {
+        Self {
+            point,
+            ..Self::FLOOR
+        }
+    }
+}
 
 impl<'a> DiffuseSurface<'a> {
     /// Creates the surface whose material is that of `scene`.
@@ -258,17 +301,19 @@ impl<'a> DiffuseSurface<'a> {
         for (first, points) in (0..).step_by(RAYS).zip(points.chunks(RAYS)) {
             if let Some(caster) = &self.caster {
                 row.clear(points.len());
-                for (index, (point, normal, _)) in points.iter().enumerate() {
-                    row.set(index, caster.relative(*point), *normal);
+                for (index, at) in points.iter().enumerate() {
+                    row.set(index, caster.relative(at.point), at.normal);
                 }
             }
             let reached = self.reached(1, row, words, waiting);
-            for (index, (point, normal, material)) in points.iter().enumerate() {
-                let reached = Reached::starting_at(reached, index);
-                each(
-                    first + index,
-                    self.equations[*material].illuminate_world(*point, *normal, reached),
+            for (index, at) in points.iter().enumerate() {
+                let (equation, reached) = (
+                    &self.equations[at.material],
+                    Reached::starting_at(reached, index),
                 );
+                let place = (at.point, at.normal);
+                let intensity = equation.illuminate_tinted(place, at.tint, at.view, reached);
+                each(first + index, intensity);
             }
         }
     }

@@ -5,11 +5,11 @@
 use super::frame::{FrameReport, Stage};
 use super::plan::{Cued, NO_LIGHT, Per, Plan, casts_shadows, not_cued, silences, stiff};
 use crate::illumination::{Equation, SpecularForm};
-use crate::render::face_materials::for_each_material;
+use crate::render::face_materials::{any_transmits, for_each_material};
 use crate::render::model::Model;
 use crate::scene::{
-    AmbientSource, Backfacing, Encoding, LightKind, Material, ObjectKind, Overflow, PatternKind,
-    Reflectance, Rgb, Scene, Viewer,
+    AmbientSource, Backfacing, Encoding, FaceMaterial, LightKind, Material, ObjectKind, Overflow,
+    PatternKind, Reflectance, Rgb, Scene, Viewer,
 };
 use crate::text::{Message, text};
 use serde::{Serialize, Serializer};
@@ -94,8 +94,10 @@ pub struct Account<'a> {
     /// The number of colours that flat shading prepares: one for each sequence of runs of one face.
     pub inks: u64,
     /// The materials of the faces, and the number of evaluations of the equation with each.
-    pub materials: Vec<Material>,
+    pub materials: Vec<FaceMaterial>,
     pub counts: Vec<u64>,
+    /// The number of pixels that show each of them.
+    pub pixels: Vec<u64>,
 }
 
 /// Tells why no light is reflected specularly.
@@ -227,7 +229,11 @@ impl Account<'_> {
         let sources: u64 = lights
             .map(|(light, _)| u64::from(light.sample_count().max(1)))
             .sum();
-        let opaque = (scene.transparency.kt == 0.0).then_some(Message("render-why-opaque"));
+        let opaque = (!any_transmits(&self.materials)).then_some(Message("render-why-opaque"));
+        let clear = self.materials.iter().zip(&self.pixels);
+        let clear = clear
+            .filter(|(own, _)| own.kt > 0.0)
+            .map(|(_, count)| count);
         let plain = (!self.plan.composes).then_some(Message("render-why-plain-background"));
         let constant = (scene.ambient.source == AmbientSource::Constant)
             .then_some(Message("render-why-constant-ambient"));
@@ -237,7 +243,7 @@ impl Account<'_> {
                 .noted(Message("render-why-shadow-rays")),
             term(
                 "render-term-transmission",
-                (Per::Pixel, self.report.covered),
+                (Per::Pixel, clear.sum()),
                 opaque,
             ),
             term(
@@ -267,7 +273,7 @@ impl Account<'_> {
             return vec![];
         };
         let shines = |material: usize| kept || equations[material].form() != SpecularForm::None;
-        let no_specular = (!(0..equations.len()).any(shines)).then(|| no_specular(first));
+        let no_specular = (!(0..equations.len()).any(shines)).then(|| no_specular(&first.material));
         let each = self.materials.len() as u64;
         let infinite = scene.camera.viewer == Viewer::Infinite;
         let constant =
@@ -310,7 +316,9 @@ impl Account<'_> {
             && self
                 .materials
                 .iter()
-                .all(|own| own.ka * own.color * scene.ambient.color == Rgb::ZERO)
+                .all(|FaceMaterial { material: own, .. }| {
+                    own.ka * own.color * scene.ambient.color == Rgb::ZERO
+                })
         {
             terms[4] = term(
                 "render-term-ambient",
@@ -324,6 +332,9 @@ impl Account<'_> {
                 count,
                 Some(Message("render-why-bounce-instead")),
             );
+        }
+        if self.model.is_tinted() {
+            terms.push(term("render-term-vertex-colours", count, None));
         }
         let enough = (!self.plan.double).then_some(Message("render-why-single-precision"));
         let stiff = stiff(scene, self.model).unwrap_or(Message("render-why-polygons-exact"));
@@ -363,27 +374,29 @@ impl Account<'_> {
         };
         let materials = &self.materials;
         let diffuses = |material: usize| {
-            let own = &materials[material];
+            let own = &materials[material].material;
             kept || own.kd * (own.color + colour) != Rgb::ZERO
         };
         let shines = |material: usize| kept || equations[material].form() != SpecularForm::None;
         let by_angle = |material: usize| {
-            shines(material) && materials[material].reflectance != Reflectance::Constant
+            shines(material) && materials[material].material.reflectance != Reflectance::Constant
         };
         let times_points = |holds: &dyn Fn(usize) -> bool| {
             let (per, points) = self.points_of(holds);
             (per, points * times)
         };
         let matt = !(0..materials.len()).any(diffuses);
-        let matt = matt.then_some(if materials.iter().all(|own| own.kd == Rgb::ZERO) {
-            Message("render-why-kd-zero")
-        } else {
-            Message("render-why-kd-od-zero")
-        });
+        let matt = matt.then_some(
+            if materials.iter().all(|own| own.material.kd == Rgb::ZERO) {
+                Message("render-why-kd-zero")
+            } else {
+                Message("render-why-kd-od-zero")
+            },
+        );
         let spot = (light.kind != LightKind::Spot).then_some(Message("render-why-no-spotlight"));
         let law = materials
             .iter()
-            .all(|own| own.reflectance == Reflectance::Constant)
+            .all(|own| own.material.reflectance == Reflectance::Constant)
             .then_some(Message("render-why-constant-reflectance"));
         vec![
             term("L", if parallel { (Per::Frame, times) } else { each }, None),

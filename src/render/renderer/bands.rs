@@ -26,12 +26,14 @@ pub struct Interpolated {
     /// The values that each vertex carries to the pixels: its normal, or its intensity in each part of the picture.
     carried: Vec<Vec<Fragment>>,
     pub fragments: Vec<Block>,
+    /// The colours that tint Od at each pixel, of a model that has any.
+    tints: Vec<Block>,
 }
 
 impl Interpolated {
     pub fn count(&self, memory: &mut Memory) {
         memory.vertices += self.carried.iter().map(capacity).sum::<u64>();
-        memory.pixels += capacity(&self.fragments);
+        memory.pixels += capacity(&self.fragments) + capacity(&self.tints);
     }
 }
 
@@ -63,6 +65,7 @@ pub struct BandPainter<'a> {
 struct Pixels<'a> {
     band: &'a Band,
     fragments: &'a [Block],
+    tints: &'a [Block],
     columns: &'a Range<usize>,
     places: Option<&'a [Block]>,
     reached: Option<Reached<'a>>,
@@ -73,6 +76,8 @@ struct Pixels<'a> {
 struct GatheredPixels {
     pixels: Vec<u32>,
     fragments: Vec<Block>,
+    /// The colours that tint Od, if there are any.
+    tints: Vec<Block>,
     places: Vec<Block>,
 }
 
@@ -80,11 +85,18 @@ impl GatheredPixels {
     fn clear(&mut self) {
         self.pixels.clear();
         self.fragments.clear();
+        self.tints.clear();
         self.places.clear();
     }
 
     /// Adds the columns `shown` of a row that begins with pixel `first`; `start` is the ray through its column 0.
-    fn add(&mut self, line: &[Block], first: usize, shown: Range<usize>, [x, y, z]: [f32; 3]) {
+    fn add(
+        &mut self,
+        [line, tints]: [&[Block]; 2],
+        first: usize,
+        shown: Range<usize>,
+        [x, y, z]: [f32; 3],
+    ) {
         let place = self.pixels.len();
         let blocks = (place + shown.len()).div_ceil(LANES);
         self.fragments.resize(blocks, Block::GAP);
@@ -92,6 +104,12 @@ impl GatheredPixels {
         for (place, column) in (place..).zip(shown.clone()) {
             put(&mut self.fragments, place, fragment(line, column));
             put(&mut self.places, place, [x, y, z, column as f32]);
+        }
+        if !tints.is_empty() {
+            self.tints.resize(blocks, Block::GAP);
+            for (place, column) in (place..).zip(shown.clone()) {
+                put(&mut self.tints, place, fragment(tints, column));
+            }
         }
         self.pixels
             .extend(shown.map(|column| (first + column) as u32));
@@ -102,6 +120,7 @@ struct BandTask<'a> {
     index: usize,
     band: &'a mut Band,
     fragments: &'a mut [Block],
+    tints: &'a mut [Block],
     pixels: &'a mut [[u8; 4]],
     linear: &'a mut [Linear],
 }
@@ -131,7 +150,11 @@ impl BandPainter<'_> {
             ..
         } = self.inputs;
         let [width, height] = self.inputs.scene.image.size;
-        let Interpolated { carried, fragments } = interpolated;
+        let Interpolated {
+            carried,
+            fragments,
+            tints,
+        } = interpolated;
         bands.resize_with(height.div_ceil(BAND) as usize, Band::default);
         let blocks = if plan.keeps_fragments() {
             Block::count(width) * height as usize
@@ -139,21 +162,25 @@ impl BandPainter<'_> {
             0
         };
         fragments.resize(blocks, Block::GAP);
+        let tinted = triangles.model.is_tinted() && plan.interpolates();
+        tints.resize(if tinted { blocks } else { 0 }, Block::GAP);
         if self.stale.interpolation && plan.interpolates() {
-            let sources = if plan.per == Per::Pixel {
-                std::slice::from_ref(&triangles.model.normal)
-            } else {
-                self.intensity
+            let model = triangles.model;
+            let sources: Vec<&Planes> = match plan.per {
+                Per::Pixel if tinted => vec![&model.normal, &model.tint],
+                Per::Pixel => vec![&model.normal],
+                _ => self.intensity.iter().collect(),
             };
             let by_key = plan.carries && plan.perspective;
             carried.resize_with(sources.len(), Vec::new);
-            for (planes, carried) in sources.iter().zip(carried.iter_mut()) {
+            for (planes, carried) in sources.into_iter().zip(carried.iter_mut()) {
                 let planes = planes.each_ref().map(Vec::as_slice);
                 carry(level, planes, by_key, &triangles, carried);
             }
         }
         let carrying = self.now().saturating_sub(began);
-        let tasks = band_tasks(bands, fragments, canvas, [width, height]).into_par_iter();
+        let kept = [&mut **fragments, &mut **tints];
+        let tasks = band_tasks(bands, kept, canvas, [width, height]).into_par_iter();
         let sum = |a: Tally, b: Tally| std::array::from_fn(|k| a[k] + b[k]);
         let [covering, interpolating, shading, overflowing] = tasks
             .map(|task| self.paint(task, carried))
@@ -206,14 +233,17 @@ impl BandPainter<'_> {
         }
         let (interpolates, kept) = (self.interpolates(), self.inputs.plan.keeps_fragments());
         if interpolates && kept {
-            self.interpolate(&mut task, &carried[0]);
+            self.interpolate(task.band, task.fragments, &carried[0]);
+            if !task.tints.is_empty() {
+                self.interpolate(task.band, task.tints, &carried[1]);
+            }
             lap(1);
         }
         let mut overflowing = 0;
         // From the right, since the lanes of a part's first pixels may reach into the part before it.
         for (index, part) in self.parts.iter().enumerate().rev().filter(|_| self.shades) {
             if interpolates && !kept {
-                self.interpolate(&mut task, &carried[index]);
+                self.interpolate(task.band, task.fragments, &carried[index]);
                 lap(1);
             }
             overflowing += self.shade(&mut task, part, self.intensity.get(index));
@@ -223,10 +253,7 @@ impl BandPainter<'_> {
         tally
     }
 
-    fn interpolate(&self, task: &mut BandTask<'_>, carried: &[Fragment]) {
-        let BandTask {
-            band, fragments, ..
-        } = task;
+    fn interpolate(&self, band: &Band, fragments: &mut [Block], carried: &[Fragment]) {
         let (sources, scanline) = ((self.inputs.triangles, carried), self.inputs.plan.scanline);
         dispatch!(self.inputs.level, simd => interpolate(simd, band, sources, scanline, fragments));
     }
@@ -276,20 +303,30 @@ impl BandPainter<'_> {
                 background: stored_pixel(background, encoding),
                 encoding,
             };
-            self.shade_into((task.band, task.fragments), part, intensity, target)
+            self.shade_into(
+                (task.band, [task.fragments, task.tints]),
+                part,
+                intensity,
+                target,
+            )
         } else {
             let [r, g, b] = background.as_vec3().to_array();
             let target = Unstored {
                 pixels: &mut *task.linear,
                 background: [r, g, b, 0.0],
             };
-            self.shade_into((task.band, task.fragments), part, intensity, target)
+            self.shade_into(
+                (task.band, [task.fragments, task.tints]),
+                part,
+                intensity,
+                target,
+            )
         }
     }
 
     fn shade_into(
         &self,
-        (band, fragments): (&Band, &[Block]),
+        (band, [fragments, tints]): (&Band, [&[Block]; 2]),
         part: &Part,
         intensity: Option<&Planes>,
         mut target: impl Target,
@@ -315,12 +352,13 @@ impl BandPainter<'_> {
         }
         if !triangles.model.face_materials.faces.is_empty() {
             return GATHERED.with_borrow_mut(|batch| {
-                self.shade_by_material(band, fragments, part, &mut target, batch)
+                self.shade_by_material((band, [fragments, tints]), part, &mut target, batch)
             });
         }
         let pixels = Pixels {
             band,
             fragments,
+            tints,
             columns,
             places: None,
             reached: None,
@@ -338,12 +376,15 @@ impl BandPainter<'_> {
         let Pixels {
             band,
             fragments,
+            tints,
             columns,
             places,
             reached,
         } = *pixels;
-        let evaluated =
-            |form| Evaluated::new(&self.inputs, equation, form).at_places(places, reached);
+        let evaluated = |form| {
+            let colour = Evaluated::new(&self.inputs, equation, form);
+            colour.at_places(places, reached).tinted(tints)
+        };
         dispatch!(self.inputs.level, simd => match equation.form() {
             // The usual form has a kernel of its own: the choice among all takes a tenth of the time.
             SpecularForm::PhongCosine => {
@@ -357,8 +398,7 @@ impl BandPainter<'_> {
     /// Shades the pixels of a part of a band that show several materials: those of each are gathered and shaded together.
     fn shade_by_material(
         &self,
-        band: &Band,
-        fragments: &[Block],
+        (band, [fragments, tints]): (&Band, [&[Block]; 2]),
         part: &Part,
         target: &mut impl Target,
         batch: &mut GatheredPixels,
@@ -398,8 +438,9 @@ impl BandPainter<'_> {
                 let shown =
                     usize::from(run.x0).max(columns.start)..usize::from(end).min(columns.end);
                 if !shown.is_empty() {
-                    let line = &fragments[row * Block::count(band.place.width)..];
-                    batch.add(line, row * width, shown, starts[row]);
+                    let first = row * Block::count(band.place.width);
+                    let lines = [fragments, tints].map(|all| all.get(first..).unwrap_or_default());
+                    batch.add(lines, row * width, shown, starts[row]);
                 }
             }
             let count = batch.pixels.len();
@@ -415,6 +456,7 @@ impl BandPainter<'_> {
             let pixels = Pixels {
                 band: &Band::of_one_row(count as u32),
                 fragments: &batch.fragments,
+                tints: &batch.tints,
                 columns: &(0..count),
                 places: Some(&batch.places),
                 reached: (!words.is_empty()).then_some(Reached {
@@ -538,12 +580,13 @@ fn vectorised<S: Simd>(_: S, work: impl FnOnce()) {
 
 fn band_tasks<'a>(
     bands: &'a mut [Band],
-    fragments: &'a mut [Block],
+    [fragments, tints]: [&'a mut [Block]; 2],
     canvas: (&'a mut [[u8; 4]], &'a mut [Linear]),
     [width, height]: [u32; 2],
 ) -> Vec<BandTask<'a>> {
     let share = (BAND * width) as usize;
-    let mut fragments = fragments.chunks_mut(ROWS * Block::count(width));
+    let blocks = ROWS * Block::count(width);
+    let (mut fragments, mut tints) = (fragments.chunks_mut(blocks), tints.chunks_mut(blocks));
     let (mut pixels, mut linear) = (canvas.0.chunks_mut(share), canvas.1.chunks_mut(share));
     let bands = bands.iter_mut().zip((0..height).step_by(ROWS)).enumerate();
     let task = |(index, (band, first_row)): (usize, (&'a mut Band, u32))| {
@@ -556,6 +599,7 @@ fn band_tasks<'a>(
             index,
             band,
             fragments: fragments.next().unwrap_or_default(),
+            tints: tints.next().unwrap_or_default(),
             pixels: pixels.next().unwrap_or_default(),
             linear: linear.next().unwrap_or_default(),
         }

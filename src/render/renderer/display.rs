@@ -15,12 +15,12 @@ pub type Linear = [f32; 4];
 /// the parts added here.
 pub fn compose(
     scene: &Scene,
+    (kt, each_kt): (f64, &[f32]),
     [seen, bounced]: [&[Vec3]; 2],
     faded: Option<&[f32]>,
     linear: &mut [Linear],
 ) -> u64 {
     let width = scene.image.size[0] as usize;
-    let kt = scene.transparency.kt as f32;
     let bouncing = bouncing(scene);
     let veil = scene.depth_cueing.color.as_vec3();
     let whole = linear.par_chunks_mut(width.max(1)).enumerate();
@@ -43,6 +43,7 @@ pub fn compose(
             if let Some(scattered) = bounced.get(index).filter(|_| bouncing.contains(&x)) {
                 color += s0 * *scattered;
             }
+            let kt = each_kt.get(index).copied().unwrap_or(kt as f32);
             if covered && kt > 0.0 {
                 color = color * (1.0 - kt) + (s0 * beyond + (1.0 - s0) * veil) * kt;
             }

@@ -3,6 +3,7 @@
 use super::plan::Plan;
 use super::samples::{MOST_AT_ONCE, rows_at_once};
 use crate::geometry::{Mesh, triangles};
+use crate::render::face_materials::transmits;
 use crate::render::rays::World;
 use crate::scene::{AmbientSource, CompareView, NormalSource, ObjectKind, Scene};
 use crate::text::text;
@@ -61,7 +62,8 @@ fn mesh_size(scene: &Scene, model: Option<&Mesh>) -> [u64; 2] {
         Some(model) if scene.object.kind == ObjectKind::Obj => {
             let split = own
                 || !model.normals.is_empty() && normals == NormalSource::File
-                || !model.face_materials.is_empty();
+                || !model.face_materials.is_empty()
+                || !model.corner_colors.is_empty();
             let vertices = if split {
                 model.corners.len()
             } else {
@@ -86,7 +88,7 @@ fn mesh_size(scene: &Scene, model: Option<&Mesh>) -> [u64; 2] {
 fn mesh_bytes(scene: &Scene, model: Option<&Mesh>) -> u64 {
     let [triangles, vertices] = mesh_size(scene, model);
     let rays = scene.shading.shadows
-        || scene.transparency.kt > 0.0
+        || transmits(scene, model)
         || scene.ambient.source != AmbientSource::Constant
         || World::has_surroundings(scene);
     let boxed = if rays { BOXED } else { 0 };

@@ -18,7 +18,9 @@ use crate::render::lens::Lens;
 use crate::render::model::{MeshSource, Model, Planes};
 use crate::render::node::Node;
 use crate::render::raster::{Band, Coverage, PlacedTriangles};
-use crate::scene::{AmbientSource, Material, MaterialSource, Object, ObjectKind, Scene, Weighting};
+use crate::scene::{
+    AmbientSource, FaceMaterial, MaterialSource, Object, ObjectKind, Scene, Weighting,
+};
 use fearless_simd::Level;
 use glam::DVec2;
 use std::fmt;
@@ -54,8 +56,8 @@ pub struct Renderer {
     pub(super) model: Node<Model>,
     surface: Node<Option<Surface>>,
     placed: Node<PlacedTriangles>,
-    /// The middles and the normals of the faces, where these are shaded.
-    faces: Node<[Planes; 2]>,
+    /// The middles, the normals and the tints of the faces, where these are shaded.
+    faces: Node<[Planes; 3]>,
     /// The intensities at vertices or faces, for each part of the picture.
     points: Node<Vec<Planes>>,
     bands: Node<Vec<Band>>,
@@ -93,7 +95,7 @@ pub(super) struct PlannedFrame {
     pub scene: Scene,
     pub plan: Plan,
     pub lens: Lens,
-    pub materials: Vec<Material>,
+    pub materials: Vec<FaceMaterial>,
     parts: Vec<Part>,
 }
 
@@ -212,7 +214,7 @@ impl Renderer {
                 let mesh = self.mesh.output.mesh();
                 let mut vertices = mesh.with_vertex_normals(normals, weighting);
                 if !own {
-                    vertices.face_materials.clear();
+                    vertices.drop_materials();
                 }
                 *model = Model::new(vertices);
                 self.mesh.output.release();
@@ -346,11 +348,10 @@ impl Renderer {
         let mut points = take(&mut self.points);
         let ran = points.update(key, |intensities| {
             let (inputs, model) = (self.inputs(planned), &self.model.output);
-            let [centre, facing] = &self.faces.output;
             let at = if at_faces {
-                [centre, facing]
+                self.faces.output.each_ref()
             } else {
-                [&model.position, &model.normal]
+                [&model.position, &model.normal, &model.tint]
             };
             intensities.resize_with(parts.len(), Planes::default);
             for (part, intensity) in parts.iter().zip(intensities) {
@@ -448,7 +449,7 @@ impl Renderer {
             plan,
             lens,
             parts,
-            ..
+            materials,
         } = planned;
         let flat_at = (!plan.carries).then_some(scene.shading.flat_at);
         let cue = plan.cues_pixels().then(|| {
@@ -481,7 +482,7 @@ impl Renderer {
             plan.follows_rays().then(|| self.rays.stamps()),
             // The way in which the view beyond is mixed in.
             plan.composes
-                .then_some((scene.transparency.kt, scene.ambient.source)),
+                .then(|| (kts(materials), scene.ambient.source)),
             cue,
         ));
         if shaded {
@@ -505,8 +506,15 @@ impl Renderer {
     }
 
     /// Runs the steps that need the whole picture: composing, fading, and the display's policy.
-    fn display(&mut self, PlannedFrame { scene, plan, .. }: &PlannedFrame) {
+    fn display(&mut self, planned: &PlannedFrame) {
         let (began, level) = (self.now(), self.level());
+        let PlannedFrame { scene, plan, .. } = planned;
+        let each_kt = if plan.composes {
+            self.transparencies(planned)
+        } else {
+            vec![]
+        };
+        let kt = (planned.materials[0].kt, &each_kt[..]);
         let report = &mut self.report;
         let fit = self
             .rays
@@ -517,7 +525,7 @@ impl Renderer {
         let layer = &self.cue.output;
         if plan.composes {
             let faded = (plan.cued == Cued::AtPoints).then_some(&*layer.scales);
-            report.overflowing = compose(scene, self.rays.layers(scene), faded, linear);
+            report.overflowing = compose(scene, kt, self.rays.layers(scene), faded, linear);
         }
         if matches!(plan.cued, Cued::AtVertices | Cued::AtPixels) {
             report.overflowing = fade_pixels(
@@ -675,7 +683,13 @@ impl Renderer {
             inks,
             materials: planned.materials.clone(),
             counts: self.counts_of(planned),
+            pixels: self.pixels_of(planned),
         }
         .terms()
     }
+}
+
+/// Returns Kt of each material.
+fn kts(materials: &[FaceMaterial]) -> Vec<f64> {
+    materials.iter().map(|own| own.kt).collect()
 }

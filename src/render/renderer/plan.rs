@@ -6,14 +6,14 @@
 
 use crate::geometry::Surface;
 use crate::illumination::{Equation, SpecularForm};
-use crate::render::face_materials::for_each_material;
+use crate::render::face_materials::{any_transmits, for_each_material};
 use crate::render::lens::{Lens, NEAR};
 use crate::render::model::Model;
 use crate::render::raster::Triangles;
 use crate::render::rays::{Visibility, World};
 use crate::scene::{
-    AmbientSource, Backfacing, Camera, CuedBy, FlatAt, Interpolation, Light, LightKind, Material,
-    NormalSource, Overflow, PatternKind, Projection, Rgb, Scene, ShadingMode,
+    AmbientSource, Backfacing, Camera, CuedBy, FaceMaterial, FlatAt, Interpolation, Light,
+    LightKind, NormalSource, Overflow, PatternKind, Projection, Rgb, Scene, ShadingMode,
 };
 use crate::text::Message;
 use fearless_simd::Level;
@@ -101,7 +101,7 @@ impl Plan {
             scene.shading.interpolation
         };
         let composes = World::has_surroundings(scene)
-            || scene.transparency.kt > 0.0
+            || any_transmits(&model.face_materials.materials(scene))
             || scene.ambient.source != AmbientSource::Constant;
         let mut plan = Self {
             per: if mode == ShadingMode::Flat && scene.shading.flat_at != FlatAt::Centre {
@@ -198,7 +198,7 @@ pub struct Inputs<'a> {
     pub plan: &'a Plan,
     pub lens: &'a Lens,
     /// The materials, in the order of the model's [`FaceMaterials`](crate::render::FaceMaterials).
-    pub materials: &'a [Material],
+    pub materials: &'a [FaceMaterial],
     pub triangles: Triangles<'a>,
     pub surface: Option<&'a Surface>,
     /// The visibility of sources from pixels, faces or vertices, where there are shadows.
@@ -208,11 +208,22 @@ pub struct Inputs<'a> {
 impl Inputs<'_> {
     /// Returns the equation of each material in double precision with the lights that the picture is shaded with.
     pub fn equations(&self) -> Vec<Equation<f64>> {
-        for_each_material(self.scene, self.materials, |scene| {
-            let mut equation = Equation::in_units(scene, self.lens.unit);
-            equation.retain_lights(|light| self.plan.lights[light]);
-            equation
-        })
+        equations(
+            self.scene,
+            self.materials,
+            self.lens.unit,
+            &self.plan.lights,
+        )
+    }
+
+    /// Returns the number of the points where the equation is evaluated, faces or vertices.
+    pub fn point_count(&self) -> usize {
+        let model = self.triangles.model;
+        if self.plan.per == Per::Face {
+            model.face_count()
+        } else {
+            model.vertex_count
+        }
     }
 
     /// Returns the material of each point where the equation is evaluated, a face or a vertex; empty where there is one.
@@ -234,6 +245,20 @@ impl Inputs<'_> {
             .depth_cueing
             .scale_at((point - self.lens.eye).dot(self.lens.forward))
     }
+}
+
+/// Returns the equation of each material in double precision, lengths in units of `unit`, with the lights that `kept` names.
+pub fn equations(
+    scene: &Scene,
+    materials: &[FaceMaterial],
+    unit: f64,
+    kept: &[bool],
+) -> Vec<Equation<f64>> {
+    for_each_material(scene, materials, |scene| {
+        let mut equation = Equation::in_units(scene, unit);
+        equation.retain_lights(|light| kept[light]);
+        equation
+    })
 }
 
 /// The reason why work that needs lights is left out.
@@ -282,7 +307,9 @@ pub fn silences(scene: &Scene, model: &Model) -> Vec<Option<Message>> {
         .face_materials
         .materials(scene)
         .iter()
-        .map(|own| own.kd * (own.color + other) + own.ks * own.specular_color)
+        .map(|FaceMaterial { material: own, .. }| {
+            own.kd * (own.color + other) + own.ks * own.specular_color
+        })
         .fold(Rgb::ZERO, Rgb::max);
     let silence = |light: &Light| match light {
         Light { mute: true, .. } => Some(Message("render-why-muted")),

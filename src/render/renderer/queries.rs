@@ -2,14 +2,14 @@
 
 use super::frame::Frame;
 use super::pipeline::{PlannedFrame, Renderer};
-use super::plan::{Inputs, Per, Plan};
+use super::plan::{Inputs, Per, Plan, equations};
 use super::ray_nodes::Mixture;
 use super::reference::{Evaluation, WeightedPoint};
 use crate::illumination::Equation;
-use crate::render::face_materials::for_each_material;
+use crate::render::face_materials::{any_transmits, for_each_material};
 use crate::render::lens::{Lens, NEAR, pixel_centre};
 use crate::render::raster::{PlacedTriangles, UNPLACED};
-use crate::scene::{Material, Rgb, Scene};
+use crate::scene::{FaceMaterial, Rgb, Scene};
 use glam::{DVec2, DVec3};
 use std::collections::HashMap;
 
@@ -74,14 +74,51 @@ impl Renderer {
     /// Returns the equation of each material in double precision, with the lights that the picture of `scene`, the last one, is
     /// shaded with.
     pub(crate) fn shining_equations(&self, scene: &Scene) -> Vec<Equation<f64>> {
-        let unit = self.model.output.unit(&scene.camera);
-        self.for_each_material(scene, |scene| {
-            let mut equation = Equation::in_units(scene, unit);
-            if let Some(plan) = self.plan() {
-                equation.retain_lights(|light| plan.lights[light]);
+        let model = &self.model.output;
+        let (materials, unit) = (
+            model.face_materials.materials(scene),
+            model.unit(&scene.camera),
+        );
+        let all = vec![true; scene.lights.len()];
+        let kept = self.plan().map_or(&all, |plan| &plan.lights);
+        equations(scene, &materials, unit, kept)
+    }
+
+    /// Returns the number of pixels of the last picture that show each material.
+    pub(super) fn pixels_of(&self, planned: &PlannedFrame) -> Vec<u64> {
+        let mut counts = vec![0; planned.materials.len()];
+        if let [all] = &mut counts[..] {
+            *all = self.report().covered;
+            return counts;
+        }
+        let (model, triangles) = (&self.model.output, self.inputs(planned).triangles);
+        let bands = self.coverage(&planned.scene).bands;
+        for run in bands.iter().flat_map(|band| &band.runs) {
+            let material = model.face_materials.of_face(triangles.face(run.triangle));
+            counts[material] += u64::from(run.x1 - run.x0);
+        }
+        counts
+    }
+
+    /// Returns Kt at each pixel of a picture that shows several materials, row by row; nothing where all have the same.
+    pub(super) fn transparencies(&self, planned: &PlannedFrame) -> Vec<f32> {
+        let materials = &planned.materials;
+        if materials.len() == 1 || !any_transmits(materials) {
+            return vec![];
+        }
+        let [width, height] = planned.scene.image.size.map(|side| side as usize);
+        let mut all = vec![0.0; width * height];
+        let (model, triangles) = (&self.model.output, self.inputs(planned).triangles);
+        for band in self.coverage(&planned.scene).bands {
+            let first = band.place.first_row as usize;
+            for run in &band.runs {
+                let own = model.face_materials.of_face(triangles.face(run.triangle));
+                let line = (first + usize::from(run.row)) * width;
+                let [x0, x1] = [run.x0, run.x1].map(|x| line + usize::from(x));
+                all[x0..x1].fill(materials[own].kt as f32);
             }
-            equation
-        })
+        }
+        all
     }
 
     /// Returns the number of evaluations of the equation with each material in a frame of the last picture.
@@ -93,14 +130,7 @@ impl Renderer {
         match planned.plan.per {
             Per::Pixel if model.face_materials.faces.is_empty() => add(0, report.covered),
             _ if model.face_materials.faces.is_empty() => add(0, report.points),
-            Per::Pixel => {
-                let triangles = self.inputs(planned).triangles;
-                let bands = self.coverage(&planned.scene).bands;
-                for run in bands.iter().flat_map(|band| &band.runs) {
-                    let material = model.face_materials.of_face(triangles.face(run.triangle));
-                    add(material, u64::from(run.x1 - run.x0));
-                }
-            }
+            Per::Pixel => counts = self.pixels_of(planned),
             Per::Face => {
                 let faces = &model.face_materials.faces;
                 faces.iter().for_each(|own| add(usize::from(*own), 1));
@@ -132,6 +162,11 @@ impl Renderer {
         counts.map(|(index, count)| (name(index), count)).collect()
     }
 
+    /// Returns whether the vertices of the last picture's object have colours.
+    pub(crate) fn is_tinted(&self) -> bool {
+        self.model.output.is_tinted()
+    }
+
     /// Returns the equation of `scene`, whose picture is the last one, in double precision with its own material.
     pub(crate) fn equation(&self, scene: &Scene) -> Equation<f64> {
         Equation::in_units(scene, self.model.output.unit(&scene.camera))
@@ -143,7 +178,11 @@ impl Renderer {
     }
 
     /// Returns the name in the model of a material by its index, and its numbers in `scene`; `None` for the scene's own.
-    pub(crate) fn model_material(&self, scene: &Scene, index: usize) -> Option<(String, Material)> {
+    pub(crate) fn model_material(
+        &self,
+        scene: &Scene,
+        index: usize,
+    ) -> Option<(String, FaceMaterial)> {
         let name = self.model.output.face_materials.name(index)?.to_owned();
         let material = self
             .model

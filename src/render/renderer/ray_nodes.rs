@@ -4,7 +4,7 @@
 use super::parts::{Part, bouncing};
 use super::plan::{Inputs, Per, Plan};
 use crate::illumination::Equation;
-use crate::render::face_materials::for_each_material;
+use crate::render::face_materials::{any_transmits, for_each_material};
 use crate::render::lens::pixel_centre;
 use crate::render::node::{Memory, Node, capacity};
 use crate::render::raster::Coverage;
@@ -13,7 +13,8 @@ use crate::render::rays::{
     Visibility, World, matt_scene,
 };
 use crate::scene::{
-    AmbientSource, Backfacing, Light, Material, PatternKind, Rgb, Scene, ShadingMode, Transparency,
+    Ambient, AmbientSource, Backfacing, FaceMaterial, Light, Material, Pattern, PatternKind,
+    Reflection, Rgb, Scene, ShadingMode, Through,
 };
 use glam::Vec3;
 
@@ -104,12 +105,79 @@ impl<'a> Inputs<'a> {
 
     /// Returns whether the object's shadow is visible on the floor.
     fn shades_floor(&self) -> bool {
+        self.scene.ground.visible && self.shades()
+    }
+
+    fn shades(&self) -> bool {
         let soloing = self.scene.soloing();
         let shines = |light: &Light| light.shines(soloing) && light.color != Rgb::ZERO;
-        self.scene.shading.shadows
-            && self.scene.ground.visible
-            && self.scene.lights.iter().any(shines)
+        self.scene.shading.shadows && self.scene.lights.iter().any(shines)
     }
+
+    /// Returns what rays past and through the object meet; where light bounces, without constant ambient light.
+    fn world<'b>(&'b self, bvh: &'b Bvh, bounces: bool) -> World<'b> {
+        let Self {
+            scene, materials, ..
+        } = *self;
+        let (hits, ka) = (self.hits(bvh), if bounces { 0.0 } else { scene.ground.ka });
+        let mut world = World::new((scene, materials), hits, ka, self.shades_floor());
+        if self.sees_others() {
+            let equations = for_each_material(scene, materials, |scene| {
+                let equation = Equation::in_units(scene, self.lens.unit);
+                if bounces {
+                    equation.without_ambient()
+                } else {
+                    equation
+                }
+            });
+            let others = DiffuseSurface::of_materials(scene, equations, hits.solid, self.shades());
+            world.object = Some(others);
+        }
+        world
+    }
+
+    /// Returns whether rays through the object may meet surfaces of another of its materials.
+    fn sees_others(&self) -> bool {
+        self.materials.len() > 1 && any_transmits(self.materials)
+    }
+
+    /// Returns the inputs of the view through the object besides the object and the coverage; `None` where it is opaque. Of
+    /// one material, Kt is not among them.
+    fn glass_key(&self) -> Option<Glass> {
+        let Self {
+            scene, materials, ..
+        } = *self;
+        any_transmits(materials).then(|| Glass {
+            through: scene.transparency.through,
+            relative_ior: materials.iter().map(|own| own.relative_ior).collect(),
+            others: self.sees_others().then(|| {
+                (
+                    materials.to_vec(),
+                    scene.pattern.clone(),
+                    scene.reflection.clone(),
+                    scene.lights.clone(),
+                    scene.ambient.clone(),
+                    self.shades(),
+                )
+            }),
+        })
+    }
+}
+
+/// The inputs of the view through the object.
+#[derive(Clone, PartialEq)]
+struct Glass {
+    through: Through,
+    relative_ior: Vec<f64>,
+    /// Those of the surfaces of other materials, where there are any.
+    others: Option<(
+        Vec<FaceMaterial>,
+        Pattern,
+        Reflection,
+        Vec<Light>,
+        Ambient,
+        bool,
+    )>,
 }
 
 impl RayNodes {
@@ -196,7 +264,6 @@ impl RayNodes {
             ..
         } = *inputs;
         let Scene {
-            transparency,
             ground,
             backdrop,
             ambient,
@@ -206,7 +273,7 @@ impl RayNodes {
         let bounces = ambient.source != AmbientSource::Constant;
         if at_pixels
             || bounces
-            || (plan.composes && (transparency.kt > 0.0 || scene.shading.shadows))
+            || (plan.composes && (any_transmits(materials) || scene.shading.shadows))
         {
             self.build(inputs, object);
         }
@@ -227,10 +294,7 @@ impl RayNodes {
         }
         if plan.composes {
             let shadows = inputs.shades_floor();
-            let glass = (transparency.kt > 0.0).then(|| Transparency {
-                kt: 1.0,
-                ..transparency.clone()
-            });
+            let glass = inputs.glass_key();
             let solid = (shadows || glass.is_some()).then_some(object);
             // The light that reaches the floor.
             let lights = ground
@@ -243,12 +307,8 @@ impl RayNodes {
                 ),
                 |seen| {
                     for part in parts {
-                        let ka = if part.bounces { 0.0 } else { ground.ka };
-                        World::new(scene, inputs.hits(bvh), ka, shadows).see_background(
-                            coverage,
-                            &part.columns,
-                            seen,
-                        );
+                        let world = inputs.world(bvh, part.bounces);
+                        world.see_background(coverage, &part.columns, seen);
                     }
                 },
             );
@@ -258,7 +318,7 @@ impl RayNodes {
             // Highlights are not scattered further.
             let surface: Vec<_> = materials
                 .iter()
-                .map(|own| (own.ka, own.kd, own.color))
+                .map(|FaceMaterial { material: own, .. }| (own.ka, own.kd, own.color))
                 .collect();
             ran |= bounced.update(
                 (
@@ -272,7 +332,7 @@ impl RayNodes {
                     scene.lights.clone(),
                 ),
                 |bounced| {
-                    let world = World::new(scene, inputs.hits(bvh), 0.0, true);
+                    let world = World::new((scene, materials), inputs.hits(bvh), 0.0, true);
                     let matt = for_each_material(scene, materials, |scene| {
                         let Material { kd, color, .. } = scene.material;
                         let coefficients = [Rgb::ZERO, kd, color];
@@ -340,10 +400,9 @@ impl RayNodes {
         };
         let bounces = bouncing(scene).contains(&(x as usize));
         let mut transmission = None;
-        if scene.transparency.kt > 0.0 {
+        if inputs.materials[hit.material].kt > 0.0 {
             let ray = [(0, hit, lens.ray(place).1.normalize())];
-            let ka = if bounces { 0.0 } else { scene.ground.ka };
-            let world = World::new(scene, hits, ka, inputs.shades_floor());
+            let world = inputs.world(&self.boxes.output, bounces);
             world.transmit(&ray, &mut LightScratch::default(), |_, told| {
                 transmission = Some(told);
             });

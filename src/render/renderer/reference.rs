@@ -4,7 +4,7 @@
 //! points, and [`Evaluation`] lists them: one at the face's centre, three at vertices, one at the pixel.
 
 use super::plan::{Cued, Inputs, Per};
-use crate::illumination::{Equation, Reached};
+use crate::illumination::{Equation, LightAt, Reached};
 use crate::render::lens::NEAR;
 use crate::render::model::Model;
 use crate::render::raster::{Crossing, Outline, SHORTEST_NORMAL, SUBPIXELS, crossing_pair, meet};
@@ -36,6 +36,8 @@ pub(crate) struct WeightedPoint<'a> {
     /// The point, world.
     pub point: DVec3,
     pub normal: DVec3,
+    /// The colour that tints Od.
+    pub tint: Rgb,
     /// s0, the fraction of its intensity that remains; 1 where nothing fades.
     pub scale: f64,
     /// The lights that reach it; all of them where there are no shadows.
@@ -43,8 +45,21 @@ pub(crate) struct WeightedPoint<'a> {
 }
 
 impl WeightedPoint<'_> {
-    fn value(&self, equation: &Equation<f64>) -> Rgb {
-        equation.illuminate_world(self.point, self.normal, self.reached)
+    /// Returns I.
+    pub fn value(&self, equation: &Equation<f64>) -> Rgb {
+        equation.illuminate_tinted((self.point, self.normal), self.tint, None, self.reached)
+    }
+
+    /// Returns the contribution of a light.
+    ///
+    /// # Panics
+    /// If there is no such light.
+    pub fn respond(&self, equation: &Equation<f64>, light: usize) -> LightAt {
+        let response = equation.respond_world(light, self.point, self.normal, self.reached);
+        LightAt {
+            diffuse: response.diffuse * self.tint,
+            ..response
+        }
     }
 }
 
@@ -88,7 +103,7 @@ impl<'a> Inputs<'a> {
         let (position, hit) = meet(self.lens, self.surface?, place)?;
         let depth = (position - self.lens.eye).dot(self.lens.forward);
         let (normal, reached) = (hit.normal, self.visible_at_pixel(place));
-        let points = vec![self.point(position, normal, reached)];
+        let points = vec![self.point((position, normal), Rgb::ONE, reached)];
         Some(Evaluation {
             position,
             normal,
@@ -123,7 +138,8 @@ impl<'a> Inputs<'a> {
         };
         let mut points = match self.scene.shading.mode {
             ShadingMode::Phong | ShadingMode::Exact => {
-                vec![self.point(position, normal, self.visible_at_pixel(place))]
+                let tint = self.model().mean_tint(&carried);
+                vec![self.point((position, normal), tint, self.visible_at_pixel(place))]
             }
             ShadingMode::Interpolated | ShadingMode::Gouraud => carried
                 .iter()
@@ -163,11 +179,12 @@ impl<'a> Inputs<'a> {
         let share = 1.0 / corners.len().max(1) as f64;
         match self.scene.shading.flat_at {
             FlatAt::Centre => {
-                let (point, normal) = (
+                let place = (
                     self.model().face_centre(face),
                     self.model().face_normal(face),
                 );
-                vec![self.point(point, normal, self.visible_at_point(face))]
+                let tint = self.model().face_tint(face);
+                vec![self.point(place, tint, self.visible_at_point(face))]
             }
             FlatAt::VertexMean => corners
                 .iter()
@@ -182,24 +199,22 @@ impl<'a> Inputs<'a> {
     }
 
     fn vertex_point(&self, v: u32, weight: f64) -> WeightedPoint<'a> {
-        let point = self.point(
-            self.model().position(v),
-            self.model().normal(v),
-            self.visible_at_point(v),
-        );
+        let place = (self.model().position(v), self.model().normal(v));
+        let point = self.point(place, self.model().tint(v), self.visible_at_point(v));
         WeightedPoint { weight, ..point }
     }
 
     fn point(
         &self,
-        point: DVec3,
-        normal: DVec3,
+        (point, normal): (DVec3, DVec3),
+        tint: Rgb,
         reached: Option<Reached<'a>>,
     ) -> WeightedPoint<'a> {
         WeightedPoint {
             weight: 1.0,
             point,
             normal,
+            tint,
             scale: self.scale(point),
             reached,
         }

@@ -1,14 +1,14 @@
 //! Shading: the equation at vertices or faces, and at the pixels of a band's fragments; or the interpolated intensities.
 
 use super::display::{Linear, pack, raw};
-use super::plan::Inputs;
+use super::plan::{Inputs, Per};
 use crate::illumination::{BRIGHTEST, Equation, LANES, Lanes, Reached, Real, SpecularForm, V3};
 use crate::render::face_materials::ByMaterial;
 use crate::render::lens::{FARTHEST, Lens, pixel_centre};
 use crate::render::model::{Model, PADDING, Planes};
 use crate::render::raster::{Band, Block, SHORTEST_NORMAL, join};
 use crate::render::rays::BLOCK;
-use crate::scene::Encoding;
+use crate::scene::{Encoding, Rgb};
 use fearless_simd::{Level, dispatch, i32x16, mask32x16, prelude::*};
 use glam::DVec3;
 use rayon::prelude::*;
@@ -18,9 +18,9 @@ const SHORTEST_SQUARED: f32 = (SHORTEST_NORMAL * SHORTEST_NORMAL) as f32;
 
 /// A source of pixels' colours from their fragments.
 pub trait Colour {
-    /// Prepares a row: `y` is the pixel row.
+    /// Prepares a row: `y` is the pixel row, `blocks` are its fragments in the band.
     #[inline(always)]
-    fn row(&mut self, _y: u32) {}
+    fn row(&mut self, _y: u32, _blocks: Range<usize>) {}
 
     /// Returns red, green, blue at the pixels from `column` on, given the three carried numbers and the depth key.
     fn at<S: Simd>(
@@ -79,6 +79,8 @@ pub struct Evaluated<'a> {
     reached: Option<Reached<'a>>,
     /// The ray through column 0 of its row and the column of each pixel, where the fragments come from several rows.
     places: Option<&'a [Block]>,
+    /// The interpolated colours that tint Od, those of the band and those of the current row; empty where there are none.
+    tints: [&'a [Block]; 2],
 }
 
 impl<'a> Evaluated<'a> {
@@ -98,6 +100,7 @@ impl<'a> Evaluated<'a> {
             least_key: lens.least_key() as f32,
             reached: None,
             places: None,
+            tints: [&[]; 2],
         }
     }
 
@@ -107,6 +110,15 @@ impl<'a> Evaluated<'a> {
         Self {
             reached,
             places,
+            ..self
+        }
+    }
+
+    /// Sets the fragments of the colours that tint Od; without any, nothing is tinted.
+    #[inline(always)]
+    pub fn tinted(self, tints: &'a [Block]) -> Self {
+        Self {
+            tints: [tints, &[]],
             ..self
         }
     }
@@ -145,7 +157,8 @@ fn within_reach(v: DVec3) -> [f32; 3] {
 
 impl Colour for Evaluated<'_> {
     #[inline(always)]
-    fn row(&mut self, y: u32) {
+    fn row(&mut self, y: u32, blocks: Range<usize>) {
+        self.tints[1] = self.tints[0].get(blocks).unwrap_or_default();
         if self.places.is_some() {
             return;
         }
@@ -192,10 +205,19 @@ impl Colour for Evaluated<'_> {
         let point = self
             .equation
             .site(self.positions(simd, x, start, key), normal);
+        let tint = self.tints[1].get(column / LANES).map(|block| {
+            let [r, g, b, _] = block.load(simd);
+            if !self.by_key {
+                return [r, g, b];
+            }
+            let inverse = Lanes::splat(simd, 1.0) / key;
+            [r * inverse, g * inverse, b * inverse]
+        });
         self.equation.illuminate_by(
             self.form,
             &point,
             Reached::starting_at(self.reached, column),
+            tint,
         )
     }
 }
@@ -398,7 +420,8 @@ pub fn shade<S: Simd>(
         let end = seen.end.next_multiple_of(LANES).min(columns.end);
         target.clear(start + columns.start..start + first.max(columns.start));
         target.clear(start + end..start + columns.end);
-        colour.row(place.first_row + row as u32);
+        let blocks = row * line.len()..(row + 1) * line.len();
+        colour.row(place.first_row + row as u32, blocks);
         let limit = Lanes::splat(simd, f32::MIN);
         for x in (first..end).step_by(LANES) {
             let [a, b, c, key] = line[x / LANES].load(simd);
@@ -410,26 +433,31 @@ pub fn shade<S: Simd>(
     over
 }
 
-/// Returns the middle of each face, relative to the model's origin, and its own normal; padded as the vertices are.
-pub fn face_points(model: &Model) -> [Planes; 2] {
+/// The points where the equation is evaluated, vertices or faces: coordinates relative to the model's origin, normals, and
+/// the colours that tint Od, which are empty where there are none.
+pub type PointPlanes<'a> = [&'a Planes; 3];
+
+/// Returns the middle of each face, relative to the model's origin, its own normal, and the mean of its corners' colours;
+/// padded as the vertices are.
+pub fn face_points(model: &Model) -> [Planes; 3] {
     let count = model.face_count();
-    let points: Vec<(DVec3, DVec3)> = (0..u32::try_from(count).unwrap_or(u32::MAX))
-        .into_par_iter()
-        .map(|face| {
-            (
-                model.face_centre(face) - model.origin,
-                model.face_normal(face),
-            )
+    let planes = |of: &(dyn Fn(u32) -> DVec3 + Sync)| -> Planes {
+        let faces = (0..u32::try_from(count).unwrap_or(u32::MAX)).into_par_iter();
+        let values: Vec<DVec3> = faces.map(of).collect();
+        [0, 1, 2].map(|axis| {
+            let mut plane: Vec<f32> = values.iter().map(|value| value[axis] as f32).collect();
+            plane.resize(count.next_multiple_of(PADDING), 0.0);
+            plane
         })
-        .collect();
-    let plane = |get: &dyn Fn(&(DVec3, DVec3)) -> f64| -> Vec<f32> {
-        let mut plane: Vec<f32> = points.iter().map(|p| get(p) as f32).collect();
-        plane.resize(count.next_multiple_of(PADDING), 0.0);
-        plane
     };
     [
-        [0, 1, 2].map(|axis| plane(&|p| p.0[axis])),
-        [0, 1, 2].map(|axis| plane(&|p| p.1[axis])),
+        planes(&|face| model.face_centre(face) - model.origin),
+        planes(&|face| model.face_normal(face)),
+        if model.is_tinted() {
+            planes(&|face| model.face_tint(face))
+        } else {
+            Planes::default()
+        },
     ]
 }
 
@@ -437,7 +465,7 @@ pub fn face_points(model: &Model) -> [Planes; 2] {
 pub fn shade_points(
     inputs: &Inputs<'_>,
     equations: &[Equation<f32>],
-    [position, normal]: [&Planes; 2],
+    [position, normal, tint]: PointPlanes<'_>,
     intensity: &mut Planes,
 ) {
     let Inputs {
@@ -463,20 +491,19 @@ pub fn shade_points(
         .zip(b.par_chunks_mut(BLOCK));
     out.enumerate().for_each(|(chunk, ((r, g), b))| {
         let range = chunk * BLOCK..chunk * BLOCK + r.len();
-        let position = position.each_ref().map(|plane| &plane[range.clone()]);
-        let normal = normal.each_ref().map(|plane| &plane[range.clone()]);
+        let all = [position, normal, tint].map(|planes| part_of(planes, range.clone()));
         let reached = visibility.and_then(|bits| bits.at(chunk, 0));
         let materials = inputs.point_materials();
         if materials.is_empty() {
-            return shader.shade(0, [position, normal], reached, [r, g, b]);
+            return shader.shade(0, all, reached, [r, g, b]);
         }
         let materials =
             &materials[range.start.min(materials.len())..range.end.min(materials.len())];
         let own = materials.iter().map(|material| usize::from(*material));
         // The points of one material are shaded together.
         for (material, points) in ByMaterial::of(own, equations.len()).groups() {
-            let [position, normal] = [position, normal].map(|planes| gather(planes, points));
-            let mut colors = position.clone();
+            let own = all.map(|planes| gather(planes, points));
+            let mut colors = own[0].clone();
             let sources = equations[material].sources.len();
             let bits = points.iter().map(|point| (reached, *point as usize));
             let (words, stride) = Reached::gathered(bits, sources);
@@ -485,7 +512,9 @@ pub fn shade_points(
                 stride,
                 first: 0,
             });
-            let gathered = [&position, &normal].map(|planes| planes.each_ref().map(Vec::as_slice));
+            let gathered = own
+                .each_ref()
+                .map(|planes| planes.each_ref().map(Vec::as_slice));
             let out = colors.each_mut().map(Vec::as_mut_slice);
             shader.shade(material, gathered, reached, out);
             for (own, point) in points.iter().map(|point| *point as usize).enumerate() {
@@ -508,7 +537,7 @@ impl PointShader<'_> {
     fn shade(
         &self,
         material: usize,
-        [position, normal]: [[&[f32]; 3]; 2],
+        [position, normal, tint]: [[&[f32]; 3]; 3],
         reached: Option<Reached<'_>>,
         out: [&mut [f32]; 3],
     ) {
@@ -518,15 +547,26 @@ impl PointShader<'_> {
             offset: self.offset,
             position,
             normal,
+            tint,
             reached,
         };
         dispatch!(self.level, simd => points.shade(simd, out));
     }
 }
 
-/// Returns planes of the numbers at `points`, padded by zeros.
+/// Returns a range of planes; nothing of empty ones.
+fn part_of(planes: &Planes, range: Range<usize>) -> [&[f32]; 3] {
+    planes
+        .each_ref()
+        .map(|plane| plane.get(range.clone()).unwrap_or_default())
+}
+
+/// Returns planes of the numbers at `points`, padded by zeros; empty ones of empty ones.
 fn gather(planes: [&[f32]; 3], points: &[u32]) -> Planes {
     planes.map(|plane| {
+        if plane.is_empty() {
+            return vec![];
+        }
         let mut own: Vec<f32> = points.iter().map(|point| plane[*point as usize]).collect();
         own.resize(points.len().next_multiple_of(PADDING), 0.0);
         own
@@ -537,7 +577,7 @@ fn gather(planes: [&[f32]; 3], points: &[u32]) -> Planes {
 pub fn shade_points_in_double(
     inputs: &Inputs<'_>,
     equations: &[Equation<f64>],
-    [position, normal]: [&Planes; 2],
+    [position, normal, _]: PointPlanes<'_>,
     intensity: &mut Planes,
 ) {
     fit(intensity, position[0].len());
@@ -554,9 +594,14 @@ pub fn shade_points_in_double(
             inputs.triangles.model.origin + at(position, index),
             at(normal, index),
         );
-        let material = inputs.point_materials().get(index);
+        let (material, model) = (inputs.point_materials().get(index), inputs.triangles.model);
+        let tint = match inputs.plan.per {
+            _ if index >= inputs.point_count() => Rgb::ONE,
+            Per::Face => model.face_tint(index as u32),
+            _ => model.tint(index as u32),
+        };
         [*r, *g, *b] = equations[material.map_or(0, |material| usize::from(*material))]
-            .illuminate_world(point, normal, reached)
+            .illuminate_tinted((point, normal), tint, None, reached)
             .as_vec3()
             .to_array();
     });
@@ -576,6 +621,7 @@ struct Points<'a> {
     offset: [f32; 3],
     position: [&'a [f32]; 3],
     normal: [&'a [f32]; 3],
+    tint: [&'a [f32]; 3],
     reached: Option<Reached<'a>>,
 }
 
@@ -590,9 +636,15 @@ impl Points<'_> {
             let point = self
                 .equation
                 .site(position, load_lanes(simd, self.normal, start));
-            let rgb = self
-                .equation
-                .illuminate(&point, Reached::starting_at(self.reached, start));
+            let tint = (!self.tint[0].is_empty()).then(|| {
+                let V3 { x, y, z } = load_lanes(simd, self.tint, start);
+                [x, y, z]
+            });
+            let (form, reached) = (
+                self.equation.form(),
+                Reached::starting_at(self.reached, start),
+            );
+            let rgb = self.equation.illuminate_by(form, &point, reached, tint);
             rgb[0].0.store_slice(&mut r[start..start + LANES]);
             rgb[1].0.store_slice(&mut g[start..start + LANES]);
             rgb[2].0.store_slice(&mut b[start..start + LANES]);

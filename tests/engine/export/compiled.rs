@@ -2,11 +2,11 @@
 
 use super::{program, scene, snippet};
 use crate::model_materials;
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use shading_lab::export::{Limit, export_mesh, glsl_330_of_model, opengl_c};
-use shading_lab::geometry::{Mesh, VertexMesh, tessellate};
+use shading_lab::geometry::{Corner, Mesh, VertexMesh, tessellate};
 use shading_lab::render::{Frame, Renderer};
-use shading_lab::scene::{Encoding, ObjectKind, Scene, ShadingMode};
+use shading_lab::scene::{Encoding, ObjectKind, Scene, ShadingMode, View};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
@@ -88,16 +88,52 @@ fn small(name: &str, overrides: &[&str]) -> Scene {
     scene
 }
 
-/// Checks that at least 99 % of the pixels that either picture covers agree within 2 of 255, or 1 for a model, and that there are
-/// enough of them.
+/// The distance from an edge, pixels, within which either polygon may be drawn: both programs round corners to 1/256 pixel, so
+/// that an edge of each lies at most √2/512 off.
+const EDGE: f64 = 2.0 * std::f64::consts::SQRT_2 / 512.0;
+
+/// The edges of a model's triangles in the picture of a scene.
+struct Edges(Vec<[DVec2; 2]>);
+
+impl Edges {
+    fn of(scene: &Scene, mesh: &Mesh) -> Self {
+        let view = View::new(&scene.camera, scene.image.size);
+        let place = |corner: Corner| {
+            let point = mesh.positions[corner.position as usize].as_dvec3();
+            view.project(mesh.origin + point).expect("before the eye").0
+        };
+        let faces = (0..mesh.face_count()).flat_map(|face| mesh.face_triangles(face));
+        let edges = |triangle: [Corner; 3]| {
+            let [a, b, c] = triangle.map(place);
+            [[a, b], [b, c], [c, a]]
+        };
+        Self(faces.flat_map(edges).collect())
+    }
+
+    /// Returns the distance of the nearest edge from the centre of a pixel.
+    fn distance(&self, x: usize, y: usize) -> f64 {
+        let centre = DVec2::new(x as f64, y as f64) + 0.5;
+        let distance = |[a, b]: &[DVec2; 2]| {
+            let (along, from) = (*b - *a, centre - *a);
+            let share = from.dot(along) / along.length_squared().max(f64::MIN_POSITIVE);
+            (from - along * share.clamp(0.0, 1.0)).length()
+        };
+        self.0.iter().map(distance).fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// Checks that the pixels that either picture covers agree, and that there are enough of them: for a model all within 1 of 255
+/// but for those whose centre an edge touches, else at least 99 % within 2.
 #[track_caller]
 fn agree(name: &str, scene: &Scene, model: Option<&Arc<Mesh>>, theirs: &Path) {
     let within = if model.is_some() { 1 } else { 2 };
+    let edges = model.map(|mesh| Edges::of(scene, mesh));
     let mut renderer = Renderer::default().with_model(model.cloned());
     let frame = renderer.render(scene);
     let theirs = read_ppm(theirs, frame);
     let (mut covered, mut near, mut greatest) = (0, 0, 0);
-    for (ours, theirs) in frame.pixels.iter().zip(&theirs) {
+    let width = frame.width as usize;
+    for (pixel, (ours, theirs)) in frame.pixels.iter().zip(&theirs).enumerate() {
         let ours = [ours[0], ours[1], ours[2]];
         if ours == BACKGROUND && *theirs == BACKGROUND {
             continue;
@@ -110,6 +146,14 @@ fn agree(name: &str, scene: &Scene, model: Option<&Arc<Mesh>>, theirs: &Path) {
             .unwrap_or(0);
         covered += 1;
         near += usize::from(off <= within);
+        if let Some(edges) = edges.as_ref().filter(|_| off > within) {
+            let [x, y] = [pixel % width, pixel / width];
+            let distance = edges.distance(x, y);
+            assert!(
+                distance <= EDGE,
+                "{name}: {ours:?} and {theirs:?} at {x}, {y}, {distance:.4} pixels from an edge"
+            );
+        }
         greatest = greatest.max(off);
     }
     eprintln!("{name}: {near} of {covered} pixels within {within}, greatest difference {greatest}");

@@ -57,7 +57,7 @@ fn unknown_words_are_named_with_their_choices() {
     assert_objections(
         "[object]\nkind = 3\n",
         &[
-            "s.toml:2: `object.kind` is 3, expected one of sphere, torus, cylinder, cone, cube, plane, teapot, corrugated, \
+            "s.toml:2: `object.kind` is 3, expected one of sphere, torus, cylinder, cone, cube, plane, teapot, corrugated, balls, \
            polygons, obj",
         ],
     );
