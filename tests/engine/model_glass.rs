@@ -192,6 +192,7 @@ fn what_is_behind_glass_is_seen_as_another_program_sees_it() {
     let mut shown = scene(&[
         "light=[{kind=\"directional\", direction=[-1,-2,-1.5], color=[1,0.9,0.8]}]",
         "image.background=[0.2,0.3,0.5]",
+        "object.normals=file",
         "image.size=[90,80]",
     ]);
     for eye in [

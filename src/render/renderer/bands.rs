@@ -6,7 +6,6 @@ use super::plan::{Inputs, Per};
 use super::reference::Evaluation;
 use super::shade::{Carried, Evaluated, Stored, Target, Unstored, shade, start_of_row};
 use crate::illumination::{Equation, LANES, Reached, SpecularForm};
-use crate::render::face_materials::ByMaterial;
 use crate::render::lens::pixel_centre;
 use crate::render::model::Planes;
 use crate::render::node::{Memory, capacity};
@@ -71,7 +70,8 @@ struct Pixels<'a> {
     reached: Option<Reached<'a>>,
 }
 
-/// Pixels of a band in one row: their numbers in the band, their fragments, and the start of the ray and the column of each.
+/// The pixels of a band in one row, those of each material together: their numbers in the band, their fragments, and the start
+/// of the ray and the column of each. The pixels of a material begin a block.
 #[derive(Default)]
 struct GatheredPixels {
     pixels: Vec<u32>,
@@ -79,40 +79,43 @@ struct GatheredPixels {
     /// The colours that tint Od, if there are any.
     tints: Vec<Block>,
     places: Vec<Block>,
+    /// The material of each of the band's runs.
+    materials: Vec<u16>,
 }
 
 impl GatheredPixels {
-    fn clear(&mut self) {
-        self.pixels.clear();
-        self.fragments.clear();
-        self.tints.clear();
-        self.places.clear();
+    /// Makes place for `count` pixels, whole blocks of gaps.
+    fn clear(&mut self, count: usize, tinted: bool) {
+        let blocks = count / LANES;
+        self.pixels.resize(count, 0);
+        for (planes, blocks) in [
+            (&mut self.fragments, blocks),
+            (&mut self.places, blocks),
+            (&mut self.tints, if tinted { blocks } else { 0 }),
+        ] {
+            planes.clear();
+            planes.resize(blocks, Block::GAP);
+        }
     }
 
-    /// Adds the columns `shown` of a row that begins with pixel `first`; `start` is the ray through its column 0.
-    fn add(
+    /// Puts the columns `shown` of a row that begins with pixel `first` from `place` on; `start` is the ray through its column 0.
+    fn put(
         &mut self,
+        mut place: usize,
         [line, tints]: [&[Block]; 2],
         first: usize,
         shown: Range<usize>,
         [x, y, z]: [f32; 3],
     ) {
-        let place = self.pixels.len();
-        let blocks = (place + shown.len()).div_ceil(LANES);
-        self.fragments.resize(blocks, Block::GAP);
-        self.places.resize(blocks, Block::GAP);
-        for (place, column) in (place..).zip(shown.clone()) {
+        for column in shown {
+            self.pixels[place] = (first + column) as u32;
             put(&mut self.fragments, place, fragment(line, column));
             put(&mut self.places, place, [x, y, z, column as f32]);
-        }
-        if !tints.is_empty() {
-            self.tints.resize(blocks, Block::GAP);
-            for (place, column) in (place..).zip(shown.clone()) {
+            if !tints.is_empty() {
                 put(&mut self.tints, place, fragment(tints, column));
             }
+            place += 1;
         }
-        self.pixels
-            .extend(shown.map(|column| (first + column) as u32));
     }
 }
 
@@ -398,67 +401,37 @@ impl BandPainter<'_> {
     /// Shades the pixels of a part of a band that show several materials: those of each are gathered and shaded together.
     fn shade_by_material(
         &self,
-        (band, [fragments, tints]): (&Band, [&[Block]; 2]),
+        (band, kept): (&Band, [&[Block]; 2]),
         part: &Part,
         target: &mut impl Target,
         batch: &mut GatheredPixels,
     ) -> u64 {
-        let Inputs {
-            lens,
-            triangles,
-            visibility,
-            ..
-        } = self.inputs;
         let (columns, width) = (&part.columns, band.place.width as usize);
         for row in 0..band.place.rows as usize {
             target.clear(row * width + columns.start..row * width + columns.end);
         }
-        let own = |run: &Run| {
-            triangles
-                .model
-                .face_materials
-                .of_face(triangles.face(run.triangle))
-        };
-        let sorted = ByMaterial::of(band.runs.iter().map(own), part.equations.len());
+        let groups = self.gather((band, kept), part, batch);
         let first_row = band.place.first_row as usize;
-        let starts: Vec<[f32; 3]> = (0..band.place.rows as usize)
-            .map(|row| start_of_row(lens, first_row + row))
-            .collect();
         let (mut over, mut colors) = (0, vec![]);
-        for (material, runs) in sorted.groups() {
+        for (material, group) in groups {
             let equation = &part.equations[material];
-            batch.clear();
-            let mut runs = runs.iter().map(|run| &band.runs[*run as usize]).peekable();
-            while let Some(run) = runs.next() {
-                // Runs that continue each other are gathered at once.
-                let (row, mut end) = (usize::from(run.row), run.x1);
-                while let Some(next) = runs.next_if(|next| next.row == run.row && next.x0 == end) {
-                    end = next.x1;
-                }
-                let shown =
-                    usize::from(run.x0).max(columns.start)..usize::from(end).min(columns.end);
-                if !shown.is_empty() {
-                    let first = row * Block::count(band.place.width);
-                    let lines = [fragments, tints].map(|all| all.get(first..).unwrap_or_default());
-                    batch.add(lines, row * width, shown, starts[row]);
-                }
-            }
-            let count = batch.pixels.len();
-            if count == 0 {
-                continue;
-            }
-            let bits = batch.pixels.iter().map(|pixel| {
-                let reached =
-                    visibility.and_then(|bits| bits.at(first_row + *pixel as usize / width, 0));
-                (reached, *pixel as usize % width)
+            let (pixels, count) = (&batch.pixels[group.clone()], group.len());
+            let blocks = group.start / LANES..group.end.div_ceil(LANES);
+            let bits = pixels.iter().map(|pixel| {
+                let (row, column) = (*pixel as usize / width, *pixel as usize % width);
+                let visibility = self.inputs.visibility;
+                (
+                    visibility.and_then(|bits| bits.at(first_row + row, 0)),
+                    column,
+                )
             });
             let (words, stride) = Reached::gathered(bits, equation.sources.len());
-            let pixels = Pixels {
+            let gathered = Pixels {
                 band: &Band::of_one_row(count as u32),
-                fragments: &batch.fragments,
-                tints: &batch.tints,
+                fragments: &batch.fragments[blocks.clone()],
+                tints: batch.tints.get(blocks.clone()).unwrap_or_default(),
                 columns: &(0..count),
-                places: Some(&batch.places),
+                places: Some(&batch.places[blocks]),
                 reached: (!words.is_empty()).then_some(Reached {
                     words: &words,
                     stride,
@@ -468,13 +441,64 @@ impl BandPainter<'_> {
             let (_, background) = target.pixels();
             colors.clear();
             colors.resize(count, background);
-            over += self.shade_pixels(equation, &pixels, &mut target.over(&mut colors));
+            over += self.shade_pixels(equation, &gathered, &mut target.over(&mut colors));
             let (all, _) = target.pixels();
-            for (pixel, color) in batch.pixels.iter().zip(&colors) {
+            for (pixel, color) in pixels.iter().zip(&colors) {
                 all[*pixel as usize] = *color;
             }
         }
         over
+    }
+
+    /// Gathers the pixels of a part of a band; returns each material that it shows, with the place of its pixels.
+    ///
+    /// The runs are read in their order, so that a fragment is met once, in the cache.
+    fn gather(
+        &self,
+        (band, [fragments, tints]): (&Band, [&[Block]; 2]),
+        part: &Part,
+        batch: &mut GatheredPixels,
+    ) -> Vec<(usize, Range<usize>)> {
+        let Inputs {
+            lens, triangles, ..
+        } = self.inputs;
+        let (columns, place) = (&part.columns, band.place);
+        let own = |run: &Run| {
+            let face = triangles.face(run.triangle);
+            triangles.model.face_materials.of_face(face) as u16
+        };
+        batch.materials.clear();
+        batch.materials.extend(band.runs.iter().map(own));
+        let shown = |run: &Run| {
+            let start = usize::from(run.x0).max(columns.start);
+            start..usize::from(run.x1).min(columns.end).max(start)
+        };
+        // The number of each material's pixels, then the place of the next of them.
+        let mut next = vec![0; part.equations.len()];
+        for (run, material) in band.runs.iter().zip(&batch.materials) {
+            next[usize::from(*material)] += shown(run).len();
+        }
+        let (mut groups, mut end) = (vec![], 0);
+        for (material, count) in next.iter_mut().enumerate().filter(|(_, count)| **count > 0) {
+            groups.push((material, end..end + *count));
+            end += std::mem::replace(count, end).next_multiple_of(LANES);
+        }
+        batch.clear(end, !tints.is_empty());
+        let starts: Vec<[f32; 3]> = (0..place.rows as usize)
+            .map(|row| start_of_row(lens, place.first_row as usize + row))
+            .collect();
+        for (index, run) in band.runs.iter().enumerate() {
+            let (row, shown) = (usize::from(run.row), shown(run));
+            let next = &mut next[usize::from(batch.materials[index])];
+            let first = std::mem::replace(next, *next + shown.len());
+            let lines = [fragments, tints].map(|all| {
+                all.get(row * Block::count(place.width)..)
+                    .unwrap_or_default()
+            });
+            let pixel = row * place.width as usize;
+            batch.put(first, lines, pixel, shown, starts[row]);
+        }
+        groups
     }
 
     /// Fills each run with its face's colour, for flat shading.

@@ -461,7 +461,7 @@ pub fn face_points(model: &Model) -> [Planes; 3] {
     ]
 }
 
-/// Evaluates the equation at the vertices or faces of the model, each with its material's, [`BLOCK`] of them in each task.
+/// Evaluates the equation at the vertices or faces of the model, each with its material's.
 pub fn shade_points(
     inputs: &Inputs<'_>,
     equations: &[Equation<f32>],
@@ -476,6 +476,8 @@ pub fn shade_points(
     } = *inputs;
     let model = triangles.model;
     fit(intensity, position[0].len());
+    // Several materials have enough points each in a chunk to fill lanes.
+    let chunk_len = (equations.len() * 4 * LANES).next_multiple_of(BLOCK);
     let scale = (1.0 / lens.unit).min(FARTHEST / model.radius.max(f64::MIN_POSITIVE)) as f32;
     let offset = within_reach((model.origin - lens.eye) / lens.unit);
     let shader = PointShader {
@@ -486,15 +488,16 @@ pub fn shade_points(
     };
     let [r, g, b] = intensity;
     let out = r
-        .par_chunks_mut(BLOCK)
-        .zip(g.par_chunks_mut(BLOCK))
-        .zip(b.par_chunks_mut(BLOCK));
+        .par_chunks_mut(chunk_len)
+        .zip(g.par_chunks_mut(chunk_len))
+        .zip(b.par_chunks_mut(chunk_len));
     out.enumerate().for_each(|(chunk, ((r, g), b))| {
-        let range = chunk * BLOCK..chunk * BLOCK + r.len();
+        let first = chunk * chunk_len;
+        let range = first..first + r.len();
         let all = [position, normal, tint].map(|planes| part_of(planes, range.clone()));
-        let reached = visibility.and_then(|bits| bits.at(chunk, 0));
         let materials = inputs.point_materials();
         if materials.is_empty() {
+            let reached = visibility.and_then(|bits| bits.at(chunk, 0));
             return shader.shade(0, all, reached, [r, g, b]);
         }
         let materials =
@@ -505,7 +508,11 @@ pub fn shade_points(
             let own = all.map(|planes| gather(planes, points));
             let mut colors = own[0].clone();
             let sources = equations[material].sources.len();
-            let bits = points.iter().map(|point| (reached, *point as usize));
+            let bits = points.iter().map(|point| {
+                let point = first + *point as usize;
+                let row = visibility.and_then(|bits| bits.at(point / BLOCK, 0));
+                (row, point % BLOCK)
+            });
             let (words, stride) = Reached::gathered(bits, sources);
             let reached = (!words.is_empty()).then_some(Reached {
                 words: &words,
