@@ -74,8 +74,8 @@ macro_rules! scenes {
 /// Every built-in scene, by topic.
 pub static ALL: &[Preset] = &SCENES;
 
-static SCENES: [Preset; 45] = scenes! {
-    "shapes": "sphere" "torus" "cylinder" "cone" "cube" "plane" "teapot";
+static SCENES: [Preset; 46] = scenes! {
+    "shapes": "sphere" "torus" "cylinder" "cone" "cube" "plane" "teapot" "balls";
     "shading": "shading-modes" "highlight" "flat-facets" "mach-bands" "silhouette" "perspective-distortion" "orientation" "shared-vertices"
         "vertex-normals" "depth-cueing";
     "light": "ambient-only" "sun" "spotlight" "soft-shadow" "three-lights" "colored-lights" "attenuation"

@@ -95,7 +95,7 @@ fn a_few_settings_of_a_built_in_scene_are_a_short_and_readable_link() {
 
 #[test]
 fn every_built_in_scene_is_its_name() {
-    assert_eq!(presets::ALL.len(), 45);
+    assert_eq!(presets::ALL.len(), 46);
     for preset in presets::ALL {
         let scene = preset.scene();
         let link = format!("?scene={}", preset.name);
@@ -148,7 +148,7 @@ fn changed_built_in_scenes_come_back_bit_by_bit() {
         .into_par_iter()
         .filter(|seed| {
             let mut dice = Dice(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15));
-            let preset = &presets::ALL[(dice.unit() * 45.0) as usize];
+            let preset = &presets::ALL[(dice.unit() * 46.0) as usize];
             let (mut scene, other) = (preset.scene(), everyday_scene(*seed).scene);
             if dice.unit() < 0.3 {
                 scene.lights.clone_from(&other.lights);
