@@ -150,15 +150,13 @@ impl<'a> Inputs<'a> {
         any_transmits(materials).then(|| Glass {
             through: scene.transparency.through,
             relative_ior: materials.iter().map(|own| own.relative_ior).collect(),
-            others: self.sees_others().then(|| {
-                (
-                    materials.to_vec(),
-                    scene.pattern.clone(),
-                    scene.reflection.clone(),
-                    scene.lights.clone(),
-                    scene.ambient.clone(),
-                    self.shades(),
-                )
+            others: self.sees_others().then(|| SeenThrough {
+                materials: materials.to_vec(),
+                pattern: scene.pattern.clone(),
+                reflection: scene.reflection.clone(),
+                lights: scene.lights.clone(),
+                ambient: scene.ambient.clone(),
+                shadows: self.shades(),
             }),
         })
     }
@@ -170,14 +168,18 @@ struct Glass {
     through: Through,
     relative_ior: Vec<f64>,
     /// Those of the surfaces of other materials, where there are any.
-    others: Option<(
-        Vec<FaceMaterial>,
-        Pattern,
-        Reflection,
-        Vec<Light>,
-        Ambient,
-        bool,
-    )>,
+    others: Option<SeenThrough>,
+}
+
+/// The inputs of surfaces that are seen through others.
+#[derive(Clone, PartialEq)]
+struct SeenThrough {
+    materials: Vec<FaceMaterial>,
+    pattern: Pattern,
+    reflection: Reflection,
+    lights: Vec<Light>,
+    ambient: Ambient,
+    shadows: bool,
 }
 
 impl RayNodes {
