@@ -122,7 +122,7 @@ impl Traced<'_> {
     }
 
     fn normal(side: usize) -> DVec3 {
-        let sign = if side % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = if side.is_multiple_of(2) { 1.0 } else { -1.0 };
         DVec3::AXES[side / 2] * sign
     }
 

@@ -72,9 +72,12 @@ fn one_colour_for_all_is_a_colour_of_the_material() {
     }
 }
 
-/// Returns the nearest triangle of a ray, with the weights of its corners (Möller and Trumbore 1997).
-fn nearest(mesh: &Mesh, from: DVec3, along: DVec3) -> Option<(usize, [usize; 3], [f64; 3])> {
-    let mut best: Option<(f64, (usize, [usize; 3], [f64; 3]))> = None;
+/// A face, three of its corners, and their weights.
+type Hit = (usize, [usize; 3], [f64; 3]);
+
+/// Returns the nearest triangle of a ray (Möller and Trumbore 1997).
+fn nearest(mesh: &Mesh, from: DVec3, along: DVec3) -> Option<Hit> {
+    let mut best: Option<(f64, Hit)> = None;
     for face in 0..mesh.face_count() {
         let first = mesh.starts[face] as usize;
         let count = mesh.face(face).len();
