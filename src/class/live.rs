@@ -7,7 +7,7 @@ use super::room::{Command, Room};
 use super::server::{Server, ServerOptions};
 use crate::lesson::Lesson;
 use crate::text::text;
-use std::net::IpAddr;
+use std::net::{IpAddr, SocketAddr};
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -30,7 +30,9 @@ pub struct LiveOptions {
 #[derive(Debug)]
 pub struct Live {
     room: Arc<Room>,
-    server: Server,
+    server: Option<Server>,
+    at: SocketAddr,
+    has_lab: bool,
     address: String,
     notes: Vec<String>,
 }
@@ -69,7 +71,9 @@ impl Live {
         }
         Ok(Self {
             room,
-            server,
+            has_lab: server.has_lab(),
+            server: Some(server),
+            at,
             address,
             notes,
         })
@@ -80,9 +84,14 @@ impl Live {
         &self.room
     }
 
-    /// Returns its server.
-    pub fn server(&self) -> &Server {
-        &self.server
+    /// Returns the address that its server listens at.
+    pub fn listens_at(&self) -> SocketAddr {
+        self.at
+    }
+
+    /// Returns whether phones can open the program's own page.
+    pub fn has_lab(&self) -> bool {
+        self.has_lab
     }
 
     /// Returns the address that takes phones to its page.
@@ -99,5 +108,7 @@ impl Live {
 impl Drop for Live {
     fn drop(&mut self) {
         self.room.perform(Command::End);
+        drop(self.server.take());
+        self.room.close();
     }
 }

@@ -10,6 +10,8 @@ use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::Path;
 use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::thread::JoinHandle;
 use tokio::sync::oneshot;
 
 /// The most lines that are kept for later while nothing can be written, in bytes.
@@ -25,8 +27,12 @@ struct Entry {
 
 /// The end of a record at which lines are appended.
 #[derive(Debug)]
-pub struct Recorder {
-    queue: Sender<Entry>,
+pub struct Recorder(Mutex<Option<(Sender<Entry>, JoinHandle<()>)>>);
+
+impl Drop for Recorder {
+    fn drop(&mut self) {
+        self.close();
+    }
 }
 
 impl Recorder {
@@ -34,8 +40,12 @@ impl Recorder {
     fn start(file: File, length: u64) -> Self {
         let (queue, entries) = channel();
         let (language, writer) = (language(), Writer::new(file, length));
-        std::thread::spawn(move || in_language(language, || writer.run(&entries)));
-        Self { queue }
+        let write = move || in_language(language, || writer.run(&entries));
+        Self(Mutex::new(Some((queue, std::thread::spawn(write)))))
+    }
+
+    fn open(&self) -> MutexGuard<'_, Option<(Sender<Entry>, JoinHandle<()>)>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Appends lines, one after the other. Without lines it tells when all that was appended before is on the disk.
@@ -48,9 +58,20 @@ impl Recorder {
         }
         let (done, commit) = oneshot::channel();
         let lines = text.into_bytes();
-        // A writer that is gone drops `done`, which the commit tells.
-        let _ = self.queue.send(Entry { lines, done });
+        if let Some((queue, _)) = &*self.open() {
+            // A record that is closed drops `done`, which the commit tells.
+            let _ = queue.send(Entry { lines, done });
+        }
         commit
+    }
+
+    /// Closes the record: all lines are on the disk, and the file is unlocked.
+    pub fn close(&self) {
+        if let Some((queue, thread)) = self.open().take() {
+            // The writer ends with the queue.
+            drop(queue);
+            let _ = thread.join();
+        }
     }
 }
 
@@ -109,7 +130,7 @@ impl Writer {
     }
 }
 
-/// Opens the record of a class about a lesson, or begins one. It stays locked until the recorder is dropped.
+/// Opens the record of a class about a lesson, or begins one. It stays locked until the recorder is closed.
 ///
 /// # Errors
 /// A file that cannot be written, is in use by another class, or is none about this lesson; in a sentence.

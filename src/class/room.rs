@@ -397,6 +397,11 @@ impl Room {
         rows
     }
 
+    /// Closes the record: nothing that was saved is lost, and nothing more is saved.
+    pub(super) fn close(&self) {
+        self.recorder.close();
+    }
+
     /// Returns the secrets of the students, in the order in which they came.
     pub(super) fn tokens(&self) -> Vec<Token> {
         self.inner()

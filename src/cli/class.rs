@@ -112,11 +112,11 @@ fn headless(live: &Live, options: &LiveOptions) -> Result<(), Failure> {
     tell(&json!({
         "event": "open",
         "address": live.address(),
-        "port": live.server().address().port(),
+        "port": live.listens_at().port(),
         "lesson": room.lesson().name,
         "steps": room.lesson().steps.len(),
         "record": options.record,
-        "lab": live.server().has_lab(),
+        "lab": live.has_lab(),
     }))?;
     let typed = typed();
     let mut last: Option<Snapshot> = None;

@@ -73,7 +73,7 @@ fn start(folder: &Folder, page: Option<PathBuf>) -> Result<Live, String> {
 }
 
 fn address(live: &Live) -> SocketAddr {
-    live.server().address()
+    live.listens_at()
 }
 
 /// Waits until something holds.

@@ -126,10 +126,9 @@ fn a_class_without_a_window_says_what_happens() {
         ),
         (&json!(1), &json!(2))
     );
-    assert_eq!(
-        shown["rounds"][0]["models"],
-        json!([{ "model": 1, "count": 1 }])
-    );
+    // Nothing is said of the wrong option, so it is no model.
+    assert_eq!(shown["rounds"][0]["models"], json!([]));
+    assert_eq!(shown["rounds"][0]["answers"][1]["right"], json!(false));
     class.types("again");
     class.hears("step", |event| event["round"] == 2);
     assert_eq!(ben.answer(1, 2, &json!({ "choice": 0 })).status, 200);
