@@ -12,7 +12,7 @@ use tokio::sync::watch;
 /// A step as a class has it.
 #[derive(Debug)]
 pub struct StepContent {
-    /// Its part of the phones' page; the pictures are in [`Self::pictures`].
+    /// Its part of the phones' page; the pictures are in `pictures`.
     pub page: StepPage,
     /// Its pictures.
     pub(super) pictures: Vec<StaticFile>,
