@@ -13,6 +13,7 @@ mod plot;
 mod qr;
 mod svg;
 mod text;
+mod typed;
 
 pub use area::{Area, Run, can_be_filled, clipped};
 pub use drawing::{Drawing, Shape, Text};
@@ -26,3 +27,4 @@ pub use plot::{
 pub use qr::QrCode;
 pub(crate) use text::inked_size;
 pub use text::{Set, lowered, raised, with_raised_n};
+pub use typed::typed;

@@ -55,9 +55,10 @@ pub use kinds::kind::AnyKind;
 #[cfg(feature = "app")]
 pub(crate) use kinds::ordinate;
 pub use kinds::{
-    Answer, AnswerKey, CURVE_POINTS, Choice, ChoiceOption, Curve, CurveOf, Extreme, Find, Goal,
-    Item, Kind, Match, MatchValues, Order, Point, RightIf, Settings, Solution, Value, letter,
-    picture_distance, short_answer, short_number,
+    Answer, AnswerKey, CURVE_POINTS, Choice, ChoiceOption, Curve, CurveOf, Extreme, FORMULA_SIGNS,
+    Find, Formula, FormulaOf, Goal, Item, Kind, Match, MatchValues, Name, Order, Point, Quantity,
+    RightIf, SameFormula, Settings, Solution, Value, Values, letter, picture_distance,
+    short_answer, short_number,
 };
 #[cfg(any(feature = "app", feature = "class"))]
 pub(crate) use kinds::{abscissa, with_unit};

@@ -78,6 +78,24 @@
     };
   };
 
+  const formula = (form, changed) => {
+    const field = form.querySelector(".formula textarea");
+    form.addEventListener("input", changed);
+    for (const key of form.querySelectorAll(".keys button")) {
+      key.addEventListener("click", () => {
+        field.setRangeText(key.textContent, field.selectionStart, field.selectionEnd, "end");
+        field.focus();
+        changed();
+      });
+    }
+    return {
+      state: () => field.value,
+      show: (state) => (field.value = state ?? ""),
+      answer: (state) => state.trim() || new Problem(form.dataset.problem, field),
+      entered: (answer) => answer,
+    };
+  };
+
   const point = (form, changed) => {
     const picture = form.querySelector(".place svg");
     const told = form.querySelector("#place");
@@ -317,7 +335,7 @@
     }
   }
 
-  const KINDS = { choice, point, curve, order, value: numbers(false), settings: numbers(false), match: numbers(true) };
+  const KINDS = { choice, formula, point, curve, order, value: numbers(false), settings: numbers(false), match: numbers(true) };
 
   // The step that is shown.
 

@@ -9,8 +9,8 @@ use serde_json::{Value, json};
 use shading_lab::analysis::report::{Cell, Column, Table};
 use shading_lab::document::check_target;
 use shading_lab::lesson::{
-    Class, ClassQuestion, Given, Grade, Group, Student, Unreadable, answer_parts, class_sheet,
-    short_answer, spread, without_marks,
+    Class, ClassQuestion, Given, Grade, Group, SameFormula, Student, Unreadable, answer_parts,
+    class_sheet, short_answer, spread, without_marks,
 };
 use shading_lab::text::{escaped, excerpt, text};
 use std::path::{Path, PathBuf};
@@ -165,6 +165,7 @@ fn object(class: &Class) -> Value {
             "solution": group.questions[question].solution(),
             "spread": spread(&predicted),
             "models": models(group, question),
+            "formulas": formulas(group, question),
         })
     };
     let questions: Vec<Value> = class
@@ -199,6 +200,21 @@ fn models(group: &Group, question: usize) -> Vec<Value> {
         })
     };
     named.map(row).collect()
+}
+
+/// Returns the formulas of a question by their meaning; nothing for other questions.
+fn formulas(group: &Group, question: usize) -> Option<Vec<Value>> {
+    let rows = group.formulas(question).into_iter().map(|same| {
+        let spellings = same.spellings.iter();
+        let spellings: Vec<Value> = spellings
+            .map(|(text, count)| json!({ "text": text, "count": count }))
+            .collect();
+        json!({
+            "model": same.model, "right": same.right, "count": same.count(), "spellings": spellings,
+        })
+    });
+    let rows: Vec<Value> = rows.collect();
+    (!rows.is_empty()).then_some(rows)
 }
 
 fn csv(class: &Class) -> String {
@@ -275,6 +291,7 @@ fn cell(answer: &shading_lab::lesson::Answer) -> String {
     };
     match answer_parts(answer) {
         (kind, _) if kind == "choice" || kind == "order" => short_answer(answer),
+        (_, Value::String(text)) => text,
         (_, value) => list(&value).unwrap_or_else(|| value.to_string()),
     }
 }
@@ -349,7 +366,10 @@ fn question_line(group: &Group, index: usize) -> String {
         one_line(&without_marks(&class_question.ask))
     );
     let counted = group.counted(index);
-    if let Some(words) = group.spread_words(index) {
+    let formulas = group.formulas(index);
+    if !formulas.is_empty() {
+        line.extend(formulas.iter().map(formula_line));
+    } else if let Some(words) = group.spread_words(index) {
         line += &format!("\n   {words}");
     } else if !counted.is_empty() {
         let counts: Vec<String> = counted
@@ -372,6 +392,18 @@ fn question_line(group: &Group, index: usize) -> String {
         line += &format!("\n   {}", text!("class-solution", right = right));
     }
     line + "\n"
+}
+
+/// Formats answers that are one function: their most frequent spelling, and how many others there are.
+fn formula_line(same: &SameFormula) -> String {
+    let (text, _) = &same.spellings[0];
+    let sign = if same.right { '✓' } else { '✗' };
+    let mut line = format!("\n   {}× {} {sign}", same.count(), one_line(text));
+    if same.spellings.len() > 1 {
+        line += text!("comma");
+        line += &text!("class-formula-more", count = same.spellings.len() - 1);
+    }
+    line
 }
 
 /// Returns arbitrary text as one line, as wide as the terminal shows it.

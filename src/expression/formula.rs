@@ -50,7 +50,20 @@ impl Formula {
 
     /// Reads a formula over `names`; the error says where it is wrong, what was expected there, and the nearest name.
     pub fn read(text: &str, names: &Names) -> Result<Self, FormulaError> {
-        read(text, names)
+        Self::read_with(text, names, types::number_or_truth)
+    }
+
+    /// Reads a formula as [`Self::read`] does, whose value may also be a vector.
+    pub fn read_value(text: &str, names: &Names) -> Result<Self, FormulaError> {
+        Self::read_with(text, names, |_| Ok(()))
+    }
+
+    fn read_with(
+        text: &str,
+        names: &Names,
+        fits: fn(&Typed) -> Result<(), ()>,
+    ) -> Result<Self, FormulaError> {
+        read(text, names, fits)
             .map(|lines| Self {
                 text: text.to_owned(),
                 lines,
@@ -77,7 +90,12 @@ impl Formula {
     }
 }
 
-fn read(text: &str, names: &Names) -> Result<Vec<Line>, Refusal> {
+/// Reads the lines of a formula; `fits` refuses a value at the end that is not wanted.
+fn read(
+    text: &str,
+    names: &Names,
+    fits: fn(&Typed) -> Result<(), ()>,
+) -> Result<Vec<Line>, Refusal> {
     let characters = text.chars().count();
     if characters > Formula::MOST_CHARACTERS {
         let most = text.char_indices().nth(Formula::MOST_CHARACTERS);
@@ -117,7 +135,7 @@ fn read(text: &str, names: &Names) -> Result<Vec<Line>, Refusal> {
         match name {
             Some(name) if separated => checker.add(name, value),
             None if separated && only_space(text, at) => {
-                types::number_or_truth(&value)
+                fits(&value)
                     .map_err(|()| (value.span.start, text!("formula-result-vector").to_owned()))?;
                 return Ok(checker.finish(value));
             }

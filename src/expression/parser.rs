@@ -65,8 +65,10 @@ impl<'a> Rest<'a> {
     }
 
     fn node(&self, from: usize, form: Form) -> Node {
+        // Space behind an operand is read in search of an operator, and ends with the line.
+        let end = from + self.text[from..self.at].trim_end().len();
         Node {
-            span: from..self.at,
+            span: from..end,
             form,
         }
     }

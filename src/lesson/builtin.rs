@@ -69,7 +69,7 @@ macro_rules! lessons {
 }
 
 /// Every lesson, in the order of the course, then the tests before and after it.
-pub static LESSONS: [BuiltIn; 35] = lessons! {
+pub static LESSONS: [BuiltIn; 36] = lessons! {
     "what-is-shading"
     "light-sources"
     "ambient"
@@ -81,6 +81,7 @@ pub static LESSONS: [BuiltIn; 35] = lessons! {
     "reflectance"
     "half-vector"
     "whole-equation"
+    "write-the-equation"
     "out-of-range"
     "transparency"
     "shadows"

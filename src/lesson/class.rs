@@ -5,8 +5,8 @@ use super::hand_in::{HandIn, digest, read_hand_in};
 use super::kinds::kind::counted;
 use super::kinds::{short_number, with_unit};
 use super::{
-    Answer, AnswerKey, Answered, Budget, Grade, Lab, LabPlace, Lesson, Question, Solution, Step,
-    TooHeavy, find,
+    Answer, AnswerKey, Answered, Budget, Grade, Kind, Lab, LabPlace, Lesson, Question, SameFormula,
+    Solution, Step, TooHeavy, find,
 };
 use crate::document::open_picture;
 use crate::render::Frame;
@@ -215,6 +215,26 @@ impl Group {
                 greatest = greatest
             )
         })
+    }
+
+    /// Returns the formulas that were predicted, sorted by their meaning; none of another kind of question.
+    pub fn formulas(&self, question: usize) -> Vec<SameFormula> {
+        let Some(asked) = self.questions.get(question) else {
+            return Vec::new();
+        };
+        let question_of = asked.question(&self.lesson);
+        let kind = question_of.map(|question| &question.kind);
+        let (Some(Kind::Formula(kind)), Some(Solution::Formula(right))) = (kind, asked.solution())
+        else {
+            return Vec::new();
+        };
+        let given = self.given(question).filter_map(|given| {
+            let Answer::Formula(text) = &given.answered.prediction else {
+                return None;
+            };
+            Some((&**text, given.predicted.unwrap_or_default()))
+        });
+        kind.sorted(given, right)
     }
 
     /// Returns the answers that were predicted, each with how often; the most frequent first.

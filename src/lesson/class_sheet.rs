@@ -150,8 +150,8 @@ fn question_part(group: &Group, index: usize) -> Option<Element> {
         right = right
     )));
     let given = group.given(index).map(|given| {
-        let right = given.predicted.is_some_and(|grade| grade.right);
-        (&given.answered.prediction, right)
+        let grade = given.predicted.unwrap_or_default();
+        (&given.answered.prediction, grade)
     });
     part = part.with(question.kind.chart(&Predictions {
         given: given.collect(),

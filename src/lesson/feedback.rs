@@ -51,6 +51,14 @@ impl Hint {
                 }
             }
             Self::Beside => text!("lesson-hint-beside").to_owned(),
+            Self::Formula {
+                point,
+                given,
+                expected,
+            } => match kind {
+                Kind::Formula(formula) => formula.difference_words(point, given, expected),
+                _ => String::new(),
+            },
             Self::Item { item, places } => {
                 let name = names.get(item).map(|name| without_marks(name));
                 let key = if places < 0 {

@@ -36,6 +36,15 @@ pub enum Hint {
     },
     /// A place does not lie on the object.
     Beside,
+    /// A formula has another value than the right one.
+    Formula {
+        /// The number of the point of the domain where they differ most.
+        point: usize,
+        /// The components of the value there, of a number the first; none where there is no value.
+        given: Option<[f64; 3]>,
+        /// Those of the right value.
+        expected: Option<[f64; 3]>,
+    },
     /// An item is in the wrong place.
     Item {
         /// The number of the item.

@@ -3,6 +3,7 @@
 mod choice;
 mod curve;
 mod extreme;
+mod formula;
 pub(super) mod kind;
 mod lettered;
 mod matching;
@@ -20,6 +21,7 @@ pub use curve::abscissa;
 pub use curve::ordinate;
 pub use curve::{CURVE_POINTS, Curve, CurveOf};
 pub use extreme::Extreme;
+pub use formula::{FORMULA_SIGNS, Formula, FormulaOf, Name, Quantity, SameFormula, Values};
 pub(super) use lettered::Bars;
 pub use lettered::letter;
 #[cfg(feature = "class")]
@@ -287,4 +289,5 @@ kinds! {
     Settings, "settings", "Setting";
     Order, "order", "Order";
     Match, "match", "Match";
+    Formula, "formula", "Formula";
 }

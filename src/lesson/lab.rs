@@ -87,6 +87,8 @@ const MEASURED: u64 = 4096;
 const PROBE: u64 = 20_000;
 /// The work of an operation of an expression, and of an entry of a list.
 const OPERATION: u64 = 32;
+/// The work of an operation of a formula at a point.
+const FORMULA: u64 = 8;
 /// The work of another scene, which bounds how many are kept; of putting a setting into it, and of each letter of that.
 const SCENE: u64 = 300_000;
 const SETTING: u64 = 10_000;
@@ -278,6 +280,11 @@ impl LabPlace<'_> {
     pub(super) fn number(&self, expression: &Expression) -> Result<f64, String> {
         self.lab.spend(OPERATION * expression.size() as u64)?;
         expression.number(self)
+    }
+
+    /// Counts so many operations of formulas as work.
+    pub(super) fn spend_operations(&self, count: usize) -> Result<(), String> {
+        self.lab.spend(FORMULA * count as u64)
     }
 
     /// Returns why no more work is done.

@@ -120,6 +120,23 @@ fn wrong_answers(question: &Question, solution: &Solution, staged: &Staged) -> V
         (Kind::Settings(_), Solution::Settings(right)) => [0.25, 4.0]
             .map(|times| Answer::Settings(right * times))
             .to_vec(),
+        (Kind::Formula(kind), Solution::Formula(right)) => {
+            let last = |formula: &str| {
+                let lines = right.rsplit_once(';');
+                let (lines, value) =
+                    lines.map_or(("", right.as_str()), |(lines, value)| (lines, value));
+                let separator = if lines.is_empty() { "" } else { "; " };
+                format!(
+                    "{lines}{separator}{}",
+                    formula.replace("ANSWER", &format!("({value})"))
+                )
+            };
+            let mut wrong = vec![last("1.001 * ANSWER"), last("-ANSWER"), last("ANSWER / 2")];
+            if !kind.wants_vector() {
+                wrong.extend([last("ANSWER + 0.00001"), last("ANSWER ^ 2"), "1".to_owned()]);
+            }
+            wrong.into_iter().map(Answer::Formula).collect()
+        }
         (Kind::Order(_), Solution::Order(right)) => {
             let mut swapped = right.clone();
             swapped.swap(0, 1);
@@ -185,7 +202,7 @@ fn the_right_answer_scores_full_marks_and_a_wrong_one_does_not() {
         questions += 1;
     }
     assert!(
-        questions >= 2 * LESSONS.len() && counts.len() == 7,
+        questions >= 2 * LESSONS.len() && counts.len() == 8,
         "{questions}, {counts:?}"
     );
 }
@@ -290,8 +307,12 @@ fn every_lesson_asks_before_it_tells() {
             .iter()
             .filter_map(|step| step.question.as_ref())
             .collect();
-        let by_hand =
-            |question: &&Question| matches!(question.kind, Kind::Point(_) | Kind::Curve(_));
+        let by_hand = |question: &&Question| {
+            matches!(
+                question.kind,
+                Kind::Point(_) | Kind::Curve(_) | Kind::Formula(_)
+            )
+        };
         assert!(
             questions.len() >= 2 && questions.iter().any(by_hand),
             "{}: {} questions",
@@ -389,7 +410,8 @@ fn words_of(step: &Step, built_in: &BuiltIn, language: Language) -> String {
     };
     // Without settings, which nobody sees.
     let unseen = [
-        "set ", "panes ", "scene ", "holds ", "by ", "answer ", "profile ", "mode ",
+        "set ", "panes ", "scene ", "holds ", "by ", "answer ", "profile ", "mode ", "formula ",
+        "names ",
     ];
     let seen = own
         .lines()
@@ -489,5 +511,5 @@ fn the_course_covers_every_slide_and_section_by_steps_that_there_are() {
         .map(|lesson| lesson.name)
         .collect();
     assert_eq!(met, all, "every lesson is in the table");
-    assert_eq!(all.len(), 33);
+    assert_eq!(all.len(), 34);
 }

@@ -8,6 +8,7 @@ mod common;
 mod answers;
 mod course;
 mod format;
+mod formula;
 mod fuzz;
 mod hand_in;
 mod inventory;

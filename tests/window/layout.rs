@@ -361,6 +361,7 @@ fn looked_up(lesson: &Lesson) -> SavedProgress {
             Some(Kind::Point(_)) => Answer::Point([-0.3, 0.1]),
             Some(Kind::Curve(_)) => Answer::Curve(vec![Some(0.4); CURVE_POINTS]),
             Some(Kind::Settings(_)) => Answer::Settings(3.0),
+            Some(Kind::Formula(_)) => Answer::Formula("1".to_owned()),
             Some(Kind::Order(_)) => Answer::Order(vec![0, 1, 2]),
             Some(Kind::Match(_)) => Answer::Match(vec![0.9, 5.0]),
         };

@@ -67,6 +67,12 @@ class-start = Start
 class-target = Target (seed { $seed })
 class-range = A number from { $from } to { $to } { $unit }
 class-models = First answers that follow a wrong model
+class-formula = Names: { $names }
+class-formula-more =
+    { $count ->
+        [one] and another spelling
+       *[other] and { $count } other spellings
+    }
 
 # A test before a course and after it.
 inventory-one-test = expected answers to one test, found: { $found }

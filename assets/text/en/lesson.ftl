@@ -147,3 +147,15 @@ lesson-hint-late = “{ $item }” is { $places ->
     [one] one place
    *[other] { $places } places
  } too late.
+lesson-formula-names = `names`: expected names, and where a range is needed a table with one name, as in {"{"} n = [1, 100] {"}"}
+lesson-formula-name = `names`: expected a name that no other is equal to, with its range where that is not obvious: {"{"} { $name } = [0, 1] {"}"}
+lesson-formula-many-names = `names`: expected 1 to { $most } names
+lesson-formula-unused = `names`: “{ $name }” appears neither in the answer nor in a wrong model
+lesson-formula-undefined = the answer has no value in more than half of the ranges of its names
+lesson-formula-constant = the answer has the same value everywhere
+lesson-formula-no-term = `term`: this term has no formula over these names
+lesson-formula-other-term = `term`: in this scene the engine computes something else than “{ $text }”
+lesson-formula-vector-expected = The value is a number, expected a vector.
+lesson-formula-number-expected = The value is a vector, expected a number.
+lesson-formula-no-value = no value
+lesson-hint-formula = With { $values } yours gives { $given }; expected is { $expected }.

@@ -23,6 +23,7 @@ phone-right = The right answer
 # The kinds of questions.
 phone-number = Enter a number from { $from } to { $to }.
 phone-choose = Choose one of the answers.
+phone-formula = Type a formula first.
 phone-point = Tap the picture where it is. By keyboard: the arrow keys move the cross.
 phone-picture = { $ask } The arrow keys move the cross.
 phone-place = Cross at { $x }, { $y } from the middle, to the right and down

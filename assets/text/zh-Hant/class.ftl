@@ -58,6 +58,8 @@ class-start = 起始
 class-target = 目標（種子 { $seed }）
 class-range = { $from } 至 { $to } 的數值 { $unit }
 class-models = 符合錯誤模型的第一次作答
+class-formula = 名稱：{ $names }
+class-formula-more = 以及另外 { $count } 種寫法
 
 # A test before a course and after it.
 inventory-one-test = 應為同一份測驗的答案，實際為：{ $found }

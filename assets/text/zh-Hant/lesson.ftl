@@ -141,3 +141,15 @@ lesson-hint-share = { $side }該處的量只有最大值的 { $share } 倍。
 lesson-hint-beside = 這裡不在物體上。
 lesson-hint-early = 「{ $item }」的位置太前面，差 { $places } 個。
 lesson-hint-late = 「{ $item }」的位置太後面，差 { $places } 個。
+lesson-formula-names = `names`：應為名稱；需要範圍時寫成只有一個名稱的表，例如 {"{"} n = [1, 100] {"}"}
+lesson-formula-name = `names`：應為不重複的名稱；範圍不明顯時要寫出範圍：{"{"} { $name } = [0, 1] {"}"}
+lesson-formula-many-names = `names`：應為 1 到 { $most } 個名稱
+lesson-formula-unused = `names`：答案與錯誤模型都沒有用到「{ $name }」
+lesson-formula-undefined = 在各名稱的範圍中，答案有一半以上沒有值
+lesson-formula-constant = 答案處處都是同一個值
+lesson-formula-no-term = `term`：這一項無法用這些名稱寫成公式
+lesson-formula-other-term = `term`：在這個場景中，引擎計算的不是「{ $text }」
+lesson-formula-vector-expected = 結果是一個數，應為向量。
+lesson-formula-number-expected = 結果是向量，應為一個數。
+lesson-formula-no-value = 沒有值
+lesson-hint-formula = 當 { $values } 時，你的公式得到 { $given }，應為 { $expected }。

@@ -23,6 +23,7 @@ phone-right = 正確答案
 # The kinds of questions.
 phone-number = 請輸入 { $from } 至 { $to } 的數值。
 phone-choose = 請選擇一個答案。
+phone-formula = 請先打出公式。
 phone-point = 在圖片中點選位置。使用鍵盤：方向鍵移動十字。
 phone-picture = { $ask } 方向鍵移動十字。
 phone-place = 十字在中心的右方 { $x }、下方 { $y }

@@ -3,6 +3,7 @@
 mod card;
 mod choice;
 mod curve;
+mod formula;
 mod matching;
 mod order;
 mod point;
@@ -25,6 +26,7 @@ pub fn widget_of(kind: &Kind, given: Option<&Answer>, seed: u64) -> Box<dyn Widg
         Kind::Curve(_) => Box::new(curve::CurveWidget::default()),
         Kind::Settings(_) => Box::new(settings::SettingsWidget),
         Kind::Order(order) => Box::new(order::OrderWidget::new(order.items.len(), seed)),
+        Kind::Formula(_) => Box::new(formula::FormulaWidget::default()),
         Kind::Match(_) => Box::new(matching::MatchWidget),
     };
     if let Some(given) = given {

@@ -5,8 +5,8 @@ use super::lab::LabLink;
 use super::picture::Pictures;
 use super::plot::CurvePlot;
 use crate::lesson::{
-    ClassQuestion, Element, Html, Kind, Question, Value, control_unit, element, inline, letter,
-    lettered_html, long_control_name, short_number, slider, without_marks,
+    ClassQuestion, Element, FORMULA_SIGNS, Formula, Html, Kind, Question, Value, control_unit,
+    element, inline, letter, lettered_html, long_control_name, short_number, slider, without_marks,
 };
 use crate::text::text;
 
@@ -34,6 +34,7 @@ pub fn form(
                 .line(clear)
                 .line(plot.fields())
         }
+        Kind::Formula(formula) => formula_field(formula),
         Kind::Order(_) => order(asked),
         Kind::Settings(settings) => {
             let controls = std::slice::from_ref(&settings.control);
@@ -65,6 +66,7 @@ pub fn form(
         Kind::Choice(_) => text!("phone-choose"),
         Kind::Point(_) => text!("phone-no-place"),
         Kind::Curve(_) => text!("course-curve-whole"),
+        Kind::Formula(_) => text!("phone-formula"),
         // Each field has its own.
         Kind::Value(_) | Kind::Settings(_) | Kind::Match(_) | Kind::Order(_) => "",
     };
@@ -156,6 +158,29 @@ fn number_field(place: usize, label: Html, [from, to]: [f64; 2], unit: &str) -> 
                 .attribute("id", about)
                 .with(range.trim_end()),
         )
+}
+
+/// Returns the field of a formula, with a button for each name and for the signs that keyboards hide.
+fn formula_field(formula: &Formula) -> Html {
+    let field = element("textarea")
+        .attribute("rows", 2)
+        .attribute("maxlength", Formula::MOST_CHARACTERS)
+        .attribute("autocapitalize", "none")
+        .attribute("autocomplete", "off")
+        .attribute("spellcheck", "false")
+        .attribute("aria-label", text!("course-answer"));
+    let names = formula.names.iter().map(|name| &*name.name);
+    let key = |key: &str| {
+        element("button")
+            .attribute("type", "button")
+            .attribute("aria-label", text!("course-formula-put", key = key))
+            .with(key)
+    };
+    let keys = element("p").class("keys");
+    let keys = names.map(key).fold(keys, Element::with);
+    let keys = FORMULA_SIGNS.into_iter().map(key).fold(keys, Element::with);
+    let inside = element("div").class("formula").broken();
+    Html::new().line(inside.line(field).line(keys))
 }
 
 /// Returns the picture with a cross that is put to a place.

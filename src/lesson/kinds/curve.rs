@@ -287,11 +287,11 @@ impl QuestionKind for Curve {
     /// Returns every predicted curve, and over them the right one.
     fn chart(&self, class: &Predictions<'_, Vec<Option<f64>>, Vec<[f64; 2]>>) -> Html {
         let plot = self.plot(|drawing| {
-            for (given, is_right) in &class.given {
+            for (given, grade) in &class.given {
                 let points = given.iter().enumerate();
                 let points =
                     points.map(|(index, y)| [abscissa(self.x, index), y.unwrap_or(f64::NAN)]);
-                let colour = if *is_right { RIGHT } else { WRONG };
+                let colour = if grade.right { RIGHT } else { WRONG };
                 drawing.draw_curve(points, 1.4, colour, 0.55);
             }
             if let Some(right) = class.right {

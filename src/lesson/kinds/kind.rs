@@ -227,8 +227,8 @@ impl Printed<'_> {
 
 /// The first answers of a class to a question.
 pub struct Predictions<'c, Answer, Solution> {
-    /// The answers, each with whether it is right.
-    pub given: Vec<(&'c Answer, bool)>,
+    /// The answers with their grades.
+    pub given: Vec<(&'c Answer, Grade)>,
     /// The right answer, where all have the same.
     pub right: Option<&'c Solution>,
     /// The texts of options or items.
@@ -247,7 +247,7 @@ impl<'c, Answer, Solution> Predictions<'c, Answer, Solution> {
         let given = self.given.iter();
         Predictions {
             given: given
-                .filter_map(|(given, right)| Some((answer(given)?, *right)))
+                .filter_map(|(given, grade)| Some((answer(given)?, *grade)))
                 .collect(),
             right: self.right.and_then(solution),
             options: self.options,

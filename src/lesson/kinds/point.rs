@@ -196,9 +196,9 @@ impl QuestionKind for Point {
                 .attribute("stroke-width", 2),
             _ => circle(picture, *place, 0.004 * side).attribute("fill", "#fff"),
         });
-        let given = class.given.iter().map(|(given, is_right)| {
+        let given = class.given.iter().map(|(given, grade)| {
             circle(picture, DVec2::from_array(**given), 0.012 * side)
-                .attribute("fill", if *is_right { "#2e9e4f" } else { "#e0482e" })
+                .attribute("fill", if grade.right { "#2e9e4f" } else { "#e0482e" })
                 .attribute("fill-opacity", 0.75)
                 .attribute("stroke", "#000")
                 .attribute("stroke-width", 0.8)

@@ -9,6 +9,7 @@ use crate::scene::parameter::Parameter;
 use crate::scene::{Choice, ShadingMode, nearest};
 use crate::text::{excerpt, text};
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use toml::Spanned;
 
 type Text = Option<Spanned<String>>;
@@ -29,6 +30,8 @@ pub struct Keys {
     pub item: Vec<ItemKeys>,
     pub by: Text,
     pub answer: Text,
+    #[serde(default)]
+    pub names: Vec<NameKeys>,
     pub tolerance: Option<f64>,
     pub from: Option<f64>,
     pub to: Option<f64>,
@@ -69,6 +72,7 @@ pub struct WrongKeys {
     #[serde(default)]
     pub set: Vec<String>,
     pub answer: Text,
+    pub formula: Text,
     pub profile: Text,
     pub find: Text,
     pub of: Text,
@@ -86,6 +90,7 @@ impl WrongKeys {
         [
             ("set", !self.set.is_empty()),
             ("answer", self.answer.is_some()),
+            ("formula", self.formula.is_some()),
             ("profile", self.profile.is_some()),
             ("find", self.find.is_some()),
             ("of", self.of.is_some()),
@@ -124,6 +129,7 @@ impl Keys {
             }
         };
         or(&wrong.answer, &mut keys.answer);
+        or(&wrong.formula, &mut keys.answer);
         or(&wrong.profile, &mut keys.profile);
         or(&wrong.find, &mut keys.find);
         or(&wrong.of, &mut keys.of);
@@ -147,6 +153,14 @@ impl Keys {
 pub enum Most {
     Of(String),
     Own(bool),
+}
+
+/// A name that a formula may use: one that everybody knows, or one with its range.
+#[derive(Clone, Deserialize)]
+#[serde(untagged)]
+pub enum NameKeys {
+    Known(String),
+    Between(BTreeMap<String, [f64; 2]>),
 }
 
 /// The keys of an `[[option]]`.
