@@ -4,12 +4,14 @@ mod domain;
 mod engine;
 mod function;
 mod meaning;
+mod quantity;
 
 use domain::POINTS;
 pub use domain::{Name, Values};
 pub use engine::term_text;
-pub use function::{Function, Quantity};
+pub use function::Function;
 use meaning::Field;
+pub use quantity::Quantity;
 
 use super::kind::{AnyKind, Predictions, Printed, QuestionKind};
 use super::lettered::Bars;

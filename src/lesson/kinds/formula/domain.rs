@@ -3,7 +3,7 @@
 //! The first points are the corners of the domain, the next ones lie on its edges and faces and where a name is 0 or 1, the
 //! others are spread evenly in it. All are round numbers, so that a point that is shown is the one that was computed.
 
-use super::function::Quantity;
+use super::quantity::Quantity;
 
 /// The number of points at which formulas are compared.
 pub const POINTS: usize = 4096;

@@ -1,7 +1,8 @@
 //! A term of the engine's own equation as a formula: its text, compared with what the engine computes.
 
 use super::domain::{Name, points};
-use super::function::{Function, Quantity};
+use super::function::Function;
+use super::quantity::Quantity;
 use crate::illumination::Equation;
 use crate::lesson::read::keys::Term;
 use crate::scene::{

@@ -1,7 +1,8 @@
 //! The meaning of formulas: whether two of them are the same function of their names, and where they differ most.
 
 use super::domain::{Name, points};
-use super::function::{Function, Quantity};
+use super::function::Function;
+use super::quantity::Quantity;
 
 /// The largest difference of two values that count as equal, as a fraction of the larger one or, near 0, of the largest value
 /// of the right answer, counted as 1 at most. Spellings of one function differ by less than 10⁻⁹ through rounding, and by 10⁻⁷
