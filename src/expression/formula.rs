@@ -17,7 +17,7 @@ pub use operator::Operator;
 pub use typed::{Line, Term, Type, Typed};
 
 use super::parser::Rest;
-use super::problem::{CHAIN, DEPTH, Expected, FormulaError, Position};
+use super::problem::{DEPTH, Expected, FormulaError, Position};
 use crate::text::text;
 use typed::Refusal;
 use types::Checker;
@@ -120,7 +120,7 @@ fn read(
         let node = read.map_err(|problem| checker.refusal(&problem))?;
         let end = node.span.end;
         operations += node.operations();
-        if operations > Formula::MOST_OPERATIONS || node.depth() > CHAIN {
+        if operations > Formula::MOST_OPERATIONS {
             let most = Formula::MOST_OPERATIONS;
             return Err((node.span.start, text!("formula-operations", most = most)));
         }
