@@ -63,7 +63,7 @@ fn without_picture(html: &str) -> String {
 }
 
 fn other_answer(block: &str) -> String {
-    let own = block.split("[[wrong]]").next().unwrap_or_default();
+    let (own, wrong) = block.split_at(block.find("[[wrong]]").unwrap_or(block.len()));
     let key = |line: &'_ str| line.split(' ').next().unwrap_or_default().to_owned();
     let value = |name: &str| {
         let line = own.lines().find(|line| key(line) == name)?;
@@ -84,8 +84,7 @@ fn other_answer(block: &str) -> String {
     }
     let mut decisions = decisions.into_iter();
     let line = |line: &str| match (&*key(line), &range) {
-        ("why", _) => format!("why = \"{SECRET}\""),
-        ("says", _) => format!("says = \"{SECRET}\""),
+        ("why" | "says", _) => marked(line),
         ("answer", Some((low, high))) => {
             let old = quoted(line);
             format!(
@@ -105,11 +104,20 @@ fn other_answer(block: &str) -> String {
         ("holds" | "right", _) => decisions.next().unwrap_or_default().to_owned(),
         _ => line.to_owned(),
     };
-    own.trim_end()
-        .lines()
-        .map(line)
-        .collect::<Vec<_>>()
-        .join("\n")
+    let own = own.lines().map(line);
+    // Numbers in what is said stay: they decide whether the probe is marked.
+    let wrong = wrong.lines().map(|line| match &*key(line) {
+        "says" => marked(line),
+        _ => line.to_owned(),
+    });
+    own.chain(wrong).collect::<Vec<_>>().join("\n")
+}
+
+/// Returns a key with other words in its value.
+fn marked(line: &str) -> String {
+    let (mark, words) = quoted(line);
+    let (name, _) = line.split_once(" = ").expect("a key with its value");
+    format!("{name} = {mark}{SECRET} {words}{mark}")
 }
 
 #[test]

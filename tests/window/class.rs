@@ -60,6 +60,13 @@ fn window(folder: &Folder, size: [f32; 2], appearance: &Appearance) -> Harness<'
     });
     let ctx = harness.ctx.clone();
     harness.state_mut().teach(&ctx, live(folder));
+    // The engine prepares the steps meanwhile, and tells the window of each.
+    let prepared = wait(&mut harness, |harness| {
+        let class = harness.state().state().course.class.as_ref();
+        let room = class.expect("a class").live.room();
+        (1..=room.lesson().steps.len()).all(|step| room.step(step).is_some())
+    });
+    assert!(prepared, "the steps are not prepared");
     hands::settle(&mut harness);
     harness
 }
@@ -225,6 +232,7 @@ fn curves_choices_and_names_are_shown_when_the_lecturer_wants_them() {
     answer(&harness, bob, Answer::Choice(1));
     remote(&mut harness, Key::PageDown);
     let half = |right: &str| format!("1 (50 %){right}");
+    let right = format!(" · {}", english!("course-mark-right"));
     let bars = |harness: &Harness<'_, App>, words: &str| {
         harness
             .query_all_by_role(Role::Image)
@@ -234,7 +242,7 @@ fn curves_choices_and_names_are_shown_when_the_lecturer_wants_them() {
     assert_eq!(bars(&harness, &half("")), 2);
     remote(&mut harness, Key::PageDown);
     assert_eq!(
-        [bars(&harness, &half("")), bars(&harness, &half(" ✓"))],
+        [bars(&harness, &half("")), bars(&harness, &half(&right))],
         [1, 1]
     );
     assert!(

@@ -235,8 +235,8 @@ fn students_ui(ui: &mut Ui, class: &mut Teaching) {
             .iter()
             .filter(|row| !row.name.is_empty() && class.names)
         {
-            let sign = if row.answered { "✓" } else { "–" };
-            let words = RichText::new(format!("{sign} {}", row.name));
+            let words = RichText::new(&row.name);
+            let words = if row.answered { words.strong() } else { words };
             ui.label(if row.connected { words } else { words.weak() });
         }
         let away = rows.iter().filter(|row| !row.connected).count();

@@ -269,8 +269,12 @@ fn bars_ui(
         let given = round.answers.iter();
         let count = given.filter(|graded| is_this(&graded.answer)).count();
         let share = count as f32 / round.answers.len().max(1) as f32;
-        let sign = if is_right { " ✓" } else { "" };
-        let words = format!("{count} ({:.0} %){sign}", 100.0 * share);
+        let words = format!("{count} ({:.0} %)", 100.0 * share);
+        let words = if is_right {
+            format!("{words} · {}", text!("course-mark-right"))
+        } else {
+            words
+        };
         let words = match rounds.len() {
             1 => words,
             _ => format!("{number}: {words}"),
