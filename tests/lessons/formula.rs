@@ -163,7 +163,7 @@ fn every_spelling_of_the_right_function_is_right() {
         "max(R·V, 0)",
         "max(0, V·R)",
         "clamp(RV, 0, 1)",
-        "(R·V + abs(R·V))/2",
+        "((R·V + abs(R·V))/2)",
     ];
     let powers = cosines.iter().flat_map(|cosine| {
         [
