@@ -1,5 +1,6 @@
 //! The course in the window: a lesson with each kind of question, completed by mouse and by keyboard alone.
 
+mod formula;
 mod handed_in;
 mod kept;
 mod left;
