@@ -48,7 +48,7 @@ fn the_columns_multiply_to_the_terms_and_the_terms_add_up_to_the_pixel() {
                 };
                 check(
                     Here {
-                        scene: &scene,
+                        scene: &hit.scene_of(&scene),
                         hit: &hit,
                     },
                     &format!("{} {mode:?} {x},{y}", preset.name),
