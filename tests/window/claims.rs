@@ -8,8 +8,9 @@ use eframe::egui::{Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use shading_lab::app::{App, Appearance, ViewName};
+use shading_lab::geometry::built_in as built_in_model;
 use shading_lab::scene::parameter::Parameter;
-use shading_lab::scene::{Choice, CompareView};
+use shading_lab::scene::{Choice, CompareView, Scene};
 use std::collections::BTreeSet;
 
 /// Seeds, and commands of each.
@@ -97,6 +98,17 @@ fn act(harness: &mut Harness<'_, App>, dice: &mut Dice) -> String {
     }
 }
 
+/// Returns a scene with the material whose rows are shown in place of its own: that of the model whose line is on.
+fn as_edited(scene: &Scene, on: &[String]) -> Scene {
+    let mut edited = scene.clone();
+    let materials = built_in_model(scene.object.kind).map_or(&[][..], |model| &model.materials);
+    if let Some(own) = materials.iter().find(|own| on.contains(&own.name)) {
+        let shown = scene.object.material(&own.name, &own.face_material());
+        shown.replace_in(&mut edited);
+    }
+    edited
+}
+
 /// Returns the claims on the screen that do not hold.
 fn wrong(harness: &Harness<'_, App>) -> Vec<String> {
     let state = harness.state().state();
@@ -147,12 +159,13 @@ fn wrong(harness: &Harness<'_, App>) -> Vec<String> {
         format!("duplicate: {duplicates}"),
     );
 
-    // Which values differ from the scene as it was opened.
+    // Which values differ from the scene as it was opened; of a model with materials, those of the chosen one.
+    let (rows, opened) = (as_edited(shown, &on), as_edited(&session.initial, &on));
     for key in RESET {
         let Some((parameter, _)) = Parameter::of_key(key) else {
             panic!("{key}");
         };
-        let differs = parameter.value(shown, 0) != parameter.value(&session.initial, 0);
+        let differs = parameter.value(&rows, 0) != parameter.value(&opened, 0);
         let reset = has(&english!("controls-reset", name = named(key)));
         claim(reset == differs, format!("↺ at {key}: {reset}"));
     }
