@@ -178,15 +178,15 @@ impl App {
         &self.state
     }
 
-    /// Welcomes first-time users, if the default scene is open.
+    /// Welcomes first-time users, if the default scene is open. In a built-in scene the probe is beside the highlight.
     #[must_use]
     pub fn with_welcome(mut self) -> Self {
         let default = Origin::BuiltIn(presets::DEFAULT.to_owned());
         self.state.window.welcome = !self.state.window.appearance.welcomed
             && self.state.session.document().origin == default;
         // A link may have placed the probe.
-        self.state.window.seek_highlight =
-            self.state.window.welcome && self.state.window.probe == ProbePoint::default();
+        self.state.window.seek_highlight = self.state.window.probe == ProbePoint::default()
+            && self.state.session.document().is_built_in();
         self
     }
 
@@ -446,11 +446,7 @@ impl App {
                 let window = &mut self.state.window;
                 window.appearance = window.appearance.reset();
                 (window.probe, window.line) = Default::default();
-                let document = self.state.session.document();
-                window.seek_highlight = matches!(
-                    (&document.part, &document.origin),
-                    (CoursePart::None, Origin::BuiltIn(_))
-                );
+                window.seek_highlight = self.state.session.document().is_built_in();
                 (window.enlarged, window.picture_alone) = (false, false);
                 window.own = ViewStates::default();
                 ctx.data_mut(|data| data.remove_by_type::<PanelState>());

@@ -9,8 +9,10 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Color32, Key, Modifiers, Pos2, Rect, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
+use shading_lab::analysis::probe::probe;
 use shading_lab::app::{App, Appearance, ViewName};
 use shading_lab::figure::palette::contrast;
+use shading_lab::render::Renderer;
 use shading_lab::scene::presets::DEFAULT;
 
 /// Returns the exponent that the window shows.
@@ -351,6 +353,21 @@ fn the_welcome_makes_way_for_what_is_opened_at_every_size() {
         let window = &harness.state().state().window;
         assert!(window.shows(ViewName::Profile), "{points:?}");
         assert!(!window.welcome && window.appearance.welcomed, "{points:?}");
+    }
+}
+
+#[test]
+fn a_built_in_scene_is_opened_with_the_probe_on_its_object() {
+    // Between the three balls is the background.
+    for name in ["balls", "sphere", "shadows"] {
+        let stored = Appearance::default();
+        let mut harness =
+            window_looking(built_in(name), [1280.0, 800.0], &stored, App::with_welcome);
+        harness.run_steps(3);
+        let state = harness.state().state();
+        let [x, y] = (state.window.probe).pixel(state.session.shown.scene.image.size);
+        let found = probe(&mut Renderer::default(), &state.session.shown.scene, x, y);
+        assert!(found.hit.is_some(), "{name} {x},{y}");
     }
 }
 

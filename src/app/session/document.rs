@@ -88,6 +88,14 @@ impl Document {
         })
     }
 
+    /// Returns whether it is a built-in scene, and no step of a lesson or hand-in.
+    pub fn is_built_in(&self) -> bool {
+        matches!(
+            (&self.part, &self.origin),
+            (CoursePart::None, Origin::BuiltIn(_))
+        )
+    }
+
     /// Adds the answers that the document's picture holds, if it was handed in.
     fn with_hand_in(mut self) -> Self {
         if let Origin::File(path) = &self.origin
