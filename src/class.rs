@@ -18,13 +18,15 @@
 //! | `GET ./steps/3` | a fragment of HTML: the step with its question, and nothing of the answer; 403 for a step that the class has not come to |
 //! | `GET ./steps/3/explanation` | a fragment of HTML; 403 unless that step is explained |
 //! | `GET ./steps/3/1.png?HASH` | a picture of the step, kept for a year |
+//! | `POST ./turn` `{"step": 4}` | 200 `{"step": 4}`: at their own pace students turn to any step, where the lecturer allows it (403 else) |
 //! | `POST ./answers` `{"step": 3, "round": 1, "answer": {"choice": 0}, "sent": 1795660000000?}` | 200 `{"saved": true}` once the answer is on the disk |
 //!
 //! An event is `event: pace` with `data: {"step": 3, "steps": 12, "phase": "ask", "round": 1, "answered": null}`. One comes at once on
 //! connecting, and one whenever something in it has changed, by the lecturer or from another tab; `event: alive` with
 //! `data: 1` every 15 seconds keeps the connection. `phase` is `ask`: the question can be answered, and the answer changed; `spread`: the class's answers are on the wall;
 //! `explain`: the explanation can be fetched, or the step asks nothing; `closed`: the class is over. `answered` is the student's own
-//! answer to this step and round, as it was posted. A step that the lecturer leaves and comes back to is as it was left.
+//! answer to this step and round, as it was posted. Where students go at their own pace, `lecturer` is the lecturer's step and `step` the student's own; nothing
+//! is explained before the lecturer has it explained. A step that the lecturer leaves and comes back to is as it was left.
 //!
 //! An `answer` is JSON as [`Answer`](crate::lesson::Answer) is written: its kind and what was given, the same as `kind` and `given` in a
 //! hand-in. `sent` is the time by the phone's clock, in milliseconds: of several answers in a round the one sent last counts, in whatever

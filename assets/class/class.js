@@ -423,6 +423,38 @@
     explain().catch(() => later());
   };
 
+  // Other steps, where the lecturer lets students turn to them.
+
+  const turner = document.getElementById("turn");
+  /** The step that one has turned to, where it is not the lecturer's. */
+  let turned = null;
+
+  const turn = async (step) => {
+    turned = step;
+    try {
+      const response = await post("turn", { step });
+      // It may not be allowed any more.
+      if (response.status === 403) turned = null;
+      else if (!response.ok) throw new Error(String(response.status));
+    } catch {
+      later();
+    }
+  };
+
+  for (const [id, by] of [["turn-back", -1], ["turn-next", 1]]) {
+    document.getElementById(id).addEventListener("click", () => turn(clamp(pace.step + by, 1, pace.steps)));
+  }
+
+  /** Shows where one is, and where the lecturer is. */
+  const showTurner = () => {
+    const { step, steps, lecturer } = pace;
+    turned = lecturer === undefined || lecturer === step ? null : step;
+    turner.hidden = lecturer === undefined || pace.phase === "closed";
+    turner.querySelector("span").textContent = filled(turned === null ? texts.ownStep : texts.lecturerStep, pace);
+    document.getElementById("turn-back").disabled = step <= 1;
+    document.getElementById("turn-next").disabled = step >= steps;
+  };
+
   /** Shows the answer that the class has, unless another one was entered since. */
   const take = (answer) => {
     const mine = draft?.round === pace.round && (draft.waits || !draft.sent);
@@ -558,6 +590,7 @@
     events = null;
     try {
       await join();
+      if (turned !== null) await turn(turned);
     } catch (error) {
       return later(/^\d+$/.test(error.message) ? texts.refused : texts.lost);
     }
@@ -591,6 +624,7 @@
 
   const follow = async (next) => {
     pace = next;
+    showTurner();
     if (pace.phase === "closed") say(connection, texts.closed);
     if (pace.step !== shown) {
       try {

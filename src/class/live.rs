@@ -20,6 +20,8 @@ pub struct LiveOptions {
     pub server: ServerOptions,
     /// What stands before the code in the address that is shown, behind a proxy.
     pub url: Option<String>,
+    /// Students may turn to other steps.
+    pub own_pace: bool,
     /// The number of students that are simulated.
     pub rehearse: usize,
     /// Decides what is drawn at random.
@@ -51,6 +53,9 @@ impl Live {
             notes.push(text!("live-goes-on", file = file, students = students));
         }
         let room = Room::open(lesson, recorder, record);
+        if options.own_pace {
+            room.perform(Command::OwnPace(true));
+        }
         let server = Server::start(&room, &options.server)?;
         let at = server.address();
         let ip = match at.ip() {

@@ -3,7 +3,7 @@
 use crate::lesson::{Answer, Pace};
 use serde::Serialize;
 
-/// Where the class is, for one student.
+/// Where the class is for one student, who may be at a step of their own.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct OwnPace {
     /// Where the class is.
@@ -11,6 +11,9 @@ pub struct OwnPace {
     pub pace: Pace,
     /// How many steps there are.
     pub steps: usize,
+    /// The lecturer's step, where the student may be at another one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub lecturer: Option<usize>,
     /// The student's answer in this round.
     pub answered: Option<Answer>,
 }

@@ -14,7 +14,7 @@ use crate::lesson::{
     Answer, ClassHead, ClassLine, ClassRecord, Lesson, Pace, Phase, RoundAnswer, clean,
 };
 use crate::text::in_language;
-use seats::{Seat, Seats, Streams};
+use seats::{OwnStep, Seat, Seats, Streams};
 use serde::Deserialize;
 use std::collections::HashMap;
 use std::fmt;
@@ -70,6 +70,10 @@ pub struct Snapshot {
     pub connected: usize,
     /// The number of those who have answered in this round.
     pub answered: usize,
+    /// Students may turn to other steps.
+    pub own_pace: bool,
+    /// The number of those who are at another step.
+    pub elsewhere: usize,
     /// The answers, once they are shown and graded.
     pub spread: Option<Arc<Spread>>,
     /// Why the answers cannot be graded or the step not be shown, in a sentence.
@@ -84,6 +88,7 @@ struct Inner {
     step: usize,
     furthest: usize,
     ended: bool,
+    own_pace: bool,
     opened: Instant,
     spread: Option<Arc<Spread>>,
     problem: Option<String>,
@@ -123,6 +128,7 @@ impl Room {
             step: 1,
             furthest: 1,
             ended: false,
+            own_pace: false,
             opened: now,
             spread: None,
             problem: None,
@@ -265,9 +271,13 @@ impl Room {
         if !fits || request.sent > LATEST {
             return Err(Refusal::Unfit);
         }
-        let seconds = inner.opened.elapsed().as_secs_f64();
-        let numbered = inner.seats.numbered + 1;
+        let (opened, numbered) = (inner.opened, inner.seats.numbered + 1);
         let seat = inner.seats.find(Some(token))?;
+        let seconds = seat
+            .own
+            .map_or(opened, |own| own.since)
+            .elapsed()
+            .as_secs_f64();
         let given = RoundAnswer {
             step: request.step,
             round: request.round,
@@ -310,14 +320,39 @@ impl Room {
 
     fn own(&self, inner: &Inner, token: Token) -> Result<OwnPace, Refusal> {
         let index = inner.seats.place(token).ok_or(Refusal::NoStudent)?;
-        let pace = self.pace_of(inner);
-        let answers = &inner.seats.all()[index].student.answers;
-        let answered = answers.get(&(pace.step, pace.round));
+        let seat = &inner.seats.all()[index];
+        let pace = self.pace_at(inner, seat.own.map_or(inner.step, |own| own.step));
+        let answered = seat.student.answers.get(&(pace.step, pace.round));
         Ok(OwnPace {
             pace,
             steps: self.lesson.steps.len(),
+            lecturer: inner.own_pace.then_some(inner.step),
             answered: answered.map(|given| given.answer.clone()),
         })
+    }
+
+    /// Takes a student to another step, from 1; at the lecturer's the student follows the lecturer again.
+    ///
+    /// # Errors
+    /// No such step, or the lecturer's pace is everybody's.
+    pub fn turn(&self, token: Token, step: usize) -> Result<(), Refusal> {
+        let mut inner = self.inner();
+        if !inner.own_pace {
+            return Err(Refusal::NotYet);
+        }
+        if !(1..=self.lesson.steps.len()).contains(&step) {
+            return Err(Refusal::NoStep);
+        }
+        let own = OwnStep {
+            step,
+            since: Instant::now(),
+        };
+        let away = step != inner.step;
+        let seat = inner.seats.find(Some(token))?;
+        seat.own = away.then_some(own);
+        seat.changed.send_modify(|_| {});
+        self.changed();
+        Ok(())
     }
 
     /// Returns where the class is.
@@ -326,9 +361,13 @@ impl Room {
     }
 
     fn pace_of(&self, inner: &Inner) -> Pace {
-        let (phase, round) = self.stand(inner, inner.step);
+        self.pace_at(inner, inner.step)
+    }
+
+    fn pace_at(&self, inner: &Inner, step: usize) -> Pace {
+        let (phase, round) = self.stand(inner, step);
         Pace {
-            step: inner.step,
+            step,
             phase: if inner.ended { Phase::Closed } else { phase },
             round,
         }
@@ -356,7 +395,7 @@ impl Room {
             return Err(Refusal::NoStep);
         }
         let explained = self.stand(&inner, step).0 == Phase::Explain;
-        if step > inner.furthest || (explanation && !explained) {
+        if (step > inner.furthest && !inner.own_pace) || (explanation && !explained) {
             return Err(Refusal::NotYet);
         }
         Ok(())
@@ -378,6 +417,8 @@ impl Room {
             joined: seats.len(),
             connected: seats.iter().filter(|seat| seat.connected > 0).count(),
             answered: inner.seats.answered(pace).count(),
+            own_pace: inner.own_pace,
+            elsewhere: seats.iter().filter(|seat| seat.own.is_some()).count(),
             spread: inner.spread.clone(),
             problem,
         }

@@ -74,6 +74,7 @@ pub fn router(shared: Shared) -> Router {
         .route(&below("join"), post(join))
         .route(&below("events"), get(follow))
         .route(&below("answers"), post(answer))
+        .route(&below("turn"), post(turn))
         .route(&below("steps/{step}"), get(question))
         .route(&below("steps/{step}/explanation"), get(explanation))
         .route(&below("steps/{step}/{picture}"), get(picture))
@@ -281,6 +282,21 @@ async fn answer(State(shared): Class, request: Request) -> Result<Response, Refu
         Ok(Err(words)) => Err(Refusal::Failed(words)),
         Err(_) => Err(Refusal::Failed(text!("live-over").to_owned())),
     }
+}
+
+/// The step that a student turns to.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct TurnRequest {
+    /// From 1.
+    step: usize,
+}
+
+async fn turn(State(shared): Class, request: Request) -> Result<Response, Refusal> {
+    let token = admitted(&shared, request.headers())?;
+    let TurnRequest { step } = read_json(&body(request).await?)?;
+    shared.room.turn(token, step)?;
+    Ok(json_body(&json!({ "step": step })).into_response())
 }
 
 async fn question(

@@ -40,6 +40,8 @@ pub struct ClassCommand {
     output: Option<PathBuf>,
     #[arg(long, value_name = "FOLDER")]
     page: Option<PathBuf>,
+    #[arg(long)]
+    own_pace: bool,
     #[arg(long, value_name = "N", value_parser = whole::<usize>(1..=MOST))]
     rehearse: Option<usize>,
     #[arg(long, value_name = "N", default_value_t = 1)]
@@ -69,6 +71,7 @@ impl ClassCommand {
                 page: self.page.or_else(page_folder),
             },
             url: self.url,
+            own_pace: self.own_pace,
             rehearse: self.rehearse.unwrap_or(0),
             seed: self.seed,
         };

@@ -66,6 +66,7 @@ fn start(folder: &Folder, page: Option<PathBuf>) -> Result<Live, String> {
             page,
         },
         url: None,
+        own_pace: false,
         rehearse: 0,
         seed: 1,
     };

@@ -13,10 +13,10 @@ const EVERY_KIND = "tests/data/every-kind.md";
 const FIRST_VIEW = 80_000;
 
 /** A class that the program teaches without a window; `events` are the lines that it prints. */
-async function teach(lesson, { record, port, language = "en" } = {}) {
+async function teach(lesson, { record, port, ownPace, language = "en" } = {}) {
   const folder = record ? undefined : mkdtempSync(join(tmpdir(), "shading-lab-class-"));
   const file = record ?? join(folder, "class.jsonl");
-  const options = ["--headless", "--bind", "127.0.0.1", "-o", file, "--language", language];
+  const options = ["--headless", "--bind", "127.0.0.1", "-o", file, "--language", language, ...(ownPace ? ["--own-pace"] : [])];
   const program = spawn(native, ["class", lesson, ...options, ...(port ? ["--port", port] : [])], { stdio: ["pipe", "pipe", "ignore"] });
   const events = [];
   createInterface({ input: program.stdout }).on("line", (line) => events.push(JSON.parse(line)));
@@ -282,9 +282,11 @@ test("every kind of question is answered by keyboard alone", { skip }, async () 
   const numbers = (...values) => async () => {
     for (const [index, value] of values.entries()) await type(`#number-${index}`, value);
   };
+  const formula = (words) => () => type(".formula textarea", words);
   const kinds = [
     [choose, 1], [choose, 1], [numbers("0,5"), 0.5], [point, [0.02, -0.1]], [point, [0.02, -0.1]], [curve], [curve],
     [numbers("30"), 30], [numbers("0.5"), 0.5], [order, [1, 2, 0]], [numbers("0.2"), [0.2]], [numbers("0.3", "0.4"), [0.3, 0.4]],
+    [formula("kd * max(0, NL)"), "kd * max(0, NL)"],
   ];
   try {
     for (const [index, [answer, expected]] of kinds.entries()) {
@@ -297,6 +299,8 @@ test("every kind of question is answered by keyboard alone", { skip }, async () 
       const { given } = round.answers[0];
       if (expected === undefined) {
         assert.deepEqual([given[0], given[4], given[64]].map((value) => Number(value.toFixed(3))), [1, 0.96, 0.36]);
+      } else if (typeof expected === "string") {
+        assert.deepEqual([given, round.right], [expected, 1]);
       } else {
         const flat = [given].flat();
         assert.ok([expected].flat().every((value, place) => Math.abs(value - flat[place]) < 1e-6), `${index + 1}: ${given}`);
@@ -308,6 +312,63 @@ test("every kind of question is answered by keyboard alone", { skip }, async () 
     assert.deepEqual(problems, []);
   } finally {
     await close();
+    await own.end();
+  }
+});
+
+test("at their own pace phones turn the steps, and a formula is typed with a thumb", { skip }, async () => {
+  const own = await teach(EVERY_KIND, { ownPace: true });
+  const { page, send, at, close, problems } = await phone(own.url);
+  const where = () => page.locator("#turn span").textContent();
+  let again;
+  try {
+    const [back, next] = ["Back", "Next"].map((name) => page.getByRole("button", { name, exact: true }));
+    await until(async () => (await where()) === "Step 1 of 13");
+    assert.ok(await back.isDisabled());
+    await next.tap();
+    await at(2);
+    await until(async () => (await where()) === "Step 2 of 13 (the lecturer is at 1)");
+    await page.getByRole("radio").first().check();
+    await send();
+    assert.equal(await ask(page, "steps/2/explanation"), 403, "what is not explained yet");
+    assert.deepEqual([own.last("step").step, own.last("answered").answered], [1, 0]);
+
+    // At the lecturer's step one follows the lecturer again.
+    await own.go("next", "ask", 2);
+    await until(async () => (await where()) === "Step 2 of 13");
+    await own.answered(1);
+    await own.go("next", "ask", 3);
+    for (let step = 4; step <= 13; step += 1) {
+      await at(step - 1);
+      await page.waitForTimeout(300);
+      await next.tap();
+    }
+    await at(13);
+    assert.ok(await next.isDisabled());
+    const [keys, field] = [page.locator(".keys button"), page.locator(".formula textarea")];
+    await field.scrollIntoViewIfNeeded();
+    const [top, bottom] = [await field.boundingBox(), await keys.last().boundingBox()];
+    assert.ok(bottom.y + bottom.height - top.y < 300, "the signs are beside the field");
+    const put = (name) => keys.filter({ hasText: new RegExp(`^${name.replace(/[()^]/g, "\\$&")}$`) }).tap();
+    for (const name of ["kd", "·", "(", ")", "\\^"]) assert.equal(await keys.filter({ hasText: new RegExp(`^${name === "(" || name === ")" ? `\\${name}` : name}$`) }).count(), 1, name);
+    await put("kd");
+    await page.keyboard.type(" * max(");
+    await put("N·L");
+    await page.keyboard.type(", 0)");
+    await send();
+
+    // Started again, the class finds the phone where it was.
+    await own.kill();
+    again = await teach(EVERY_KIND, { record: own.file, port: own.port, ownPace: true });
+    await until(() => again.last("joined")?.connected === 1);
+    await until(async () => (await where()) === "Step 13 of 13 (the lecturer is at 3)");
+    const collected = JSON.parse(execFileSync(native, ["collect", own.file, "--json"]));
+    const given = collected.rows[0].answers.map((answer) => answer.given);
+    assert.deepEqual([given[1], given[12], collected.rows[0].answers[12].right], [0, "kd * max(N·L, 0)", true]);
+    assert.deepEqual(problems.filter((words) => !/40[0-9]|ERR_/.test(words)), []);
+  } finally {
+    await close();
+    await again?.end();
     await own.end();
   }
 });

@@ -46,6 +46,7 @@ fn live(folder: &Folder) -> Live {
             page: None,
         },
         url: None,
+        own_pace: false,
         rehearse: 0,
         seed: 1,
     };

@@ -219,6 +219,7 @@ cli-help-class-bind = The address of this machine that phones may reach; 127.0.0
 cli-help-class-url = What phones open in place of this machine's address, behind a proxy
 cli-help-class-output = The record of the class, instead of class.jsonl, or rehearsal.jsonl when rehearsing
 cli-help-class-page = The files of the web page, which phones open for playing, instead of the folder page beside the program
+cli-help-class-own-pace = Let students turn to other steps by themselves
 cli-help-class-rehearse = Simulate this many students, who make the mistakes that the lesson knows
 cli-help-class-seed = Decides what questions draw at random
 cli-help-collect = Grade the pictures that students handed in

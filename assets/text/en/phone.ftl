@@ -9,6 +9,12 @@ phone-name-save = Save
 phone-name-about = Only the lecturer sees it.
 phone-named = Saved.
 
+# The steps, where students turn to them themselves.
+phone-back = Back
+phone-next = Next
+phone-own-step = Step { $step } of { $steps }
+phone-lecturer-step = Step { $step } of { $steps } (the lecturer is at { $lecturer })
+
 # A question.
 phone-send = Send
 phone-sending = Sending …

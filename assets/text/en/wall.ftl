@@ -14,6 +14,7 @@ wall-joined = { $count ->
     [one] 1 student has joined
    *[other] { $count } students have joined
  }
+wall-note = { $note }.
 wall-step = Step { $step } of { $count }
 wall-round = Round { $round }
 wall-answered = { $answered } of { $joined } have answered
@@ -26,6 +27,12 @@ wall-right = Right answer
 wall-students-axis = students
 wall-students = Students
 wall-names = Names
+wall-own-pace = Students turn the steps themselves
+    .tip = Students may turn to other steps and answer there. Nothing is explained before you explain it.
+wall-elsewhere = { $count ->
+    [one] one at another step
+   *[other] { $count } at other steps
+}
 wall-unnamed = without a name: { $count } · not connected: { $away }
 
 wall-back = Back

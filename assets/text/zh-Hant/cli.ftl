@@ -211,6 +211,7 @@ cli-help-class-bind = 手機可以連到的本機位址；只是試用時為 127
 cli-help-class-url = 經過代理伺服器時，手機開啟的網址
 cli-help-class-output = 課堂的紀錄，取代 class.jsonl；預演時取代 rehearsal.jsonl
 cli-help-class-page = 網頁版的檔案，讓手機開啟操作，取代程式旁的資料夾 page
+cli-help-class-own-pace = 讓學生自行翻到其他步驟
 cli-help-class-rehearse = 模擬這麼多位學生，他們犯的是單元所知道的錯誤
 cli-help-class-seed = 決定問題中的隨機數值
 cli-help-collect = 批改學生繳交的圖片

@@ -9,6 +9,12 @@ phone-name-save = 儲存
 phone-name-about = 只有老師看得到。
 phone-named = 已儲存。
 
+# The steps, where students turn to them themselves.
+phone-back = 上一步
+phone-next = 下一步
+phone-own-step = 第 { $step } 步，共 { $steps } 步
+phone-lecturer-step = 第 { $step } 步，共 { $steps } 步（老師在第 { $lecturer } 步）
+
 # A question.
 phone-send = 送出
 phone-sending = 正在送出……

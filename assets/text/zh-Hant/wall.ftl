@@ -11,6 +11,7 @@ wall-file = 上課
 wall-code = 網址 { $address } 的 QR 碼
 wall-address = 網址
 wall-joined = 已加入 { $count } 位學生
+wall-note = { $note }。
 wall-step = 第 { $step } 步，共 { $count } 步
 wall-round = 第 { $round } 輪
 wall-answered = { $joined } 人中有 { $answered } 人作答
@@ -20,6 +21,9 @@ wall-right = 正確答案
 wall-students-axis = 學生
 wall-students = 學生
 wall-names = 姓名
+wall-own-pace = 學生自行翻步驟
+    .tip = 學生可以翻到其他步驟作答；你說明之前，不會顯示任何說明。
+wall-elsewhere = { $count } 人在其他步驟
 wall-unnamed = 沒有姓名：{ $count } · 沒有連線：{ $away }
 
 wall-back = 上一步

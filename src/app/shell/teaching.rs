@@ -64,6 +64,7 @@ impl AppState {
                 page: crate::class::page_folder(),
             },
             url: None,
+            own_pace: false,
             rehearse: 0,
             seed: self.course.seed,
         };

@@ -62,7 +62,7 @@ pub fn class_ui(
     let area = ScrollArea::vertical().id_salt(("class", seen.pace.step));
     area.auto_shrink(false).show(ui, |ui| {
         ui.set_max_width(ui.available_width() - 4.0);
-        step_ui(ui, own, class, &seen);
+        step_ui(ui, own, class, &seen, requests);
         ui.add_space(8.0);
         keep_in_sight(ui);
     });
@@ -97,9 +97,17 @@ fn joining_ui(ui: &mut Ui, class: &mut Teaching, seen: &Snapshot) {
         address_ui(ui, class.live.address());
         joined_ui(ui, seen);
         for note in class.live.notes() {
-            ui.add(Label::new(RichText::new(note).weak()).wrap());
+            ui.add(Label::new(RichText::new(sentence(note)).weak()).wrap());
         }
     });
+}
+
+/// Returns a note, which is written as the terminal shows it, as a sentence.
+fn sentence(note: &str) -> String {
+    let mut letters = note.chars();
+    let first = letters.next().into_iter().flat_map(char::to_uppercase);
+    let note: String = first.chain(letters).collect();
+    text!("wall-note", note = note)
 }
 
 fn address_ui(ui: &mut Ui, address: &str) {
@@ -126,7 +134,13 @@ fn code_ui(ui: &mut Ui, class: &Teaching, side: f32) -> bool {
 }
 
 /// Shows where the class is, its question, and its answers once they are shown.
-fn step_ui(ui: &mut Ui, own: &mut ClassView, class: &mut Teaching, seen: &Snapshot) {
+fn step_ui(
+    ui: &mut Ui,
+    own: &mut ClassView,
+    class: &mut Teaching,
+    seen: &Snapshot,
+    requests: &mut Requests,
+) {
     let room = Arc::clone(class.live.room());
     let Some(step) = room.lesson().steps.get(seen.pace.step.wrapping_sub(1)) else {
         return;
@@ -145,7 +159,7 @@ fn step_ui(ui: &mut Ui, own: &mut ClassView, class: &mut Teaching, seen: &Snapsh
         ui.add_space(4.0);
     }
     shown_ui(ui, own, class, (seen, step, &content));
-    students_ui(ui, class);
+    students_ui(ui, class, seen, requests);
 }
 
 /// Shows the number of the step and of those who have answered, beside the address.
@@ -181,6 +195,10 @@ fn count_ui(ui: &mut Ui, seen: &Snapshot) {
         joined = seen.joined
     );
     live(&ui.label(RichText::new(words).size(COUNT)));
+    if seen.elsewhere > 0 {
+        let words = text!("wall-elsewhere", count = seen.elsewhere);
+        ui.label(RichText::new(words).weak());
+    }
     let share = seen.answered as f32 / seen.joined.max(1) as f32;
     ui.add(ProgressBar::new(share).desired_height(8.0));
 }
@@ -225,10 +243,16 @@ fn shown_ui(
 }
 
 /// Shows the lecturer's own list, closed unless it is wanted.
-fn students_ui(ui: &mut Ui, class: &mut Teaching) {
+fn students_ui(ui: &mut Ui, class: &mut Teaching, seen: &Snapshot, requests: &mut Requests) {
     ui.add_space(6.0);
     let list = ui.collapsing(text!("wall-students"), |ui| {
         ui.checkbox(&mut class.names, text!("wall-names"));
+        let mut own_pace = seen.own_pace;
+        let switch = ui.checkbox(&mut own_pace, text!("wall-own-pace"));
+        if switch.on_hover_text(text!("wall-own-pace.tip")).changed() {
+            let command = Command::OwnPace(own_pace);
+            requests.ask(Action::Class(ClassAction::Perform(command)));
+        }
         let rows = class.live.room().students();
         let unnamed = rows.iter().filter(|row| row.name.is_empty()).count();
         for row in rows

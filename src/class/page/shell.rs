@@ -60,6 +60,7 @@ pub fn shell(lesson: &Lesson, step: &StepPage, lab: bool) -> String {
                 .attribute("id", "step")
                 .with(Html::made(step.html.clone())),
         )
+        .line(turner())
         .line(element("noscript").with(text!("phone-no-script")))
         .line(name_form());
     let page = element("html")
@@ -68,6 +69,23 @@ pub fn shell(lesson: &Lesson, step: &StepPage, lab: bool) -> String {
         .line(head)
         .line(body);
     format!("<!DOCTYPE html>\n{}\n", Html::from(page))
+}
+
+/// Returns what turns to other steps, which is shown where students may.
+fn turner() -> Html {
+    let button = |name: &str, words: &str| {
+        element("button")
+            .attribute("id", name)
+            .attribute("type", "button")
+            .with(words)
+    };
+    let nav = element("nav")
+        .attribute("id", "turn")
+        .attribute("hidden", "")
+        .with(button("turn-back", text!("phone-back")))
+        .with(element("span").class("quiet"))
+        .with(button("turn-next", text!("phone-next")));
+    Html::new().line(nav)
 }
 
 /// Returns the form for a nickname, which nobody has to give.
@@ -98,7 +116,10 @@ fn name_form() -> Html {
 
 /// Returns the sentences that the script says, as JSON.
 fn texts(lab: bool) -> String {
+    let (step, steps) = ("{step}", "{steps}");
     json!({
+        "ownStep": text!("phone-own-step", step = step, steps = steps),
+        "lecturerStep": text!("phone-lecturer-step", step = step, steps = steps, lecturer = "{lecturer}"),
         "noLab": (!lab).then(|| text!("phone-no-lab")),
         "lost": text!("phone-lost"),
         "sending": text!("phone-sending"),

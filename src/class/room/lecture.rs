@@ -19,6 +19,8 @@ pub enum Command {
     Next,
     /// Goes back to the step before.
     Back,
+    /// Lets students turn to other steps, or has all follow the lecturer.
+    OwnPace(bool),
     /// Ends the class.
     End,
 }
@@ -45,6 +47,13 @@ impl Room {
                 let (phase, round) = self.stand(&inner, step - 1);
                 (step - 1, phase, round)
             }
+            Command::OwnPace(allowed) if phase != Phase::Closed => {
+                inner.own_pace = allowed;
+                inner.seats.gather(!allowed, step);
+                self.changed();
+                self.pace.send_modify(|count| *count += 1);
+                return true;
+            }
             Command::End if phase != Phase::Closed => {
                 inner.ended = true;
                 (step, Phase::Closed, round)
@@ -63,6 +72,7 @@ impl Room {
         }
         inner.step = step;
         inner.furthest = inner.furthest.max(step);
+        inner.seats.gather(false, step);
         inner.opened = Instant::now();
         (inner.spread, inner.problem) = (None, None);
         drop(self.recorder.append(&[ClassLine::Pace(pace)]));

@@ -17,7 +17,17 @@ pub struct Seat {
     pub number: Option<u32>,
     pub requests: Bucket,
     pub connected: usize,
+    /// The step that the student has turned to, where it is not the lecturer's.
+    pub own: Option<OwnStep>,
     pub changed: watch::Sender<Streams>,
+}
+
+/// A step that a student has turned to.
+#[derive(Clone, Copy, Debug)]
+pub struct OwnStep {
+    /// From 1.
+    pub step: usize,
+    pub since: Instant,
 }
 
 /// What wakes the streams of events of a student.
@@ -121,6 +131,7 @@ impl Seats {
             number,
             requests: Bucket::new(REQUESTS, now),
             connected: 0,
+            own: None,
             changed: watch::Sender::new(Streams::default()),
         });
     }
@@ -147,6 +158,13 @@ impl Seats {
             self.by_token.insert(moved.token, index);
         }
         true
+    }
+
+    /// Has the students follow the lecturer again: all, or those who are at the lecturer's step anyway.
+    pub fn gather(&mut self, all: bool, step: usize) {
+        for seat in &mut self.seats {
+            seat.own = seat.own.filter(|own| !all && own.step != step);
+        }
     }
 
     /// Returns the students who have answered in the present round.

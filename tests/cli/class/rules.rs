@@ -8,6 +8,7 @@ use shading_lab::lesson::{ClassRecord, Phase};
 use std::fs;
 use std::io::{self, BufRead, BufReader, Write};
 use std::net::{Shutdown, SocketAddr, TcpListener, TcpStream};
+use std::time::Duration;
 
 fn choice(option: usize) -> Value {
     json!({ "choice": option })
@@ -95,6 +96,74 @@ fn a_class_goes_its_way() {
     assert!(room.perform(Command::End));
     assert_eq!(events.pace().expect("a pace")["phase"], "closed");
     assert!(!room.perform(Command::Next));
+}
+
+#[test]
+fn at_their_own_pace_students_turn_the_steps_and_see_no_explanation_ahead() {
+    let class = Class::new("own-pace");
+    let room = class.live.room();
+    let mut phone = class.joined();
+    let mut other = class.joined();
+    // Slowly enough for one phone.
+    let rest = || std::thread::sleep(Duration::from_millis(250));
+    let turn = |phone: &mut Phone, step: usize| {
+        rest();
+        phone.post("turn", &json!({ "step": step })).status
+    };
+    assert_eq!(turn(&mut phone, 2), 403, "it is not allowed yet");
+    assert_eq!(phone.get("steps/2").status, 403);
+
+    let mut events = phone.events().expect("events");
+    let mut following = other.events().expect("events");
+    assert_eq!(events.pace().expect("a pace").get("lecturer"), None);
+    following.pace().expect("a pace");
+    assert!(room.perform(Command::OwnPace(true)));
+    assert_eq!(events.pace().expect("a pace")["lecturer"], 1);
+    following.pace().expect("a pace");
+
+    let steps = room.lesson().steps.len();
+    for nowhere in [0, steps + 1] {
+        assert_eq!(turn(&mut phone, nowhere), 404, "{nowhere}");
+    }
+    assert_eq!(turn(&mut phone, 2), 200);
+    let own = events.pace().expect("a pace");
+    assert_eq!(
+        (&own["step"], &own["lecturer"], &own["phase"]),
+        (&json!(2), &json!(1), &json!("ask"))
+    );
+    assert_eq!(room.pace().step, 1, "nobody else is moved");
+    assert_eq!(room.snapshot().elsewhere, 1);
+    assert_eq!(phone.get("steps/2").status, 200);
+    assert_eq!(phone.get("steps/2/explanation").status, 403);
+
+    rest();
+    // Each answers the step at which they are, and no other.
+    let dark = choice(0);
+    assert_eq!(phone.answer(1, 1, &choice(0)).status, 409);
+    assert_eq!(phone.answer(2, 1, &dark).status, 200);
+    assert_eq!(events.pace().expect("a pace")["answered"], dark);
+    assert_eq!(other.answer(2, 1, &dark).status, 409);
+    assert_eq!(room.snapshot().answered, 0, "the lecturer's question");
+
+    // What the lecturer closes is closed for whoever turns to it; what was answered ahead is shown when its turn comes.
+    assert!(room.perform(Command::Next) && room.perform(Command::ShowAnswers));
+    wait_until("the spread", || room.snapshot().spread.is_some());
+    let spread = room.snapshot().spread.expect("a spread");
+    assert_eq!(spread.rounds[0].answers.len(), 1);
+    assert_eq!(phone.answer(2, 1, &choice(1)).status, 409);
+    assert_eq!(
+        room.snapshot().elsewhere,
+        0,
+        "who is where the lecturer is follows the lecturer"
+    );
+
+    // Together again: everybody is at the lecturer's step.
+    assert_eq!(turn(&mut phone, 1), 200);
+    assert!(room.perform(Command::OwnPace(false)));
+    assert_eq!(room.snapshot().elsewhere, 0);
+    assert_eq!(turn(&mut phone, 1), 403);
+    let back = phone.events().expect("events").pace().expect("a pace");
+    assert_eq!((&back["step"], back.get("lecturer")), (&json!(2), None));
 }
 
 #[test]
