@@ -83,7 +83,7 @@ fn every_kind_of_question_is_read() {
         names,
         [
             "choice", "choice", "value", "point", "point", "curve", "curve", "settings",
-            "settings", "order", "match", "match"
+            "settings", "order", "match", "match", "formula"
         ]
     );
     assert!(matches!(&kinds[0], Kind::Choice(Choice { options, by: None }) if options.len() == 2));
@@ -358,7 +358,7 @@ fn files_that_are_no_lessons_are_refused() {
     // A byte order mark, carriage returns and blank lines before the head do no harm.
     let source = format!("\u{feff}\r\n{}", EVERY_KIND.replace('\n', "\r\n"));
     let read = Lesson::read(&source, None).expect("a lesson");
-    assert_eq!(read.steps.len(), 12);
+    assert_eq!(read.steps.len(), 13);
     assert_eq!(read.steps[0].line, 11);
 }
 
