@@ -15,10 +15,10 @@
 //! | `GET ./lab/…` | the program's own page, where its files were found (404 with a sentence else) |
 //! | `POST ./join` `{"name": "…"?}` | 200 `{"steps": 12}` and a cookie `token`; with a valid cookie it is the same student, who may take a new name |
 //! | `GET ./events` | server-sent events, see below |
-//! | `GET ./steps/3` | a fragment of HTML: the step with its question, and nothing of the answer; 403 for a step that the class has not come to |
+//! | `GET ./steps/3` | a fragment of HTML: the step with its question, and nothing of the answer; 403 for a step that the class has not come to, unless students go at their own pace |
 //! | `GET ./steps/3/explanation` | a fragment of HTML; 403 unless that step is explained |
 //! | `GET ./steps/3/1.png?HASH` | a picture of the step, kept for a year |
-//! | `POST ./turn` `{"step": 4}` | 200 `{"step": 4}`: at their own pace students turn to any step, where the lecturer allows it (403 else) |
+//! | `POST ./turn` `{"step": 4}` | 200 `{"step": 4}`: at their own pace students go to any step (403 where the class follows the lecturer) |
 //! | `POST ./answers` `{"step": 3, "round": 1, "answer": {"choice": 0}, "sent": 1795660000000?}` | 200 `{"saved": true}` once the answer is on the disk |
 //!
 //! An event is `event: pace` with `data: {"step": 3, "steps": 12, "phase": "ask", "round": 1, "answered": null}`. One comes at once on

@@ -423,9 +423,9 @@
     explain().catch(() => later());
   };
 
-  // Other steps, where the lecturer lets students turn to them.
+  // Other steps, where students go at their own pace.
 
-  const turner = document.getElementById("turn");
+  const pager = document.getElementById("pager");
   /** The step that one has turned to, where it is not the lecturer's. */
   let turned = null;
 
@@ -441,18 +441,18 @@
     }
   };
 
-  for (const [id, by] of [["turn-back", -1], ["turn-next", 1]]) {
+  for (const [id, by] of [["pager-back", -1], ["pager-next", 1]]) {
     document.getElementById(id).addEventListener("click", () => turn(clamp(pace.step + by, 1, pace.steps)));
   }
 
   /** Shows where one is, and where the lecturer is. */
-  const showTurner = () => {
+  const showPager = () => {
     const { step, steps, lecturer } = pace;
     turned = lecturer === undefined || lecturer === step ? null : step;
-    turner.hidden = lecturer === undefined || pace.phase === "closed";
-    turner.querySelector("span").textContent = filled(turned === null ? texts.ownStep : texts.lecturerStep, pace);
-    document.getElementById("turn-back").disabled = step <= 1;
-    document.getElementById("turn-next").disabled = step >= steps;
+    pager.hidden = lecturer === undefined || pace.phase === "closed";
+    pager.querySelector("span").textContent = filled(turned === null ? texts.ownStep : texts.lecturerStep, pace);
+    document.getElementById("pager-back").disabled = step <= 1;
+    document.getElementById("pager-next").disabled = step >= steps;
   };
 
   /** Shows the answer that the class has, unless another one was entered since. */
@@ -624,7 +624,7 @@
 
   const follow = async (next) => {
     pace = next;
-    showTurner();
+    showPager();
     if (pace.phase === "closed") say(connection, texts.closed);
     if (pace.step !== shown) {
       try {

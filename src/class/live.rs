@@ -20,7 +20,7 @@ pub struct LiveOptions {
     pub server: ServerOptions,
     /// What stands before the code in the address that is shown, behind a proxy.
     pub url: Option<String>,
-    /// Students may turn to other steps.
+    /// Students go at their own pace.
     pub own_pace: bool,
     /// The number of students that are simulated.
     pub rehearse: usize,

@@ -70,7 +70,7 @@ pub struct Snapshot {
     pub connected: usize,
     /// The number of those who have answered in this round.
     pub answered: usize,
-    /// Students may turn to other steps.
+    /// Students go at their own pace.
     pub own_pace: bool,
     /// The number of those who are at another step.
     pub elsewhere: usize,

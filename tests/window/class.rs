@@ -104,6 +104,12 @@ fn answer(harness: &Harness<'_, App>, token: Token, answer: Answer) {
     drop(room.answer(token, request).expect("it is open"));
 }
 
+fn turn(harness: &Harness<'_, App>, token: Token, step: usize) {
+    let class = harness.state().state().course.class.as_ref();
+    let room = class.expect("a class").live.room();
+    room.turn(token, step).expect("a step");
+}
+
 /// Presses a key of the remote, and waits until the class's answers are graded.
 fn remote(harness: &mut Harness<'_, App>, key: Key) {
     harness.key_press(key);
@@ -118,7 +124,7 @@ fn remote(harness: &mut Harness<'_, App>, key: Key) {
     hands::settle(harness);
 }
 
-/// Switches a check box on.
+/// Switches a check box.
 fn check(harness: &mut Harness<'_, App>, key: &str) {
     let name = english!(key);
     harness
@@ -139,6 +145,7 @@ fn a_class_is_led_with_two_keys_and_asks_for_frames_only_when_something_happens(
     let address = address.expect("a class").live.address().to_owned();
     assert_eq!(decoded_code(&harness), address);
     assert!(says(&harness, &english!("wall-joined", count = 0)));
+    assert!(says(&harness, "The files of the web page"), "a sentence");
     assert!(!harness.ctx.has_requested_repaint(), "idle");
 
     let (ada, bob) = (join(&harness, "Ada"), join(&harness, "Bob"));
@@ -225,6 +232,15 @@ fn curves_choices_and_names_are_shown_when_the_lecturer_wants_them() {
     check(&mut harness, "wall-names");
     assert!(says(&harness, "Ada") && says(&harness, "Bob"));
 
+    // At their own pace: one is ahead, until the class is together again.
+    let elsewhere = english!("wall-elsewhere", count = 1);
+    check(&mut harness, "wall-own-pace");
+    turn(&harness, ada, 3);
+    hands::settle(&mut harness);
+    assert!(says(&harness, &elsewhere) && phase(&harness).0 == 2);
+    check(&mut harness, "wall-own-pace");
+    assert!(!says(&harness, &elsewhere));
+
     for _ in 0..5 {
         remote(&mut harness, Key::PageDown);
     }
@@ -285,6 +301,7 @@ fn the_menu_teaches_the_open_lesson_with_its_answers_in_a_file() {
     press(&mut harness, "wall-file.verb");
     hands::settle(&mut harness);
     assert!(says(&harness, &english!("wall-joined", count = 0)));
+    assert!(says(&harness, "The files of the web page"), "a sentence");
     assert!(file.is_file());
     press(&mut harness, "wall-end");
     assert!(says(

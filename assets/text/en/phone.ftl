@@ -9,11 +9,11 @@ phone-name-save = Save
 phone-name-about = Only the lecturer sees it.
 phone-named = Saved.
 
-# The steps, where students turn to them themselves.
+# The steps, where students go at their own pace.
 phone-back = Back
 phone-next = Next
 phone-own-step = Step { $step } of { $steps }
-phone-lecturer-step = Step { $step } of { $steps } (the lecturer is at { $lecturer })
+phone-lecturer-step = Step { $step } of { $steps } (the lecturer is at step { $lecturer })
 
 # A question.
 phone-send = Send

@@ -27,12 +27,12 @@ wall-right = Right answer
 wall-students-axis = students
 wall-students = Students
 wall-names = Names
-wall-own-pace = Students turn the steps themselves
-    .tip = Students may turn to other steps and answer there. Nothing is explained before you explain it.
+wall-own-pace = Students go at their own pace
+    .tip = Students can move to other steps and answer there. Their phones explain nothing before you do.
 wall-elsewhere = { $count ->
-    [one] one at another step
-   *[other] { $count } at other steps
-}
+    [one] 1 student is at another step
+   *[other] { $count } students are at other steps
+ }
 wall-unnamed = without a name: { $count } · not connected: { $away }
 
 wall-back = Back

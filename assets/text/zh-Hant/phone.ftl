@@ -9,7 +9,7 @@ phone-name-save = 儲存
 phone-name-about = 只有老師看得到。
 phone-named = 已儲存。
 
-# The steps, where students turn to them themselves.
+# The steps, where students go at their own pace.
 phone-back = 上一步
 phone-next = 下一步
 phone-own-step = 第 { $step } 步，共 { $steps } 步

@@ -21,9 +21,9 @@ wall-right = 正確答案
 wall-students-axis = 學生
 wall-students = 學生
 wall-names = 姓名
-wall-own-pace = 學生自行翻步驟
-    .tip = 學生可以翻到其他步驟作答；你說明之前，不會顯示任何說明。
-wall-elsewhere = { $count } 人在其他步驟
+wall-own-pace = 學生依自己的進度
+    .tip = 學生可以前往其他步驟作答；你說明之前，手機上不會顯示說明。
+wall-elsewhere = { $count } 位學生在其他步驟
 wall-unnamed = 沒有姓名：{ $count } · 沒有連線：{ $away }
 
 wall-back = 上一步

@@ -60,7 +60,7 @@ pub fn shell(lesson: &Lesson, step: &StepPage, lab: bool) -> String {
                 .attribute("id", "step")
                 .with(Html::made(step.html.clone())),
         )
-        .line(turner())
+        .line(pager())
         .line(element("noscript").with(text!("phone-no-script")))
         .line(name_form());
     let page = element("html")
@@ -71,8 +71,8 @@ pub fn shell(lesson: &Lesson, step: &StepPage, lab: bool) -> String {
     format!("<!DOCTYPE html>\n{}\n", Html::from(page))
 }
 
-/// Returns what turns to other steps, which is shown where students may.
-fn turner() -> Html {
+/// Returns the buttons to other steps, hidden until the script shows them where students go at their own pace.
+fn pager() -> Html {
     let button = |name: &str, words: &str| {
         element("button")
             .attribute("id", name)
@@ -80,11 +80,11 @@ fn turner() -> Html {
             .with(words)
     };
     let nav = element("nav")
-        .attribute("id", "turn")
+        .attribute("id", "pager")
         .attribute("hidden", "")
-        .with(button("turn-back", text!("phone-back")))
+        .with(button("pager-back", text!("phone-back")))
         .with(element("span").class("quiet"))
-        .with(button("turn-next", text!("phone-next")));
+        .with(button("pager-next", text!("phone-next")));
     Html::new().line(nav)
 }
 

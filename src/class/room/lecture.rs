@@ -19,7 +19,7 @@ pub enum Command {
     Next,
     /// Goes back to the step before.
     Back,
-    /// Lets students turn to other steps, or has all follow the lecturer.
+    /// Lets students go at their own pace, or has all follow the lecturer.
     OwnPace(bool),
     /// Ends the class.
     End,
@@ -49,9 +49,8 @@ impl Room {
             }
             Command::OwnPace(allowed) if phase != Phase::Closed => {
                 inner.own_pace = allowed;
-                inner.seats.gather(!allowed, step);
-                self.changed();
-                self.pace.send_modify(|count| *count += 1);
+                inner.seats.gather(|_| allowed);
+                self.tell();
                 return true;
             }
             Command::End if phase != Phase::Closed => {
@@ -72,13 +71,18 @@ impl Room {
         }
         inner.step = step;
         inner.furthest = inner.furthest.max(step);
-        inner.seats.gather(false, step);
+        inner.seats.gather(|own| own.step != step);
         inner.opened = Instant::now();
         (inner.spread, inner.problem) = (None, None);
         drop(self.recorder.append(&[ClassLine::Pace(pace)]));
+        self.tell();
+        self.ask_engine();
+    }
+
+    /// Tells the phones and the window that the class has gone on.
+    fn tell(&self) {
         self.changed();
         self.pace.send_modify(|count| *count += 1);
-        self.ask_engine();
     }
 
     pub(super) fn ask_engine(&self) {

@@ -160,10 +160,10 @@ impl Seats {
         true
     }
 
-    /// Has the students follow the lecturer again: all, or those who are at the lecturer's step anyway.
-    pub fn gather(&mut self, all: bool, step: usize) {
+    /// Has the students follow the lecturer again, but for those who stay where they are.
+    pub fn gather(&mut self, stays: impl Fn(&OwnStep) -> bool) {
         for seat in &mut self.seats {
-            seat.own = seat.own.filter(|own| !all && own.step != step);
+            seat.own = seat.own.filter(&stays);
         }
     }
 

@@ -96,7 +96,13 @@ fn sound(base: &str, token: &str) -> Vec<Vec<u8>> {
     let chunked = format!(
         "POST {base}/answers HTTP/1.1\r\n{head}Transfer-Encoding: chunked\r\n\r\n{length:x}\r\n{answer}\r\n0\r\n\r\n"
     );
-    let posts = [post("answers", &answer), post("join", &name), chunked];
+    let turn = json!({ "step": 1 }).to_string();
+    let posts = [
+        post("answers", &answer),
+        post("join", &name),
+        post("turn", &turn),
+        chunked,
+    ];
     let paths = [
         "",
         "class.js",
@@ -119,6 +125,7 @@ fn requests() {
     );
     let class = Class::new("fuzz");
     let room = class.live.room();
+    assert!(room.perform(Command::OwnPace(true)));
     let phone = class.phone();
     // One student alone would be put off most of the time.
     let formats: Vec<Format> = (0..STUDENTS)
