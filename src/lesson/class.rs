@@ -1,16 +1,16 @@
 //! The answers of a class: hand-ins and records of live classes sorted by lesson, and graded by the engine. What a hand-in says of its own grades is not read.
 
 mod question;
+mod student;
 
 pub use question::ClassQuestion;
+pub use student::{Given, Student};
 
 use super::class_record::ClassRecord;
 use super::hand_in::{HandIn, digest, read_hand_in};
 use super::kinds::kind::counted;
 use super::kinds::{short_number, with_unit};
-use super::{
-    Answer, Answered, Budget, Grade, Kind, Lesson, SameFormula, Solution, Step, TooHeavy, find,
-};
+use super::{Answer, Budget, Kind, Lesson, SameFormula, Solution, Step, find};
 use crate::document::open_picture;
 use crate::text::{Language, in_language, text};
 use question::Failure;
@@ -62,35 +62,6 @@ pub struct Group {
     foreign: bool,
 }
 
-/// A hand-in that counts.
-#[derive(Debug)]
-pub struct Student {
-    /// Its number among the files, from 0.
-    pub index: usize,
-    /// The file's name.
-    pub file: String,
-    /// May be empty.
-    pub name: String,
-    seed: u64,
-    /// For grading what is in the file.
-    budget: Budget,
-    /// The question, from 0, whose answer takes more than that.
-    heavy: Option<(usize, TooHeavy)>,
-    /// For each question.
-    pub given: Vec<Option<Given>>,
-}
-
-/// An answer, graded.
-#[derive(Clone, Debug)]
-pub struct Given {
-    /// The answer, with the tries before it.
-    pub answered: Answered,
-    /// None where the question has no right answer.
-    pub grade: Option<Grade>,
-    /// Of the first answer.
-    pub predicted: Option<Grade>,
-}
-
 impl Unreadable {
     /// Notes a file with the reason, in both languages.
     fn new(file: String, words: impl Fn() -> String) -> Self {
@@ -99,21 +70,6 @@ impl Unreadable {
             why: words(),
             english: in_language(Language::English, words),
         }
-    }
-}
-
-impl Student {
-    /// Counts the right answers.
-    pub fn right(&self) -> usize {
-        let right = |given: &&Option<Given>| given.as_ref().is_some_and(Given::is_right);
-        self.given.iter().filter(right).count()
-    }
-}
-
-impl Given {
-    /// Returns whether it is right, within the question's tolerance.
-    pub fn is_right(&self) -> bool {
-        self.grade.is_some_and(|grade| grade.right)
     }
 }
 

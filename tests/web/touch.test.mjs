@@ -242,6 +242,17 @@ test("a lesson is done by touch alone, from the enlarged list to a hand-in that 
     await says(/^Right/);
     await next();
 
+    // A formula: the names and signs that a phone's keyboard hides have buttons.
+    await heading("Write the term");
+    await tap("MultilineTextInput", "Your answer");
+    await until(() => page.evaluate(() => ["INPUT", "TEXTAREA"].includes(document.activeElement.tagName)));
+    await page.keyboard.type("kd*ip*max(");
+    await tap("Button", "Insert N·L");
+    await page.keyboard.type(",0)");
+    await tap("Button", "Check");
+    await says(/^Right/);
+    await next();
+
     // An order: each item is moved up until it is where it belongs.
     await heading("Material and angle together");
     const items = async () => (await widgets(page)).filter(({ role, name }) => role === "Button" && name.startsWith("Move up: ")).map(({ name }) => name.match(/Kd = ([\d.]+),/)[1]);

@@ -1,6 +1,6 @@
 //! A question of a lesson as a class was asked it: its numbers filled in, solved, and the answers to it graded.
 
-use super::{Given, Student};
+use super::student::{Given, Student};
 use crate::lesson::{
     Answer, AnswerKey, Answered, Budget, Lab, LabPlace, Lesson, Question, Solution, Step, TooHeavy,
 };
