@@ -106,6 +106,15 @@ test("a lesson is done through the mirror alone, from the list to a hand-in that
   await use(page, "button", "Check");
   await hear(page, "Right");
   await next();
+
+  // A formula.
+  await meet(page, "heading", "Write the term");
+  await use(page, "textbox", "Your answer", "");
+  await page.keyboard.type("kd*ip*max(0, N·L)");
+  await page.keyboard.press("Tab");
+  await use(page, "button", "Check");
+  await hear(page, "Right");
+  await next();
   await meet(page, "heading", "Material and angle together");
 
   // An order: each item is moved up until it is where it belongs.

@@ -153,8 +153,8 @@ pub fn listen(ctx: &Context, in_front: bool) {
         return;
     }
     let focused = ctx.memory(|memory| memory.focused());
-    let response = focused.and_then(|id| ctx.read_response(id));
-    if response.is_some_and(|response| response.layer_id != LayerId::background()) {
+    let widget = focused.and_then(|id| placed(ctx, id));
+    if widget.is_some_and(|widget| widget.layer_id != LayerId::background()) {
         return;
     }
     // Read from the event: by the end of a slow frame, Shift may have been released.
@@ -239,12 +239,21 @@ pub fn ask_reset(ctx: &Context) {
     kept(ctx, |kept| kept.reset = true);
 }
 
+/// Returns where a widget is, in this frame or the one before. Its response is not asked for: that takes the focus from
+/// a field to which a click elsewhere has just given it.
+fn placed(ctx: &Context, id: Id) -> Option<WidgetRect> {
+    ctx.viewport(|viewport| {
+        let passes = [&viewport.this_pass, &viewport.prev_pass];
+        passes.iter().find_map(|pass| pass.widgets.get(id).copied())
+    })
+}
+
 /// Returns the rectangle of the focused widget, if it is in `rect`.
 fn focused_in(ui: &Ui, rect: Rect) -> Option<Rect> {
     let id = ui.memory(|memory| memory.focused())?;
-    let response = ui.ctx().read_response(id)?;
-    let inside = response.layer_id == ui.layer_id() && rect.contains(response.rect.center());
-    inside.then_some(response.rect)
+    let widget = placed(ui.ctx(), id)?;
+    let inside = widget.layer_id == ui.layer_id() && rect.contains(widget.rect.center());
+    inside.then_some(widget.rect)
 }
 
 /// Returns whether the keyboard resets the row in `rect`, and clears the request.
@@ -279,13 +288,13 @@ pub fn show(ctx: &Context) {
         return;
     };
     let by_pointer = id == picture_id() && !by_key;
-    let Some(response) = ctx.read_response(id).filter(|_| !by_pointer) else {
+    let Some(widget) = placed(ctx, id).filter(|_| !by_pointer) else {
         return;
     };
     let [width, gap] = RING;
-    let painter = ctx.layer_painter(response.layer_id);
+    let painter = ctx.layer_painter(widget.layer_id);
     let stroke = Stroke::new(width, ctx.global_style().visuals.hyperlink_color);
-    let rect = response.interact_rect;
+    let rect = widget.interact_rect;
     if rect.is_positive() {
         painter.rect_stroke(rect.expand(gap), 6.0, stroke, StrokeKind::Middle);
     }

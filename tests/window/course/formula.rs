@@ -127,6 +127,16 @@ fn names_are_put_where_the_cursor_is() {
         draft(&harness),
         Some(Answer::Formula("ip*kd*N·L".to_owned()))
     );
+    // By the pointer as well the field keeps the focus.
+    let name = english!("course-formula-put", key = "kd");
+    harness.get_by_role_and_label(Role::Button, &name).click();
+    harness.run_ok();
+    type_text(&mut harness, "*");
+    assert_eq!(typed(&harness), "ip*kd*kd*N·L");
+    harness.key_press(Key::Backspace);
+    harness.key_press(Key::Backspace);
+    harness.key_press(Key::Backspace);
+    harness.run_ok();
     // Two names side by side stay two.
     harness.key_press(Key::End);
     harness.run_ok();
@@ -152,6 +162,7 @@ fn a_phone_has_the_signs_beside_the_field() {
         let button = harness.get_by_role_and_label(Role::Button, &name);
         let rect = button.rect();
         assert!(rect.min.x >= 0.0 && rect.max.x <= 390.0, "{key}: {rect}");
+        assert!(rect.height() >= 20.0, "{key}: {rect}");
     }
 }
 

@@ -12,7 +12,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::text::{CCursor, CCursorRange};
 use eframe::egui::text_edit::TextEditState;
 use eframe::egui::{
-    Button, Context, Event, Id, Key, KeyboardShortcut, Modifiers, RichText, TextEdit, TextStyle, Ui,
+    Context, Event, Id, Key, KeyboardShortcut, Modifiers, RichText, TextEdit, TextStyle, Ui,
 };
 
 /// The width of a window that is a phone's, in points.
@@ -102,7 +102,7 @@ impl FormulaWidget {
     fn keys_ui<'k>(&mut self, ui: &mut Ui, id: Id, keys: impl Iterator<Item = &'k str>) -> bool {
         let mut put = false;
         for key in keys {
-            let button = ui.add(Button::new(RichText::new(key).monospace()).small());
+            let button = ui.button(RichText::new(key).monospace());
             let button = named(
                 button,
                 Role::Button,
