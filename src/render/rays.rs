@@ -2,6 +2,7 @@
 
 mod bounce;
 mod bvh;
+mod light_buffer;
 mod packet;
 mod proof;
 mod shadow;
@@ -12,6 +13,7 @@ mod world;
 
 pub use bounce::Bounced;
 pub use bvh::Bvh;
+pub use light_buffer::{LightBuffer, light_buffers};
 pub use packet::{BLOCK, Visibility};
 pub use shadow::ShadowCaster;
 pub use solid::{PrimaryHits, Solid};

@@ -4,6 +4,7 @@
 //! starts outside and ends outside must cross the surface. Margins are wider than the rounding; outside the range of sizes
 //! that they were derived for, the answer is "unknown".
 
+use super::light_buffer::{LightBuffer, Seen};
 use super::packet::{PointRow, RAYS, Vectors, bits, dot};
 use crate::geometry::{cross, load, splat, sub};
 use crate::illumination::area_hull;
@@ -125,6 +126,12 @@ impl<S: Simd> Points<S> {
             error: (distance + balls.outer) * ROUNDINGS,
             above,
         }
+    }
+
+    /// Returns the points as a light sees them.
+    #[inline(always)]
+    pub fn seen(&self, simd: S, buffer: &LightBuffer) -> Seen {
+        buffer.see(simd, &self.from, self.distance)
     }
 
     #[inline(always)]

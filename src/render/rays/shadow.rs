@@ -2,7 +2,8 @@
 //!
 //! Sixteen points are tested together. Rays that [`super::proof`] cannot decide wait until they fill a packet.
 
-use super::packet::{BLOCK, Packet, PointRow, RAYS, Visibility};
+use super::light_buffer::LightBuffer;
+use super::packet::{BLOCK, Packet, PointRow, RAYS, Visibility, rays_of};
 use super::proof::{AreaLight, Balls, Points, Target};
 use super::solid::{PrimaryHit, PrimaryHits, Solid};
 use crate::illumination::Equation;
@@ -17,12 +18,14 @@ use std::ops::Range;
 /// its ray then starts at the light.
 const FAR_POINT: f64 = 1e9;
 
-struct Lamp {
+struct Lamp<'a> {
     sources: Range<usize>,
     /// One flag for sources under the floor, and one for sources above it.
     sides: [bool; 2],
     /// The area light, where testing all its sources at once is worthwhile.
     area: Option<AreaLight>,
+    /// The object as its only source sees it.
+    buffer: Option<&'a LightBuffer>,
 }
 
 /// The caster of shadows upon rows of points.
@@ -32,7 +35,7 @@ pub struct ShadowCaster<'a> {
     ground: Option<f64>,
     flip: bool,
     targets: Vec<Target>,
-    lamps: Vec<Lamp>,
+    lamps: Vec<Lamp<'a>>,
     balls: Balls,
     middle: DVec3,
     /// True if the points lie on the object as the picture shows it: each pixel or vertex is lifted by its own normal.
@@ -102,8 +105,10 @@ impl<'a> ShadowCaster<'a> {
                     .any(|target| target.rise * sign > 0.0)
             };
             let sides = [any(-1.0), any(1.0)];
+            let buffer = solid.buffers.get(light).and_then(Option::as_ref);
             Lamp {
                 sides,
+                buffer: buffer.filter(|_| sources.len() == 1),
                 sources,
                 area: area.map(|light| AreaLight::new(light, middle, radius)),
             }
@@ -251,7 +256,7 @@ impl<'a> ShadowCaster<'a> {
         &self,
         simd: S,
         group: &Group<'_, S>,
-        lamp: &Lamp,
+        lamp: &Lamp<'_>,
         visible: &mut VisibilityMask<'_>,
         queue: &mut Queue,
     ) {
@@ -292,9 +297,44 @@ impl<'a> ShadowCaster<'a> {
             if unknown != 0 {
                 let [open, shut] = points.decide(simd, &way, target, self.balls);
                 dark |= unknown & shut;
-                self.wait(simd, group, unknown & !open & !shut, source, visible, queue);
+                let mut unknown = unknown & !open & !shut;
+                if let Some(buffer) = lamp.buffer.filter(|_| unknown != 0) {
+                    let seen = points.seen(simd, buffer);
+                    unknown &= !seen.clear;
+                    for ray in rays_of(unknown & seen.sound) {
+                        let meets = |triangle| {
+                            self.solid
+                                .blocks(triangle, self.ray(group, first + ray, source))
+                        };
+                        dark |= u32::from(buffer.hides(simd, &seen, ray, meets)) << ray;
+                    }
+                    unknown &= !seen.sound;
+                }
+                self.wait(simd, group, unknown, source, visible, queue);
             }
             visible.darken(source, *first, dark);
+        }
+    }
+
+    /// Returns the ray from a point to a source: its origin, its direction and the end of its parameter.
+    fn ray<S: Simd>(
+        &self,
+        group: &Group<'_, S>,
+        point: usize,
+        source: usize,
+    ) -> (DVec3, DVec3, f64) {
+        let Target {
+            place: to,
+            parallel,
+            ..
+        } = self.targets[source];
+        let start = group.row.lifted(point, group.side * self.solid.clearance());
+        if parallel {
+            (start, to, f64::MAX)
+        } else if start.length_squared() > (FAR_POINT * to.length()).powi(2) {
+            (to, start - to, 1.0)
+        } else {
+            (start, to - start, 1.0)
         }
     }
 
@@ -309,22 +349,10 @@ impl<'a> ShadowCaster<'a> {
         visible: &mut VisibilityMask<'_>,
         queue: &mut Queue,
     ) {
-        let Target {
-            place: to,
-            parallel,
-            ..
-        } = self.targets[source];
         while rays != 0 {
             let point = group.first + rays.trailing_zeros() as usize;
             rays &= rays - 1;
-            let start = group.row.lifted(point, group.side * self.solid.clearance());
-            let (origin, direction, t_max) = if parallel {
-                (start, to, f64::MAX)
-            } else if start.length_squared() > (FAR_POINT * to.length()).powi(2) {
-                (to, start - to, 1.0)
-            } else {
-                (start, to - start, 1.0)
-            };
+            let (origin, direction, t_max) = self.ray(group, point, source);
             let count = queue.count;
             queue.packet.set(count, origin, direction, t_max);
             queue.marks[count] = (source as u32, point as u32);

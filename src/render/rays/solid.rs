@@ -2,7 +2,9 @@
 //! in double precision, from which rays start.
 
 use super::bvh::Bvh;
+use super::light_buffer::LightBuffer;
 use super::packet::{Packet, RAYS, rays_of};
+use super::traverse::meet;
 use crate::geometry::{Ray, Surface, SurfaceHit, TOGETHER};
 use crate::render::lens::{Lens, pixel_centre};
 use crate::render::model::Model;
@@ -24,6 +26,8 @@ pub struct Solid<'a> {
     pub level: Level,
     pub model: &'a Model,
     pub bvh: &'a Bvh,
+    /// The polygons as each light sees them, where that makes its shadows quicker; none for the true surface.
+    pub buffers: &'a [Option<LightBuffer>],
     pub surface: Option<&'a Surface>,
     /// True if the normal is interpolated over a polygon.
     pub smooth: bool,
@@ -97,6 +101,13 @@ impl Solid<'_> {
             blocked |= u32::from(hit.is_some_and(|hit| hit.t < packet.t_max[ray])) << ray;
         });
         blocked
+    }
+
+    /// Returns whether a triangle blocks one ray, relative to the ball's middle.
+    pub fn blocks(&self, triangle: u32, (origin, direction, t_max): (DVec3, DVec3, f64)) -> bool {
+        let corners =
+            self.model.triangles[triangle as usize].map(|vertex| self.model.place(vertex));
+        meet(&corners, origin, direction, t_max).is_some()
     }
 
     /// Calls `each` with every ray whose bit is set in `requested` and its point on the surface; rays are relative to `middle`.

@@ -8,7 +8,7 @@ use super::bvh::{Bvh, Node, STACK};
 use super::packet::{self, Packet, RAYS, Vectors, bits};
 use crate::geometry::{cross, dot, load, splat, sub};
 use fearless_simd::{f32x16, f64x8, prelude::*};
-use glam::Vec3;
+use glam::{DVec3, Vec3};
 
 /// Half a packet, the lanes of double precision.
 const HALF: usize = RAYS / 2;
@@ -388,6 +388,22 @@ fn meet_half<S: Simd>(
     }
 }
 
+/// Intersects one ray with a triangle for 0 < t < `limit`, as [`meet_half`] does eight.
+pub fn meet(corners: &[Vec3; 3], origin: DVec3, direction: DVec3, limit: f64) -> Option<f64> {
+    let [a, b, c] = corners.map(|corner| corner.as_dvec3());
+    let (e1, e2) = ((b - a).to_array(), (c - a).to_array());
+    let (from, direction) = ((origin - a).to_array(), direction.to_array());
+    let p = cross(direction, e2);
+    let determinant = dot(e1, p);
+    let inverse = 1.0 / determinant;
+    let w1 = dot(from, p) * inverse;
+    let q = cross(from, e1);
+    let w2 = dot(direction, q) * inverse;
+    let t = dot(e2, q) * inverse;
+    let within = w1 >= -SEAM && w1 <= 1.0 + SEAM && w2 >= -SEAM && w1 + w2 <= 1.0 + SEAM;
+    (within && t > 0.0 && t < limit && determinant != 0.0).then_some(t)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -395,7 +411,6 @@ mod tests {
     use crate::render::model::Model;
     use crate::scene::{NormalSource, Object, ObjectKind, Weighting};
     use fearless_simd::{Level, dispatch};
-    use glam::DVec3;
 
     fn model(kind: ObjectKind) -> Model {
         let mesh = tessellate(&Object {
@@ -418,20 +433,6 @@ mod tests {
             )
         };
         (1..2000).map(ray).collect()
-    }
-
-    /// Intersects one ray with a triangle in double precision, for 0 < t < `limit`.
-    fn meet(corners: [Vec3; 3], origin: DVec3, direction: DVec3, limit: f64) -> Option<f64> {
-        let [a, b, c] = corners.map(|corner| corner.as_dvec3());
-        let (e1, e2, from) = (b - a, c - a, origin - a);
-        let (p, q) = (direction.cross(e2), from.cross(e1));
-        let inverse = 1.0 / e1.dot(p);
-        let (w1, w2, t) = (
-            from.dot(p) * inverse,
-            direction.dot(q) * inverse,
-            e2.dot(q) * inverse,
-        );
-        (w1 >= -SEAM && w2 >= -SEAM && w1 + w2 <= 1.0 + SEAM && t > 0.0 && t < limit).then_some(t)
     }
 
     #[test]
@@ -467,7 +468,7 @@ mod tests {
                 let first = |k: usize| {
                     let (origin, direction, t_max) = packet.ray(k);
                     let nearer = |limit, corners: &[Vec3; 3]| {
-                        meet(*corners, origin, direction, limit).unwrap_or(limit)
+                        meet(corners, origin, direction, limit).unwrap_or(limit)
                     };
                     Some(corners.iter().fold(t_max, nearer)).filter(|t| *t < t_max)
                 };

@@ -9,8 +9,8 @@ use crate::render::lens::pixel_centre;
 use crate::render::node::{Memory, Node, capacity};
 use crate::render::raster::Coverage;
 use crate::render::rays::{
-    Bounced, Bvh, DiffuseSurface, LightScratch, PrimaryHits, ShadowCaster, Solid, Transmission,
-    Visibility, World, matt_scene,
+    Bounced, Bvh, DiffuseSurface, LightBuffer, LightScratch, PrimaryHits, ShadowCaster, Solid,
+    Transmission, Visibility, World, light_buffers, matt_scene,
 };
 use crate::scene::{
     Ambient, AmbientSource, Backfacing, FaceMaterial, Light, Material, Pattern, PatternKind,
@@ -22,9 +22,23 @@ use glam::Vec3;
 #[derive(Default)]
 pub struct RayNodes {
     boxes: Node<Bvh>,
+    buffers: Node<Vec<Option<LightBuffer>>>,
     visibility: Node<Visibility>,
     background: Node<Vec<Vec3>>,
     bounced: Node<Bounced>,
+}
+
+/// What rays are searched for in: the boxes, and the triangles as lights see them, where that is known.
+#[derive(Clone, Copy)]
+struct Searched<'a> {
+    bvh: &'a Bvh,
+    buffers: &'a [Option<LightBuffer>],
+}
+
+impl<'a> Searched<'a> {
+    fn boxes(bvh: &'a Bvh) -> Self {
+        Self { bvh, buffers: &[] }
+    }
 }
 
 /// The light mixed into the equation's value at a pixel.
@@ -44,7 +58,7 @@ impl<'a> Inputs<'a> {
         )
     }
 
-    fn hits<'b>(&self, bvh: &'b Bvh) -> PrimaryHits<'b>
+    fn hits<'b>(&self, Searched { bvh, buffers }: Searched<'b>) -> PrimaryHits<'b>
     where
         'a: 'b,
     {
@@ -53,6 +67,7 @@ impl<'a> Inputs<'a> {
             level: self.level,
             model: self.triangles.model,
             bvh,
+            buffers,
             surface,
             smooth: self.smooth(),
         };
@@ -63,25 +78,20 @@ impl<'a> Inputs<'a> {
         }
     }
 
-    fn caster<'b>(&self, bvh: &'b Bvh) -> ShadowCaster<'b>
+    fn caster<'b>(&self, searched: Searched<'b>) -> ShadowCaster<'b>
     where
         'a: 'b,
     {
-        ShadowCaster::new(self.scene, self.hits(bvh).solid, &self.equations()[0], true)
+        ShadowCaster::new(
+            self.scene,
+            self.hits(searched).solid,
+            &self.equations()[0],
+            true,
+        )
     }
 
     /// Returns the inputs of the shadow bits besides the object and the coverage: the lights' positions, not their intensities.
     fn shadow_key(&self) -> (Per, bool, Option<f64>, bool, Vec<Light>, Vec<bool>) {
-        let place = |light: &Light| Light {
-            kind: light.kind,
-            position: light.position,
-            direction: light.direction,
-            shape: light.shape,
-            extent: light.extent,
-            radius: light.radius,
-            samples: light.samples,
-            ..Light::default()
-        };
         let Scene {
             ground,
             reflection,
@@ -92,13 +102,12 @@ impl<'a> Inputs<'a> {
             ground.visible.then_some(ground.height),
             reflection.backfacing == Backfacing::Flip,
         );
-        let places: Vec<Light> = lights.iter().map(place).collect();
         (
             self.plan.per,
             self.smooth(),
             ground,
             flip,
-            places,
+            lights.iter().map(place).collect(),
             self.plan.lights.clone(),
         )
     }
@@ -115,11 +124,14 @@ impl<'a> Inputs<'a> {
     }
 
     /// Returns what rays past and through the object meet; where light bounces, without constant ambient light.
-    fn world<'b>(&'b self, bvh: &'b Bvh, bounces: bool) -> World<'b> {
+    fn world<'b>(&'b self, searched: Searched<'b>, bounces: bool) -> World<'b> {
         let Self {
             scene, materials, ..
         } = *self;
-        let (hits, ka) = (self.hits(bvh), if bounces { 0.0 } else { scene.ground.ka });
+        let (hits, ka) = (
+            self.hits(searched),
+            if bounces { 0.0 } else { scene.ground.ka },
+        );
         let mut world = World::new((scene, materials), hits, ka, self.shades_floor());
         if self.sees_others() {
             let equations = for_each_material(scene, materials, |scene| {
@@ -182,10 +194,25 @@ struct SeenThrough {
     shadows: bool,
 }
 
+/// Returns a light without all that moves no shadow.
+fn place(light: &Light) -> Light {
+    Light {
+        kind: light.kind,
+        position: light.position,
+        direction: light.direction,
+        shape: light.shape,
+        extent: light.extent,
+        radius: light.radius,
+        samples: light.samples,
+        ..Light::default()
+    }
+}
+
 impl RayNodes {
     /// Makes the next picture trace every ray anew.
     pub fn forget(&mut self) {
         self.boxes.forget();
+        self.buffers.forget();
         self.visibility.forget();
         self.background.forget();
         self.bounced.forget();
@@ -205,6 +232,7 @@ impl RayNodes {
         }
         if !(plan.shadows || plan.follows_rays()) {
             self.boxes.release();
+            self.buffers.release();
         }
     }
 
@@ -218,6 +246,11 @@ impl RayNodes {
         *bits += capacity(&self.visibility.output.words);
         memory.pixels += capacity(&self.background.output);
         self.boxes.output.count(memory);
+        self.buffers
+            .output
+            .iter()
+            .flatten()
+            .for_each(|buffer| buffer.count(memory));
         self.bounced.output.count(memory);
     }
 
@@ -245,7 +278,7 @@ impl RayNodes {
                 _ => (model.position(index as u32), model.normal(index as u32)),
             };
             inputs
-                .caster(&boxes.output)
+                .caster(Searched::boxes(&boxes.output))
                 .mark_points(count, point, visibility);
         })
     }
@@ -279,19 +312,35 @@ impl RayNodes {
         {
             self.build(inputs, object);
         }
+        let casts = at_pixels || plan.composes && inputs.shades_floor();
+        if casts && plan.leaves_out && !plan.true_surface {
+            let soloing = scene.soloing();
+            let shining = |light: &Light| light.shines(soloing).then(|| place(light));
+            let lights: Vec<Option<Light>> = scene.lights.iter().map(shining).collect();
+            self.buffers.update((object, lights.clone()), |buffers| {
+                *buffers = light_buffers(inputs.level, inputs.triangles.model, &lights);
+            });
+        } else {
+            self.buffers.release();
+        }
         let Self {
             boxes,
+            buffers,
             visibility,
             background,
             bounced,
         } = self;
-        let (bvh, smooth) = (&boxes.output, inputs.smooth());
+        let searched = Searched {
+            bvh: &boxes.output,
+            buffers: &buffers.output,
+        };
+        let smooth = inputs.smooth();
         let mut ran = false;
         if at_pixels {
             ran |= visibility.update((object, covered, inputs.shadow_key()), |visibility| {
                 inputs
-                    .caster(bvh)
-                    .mark_pixels(coverage, &inputs.hits(bvh), visibility);
+                    .caster(searched)
+                    .mark_pixels(coverage, &inputs.hits(searched), visibility);
             });
         }
         if plan.composes {
@@ -309,7 +358,7 @@ impl RayNodes {
                 ),
                 |seen| {
                     for part in parts {
-                        let world = inputs.world(bvh, part.bounces);
+                        let world = inputs.world(searched, part.bounces);
                         world.see_background(coverage, &part.columns, seen);
                     }
                 },
@@ -334,7 +383,7 @@ impl RayNodes {
                     scene.lights.clone(),
                 ),
                 |bounced| {
-                    let world = World::new((scene, materials), inputs.hits(bvh), 0.0, true);
+                    let world = World::new((scene, materials), inputs.hits(searched), 0.0, true);
                     let matt = for_each_material(scene, materials, |scene| {
                         let Material { kd, color, .. } = scene.material;
                         let coefficients = [Rgb::ZERO, kd, color];
@@ -392,7 +441,7 @@ impl RayNodes {
             scene, plan, lens, ..
         } = *inputs;
         let (hits, place) = (
-            inputs.hits(&self.boxes.output),
+            inputs.hits(Searched::boxes(&self.boxes.output)),
             pixel_centre(x as usize, y as usize),
         );
         let hit = if plan.true_surface {
@@ -404,7 +453,7 @@ impl RayNodes {
         let mut transmission = None;
         if inputs.materials[hit.material].kt > 0.0 {
             let ray = [(0, hit, lens.ray(place).1.normalize())];
-            let world = inputs.world(&self.boxes.output, bounces);
+            let world = inputs.world(Searched::boxes(&self.boxes.output), bounces);
             world.transmit(&ray, &mut LightScratch::default(), |_, told| {
                 transmission = Some(told);
             });

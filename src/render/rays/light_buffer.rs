@@ -1,0 +1,530 @@
+//! The object as a light sees it: its triangles, sorted into the cells of a grid, so that a ray to the light is tested against
+//! those of one cell (E. Haines and D. Greenberg, *The light buffer: a shadow-testing accelerator*, 1986).
+//!
+//! Space is mapped so that the rays to the light become parallel: with the unit vector W from the middle of the object to a light
+//! at distance d, a place p has the coordinates (p·U, p·V, p·W) / (1 − p·W/d), which keep lines and planes as they are. A triangle
+//! hides a point if it lies above the point. In single precision that is certain for most points; the others are decided
+//! in double precision, as everywhere, so that a buffer changes no answer.
+
+use super::packet::{RAYS, Vectors, bits, dot};
+use crate::geometry::{cross, dot as dot3, load, splat, sub};
+use crate::render::model::Model;
+use crate::render::node::{Memory, capacity};
+use crate::scene::{Light, LightKind, direction};
+use fearless_simd::{Level, dispatch, f32x8, f32x16, f64x8, prelude::*};
+use glam::{DVec2, DVec3};
+use rayon::prelude::*;
+
+/// The distance of a light, in radii of the object, from which its buffer is a fair picture of the object.
+const FAR_ENOUGH: f64 = 1.25;
+/// The range of the object's radii whose products stay far from the ends of single precision.
+const RADII: [f64; 2] = [1e-6, 1e9];
+/// The most triangles, over all lights, that buffers are made of: finer meshes would take more memory than time is saved.
+const MOST_TRIANGLES: usize = 1 << 18;
+/// The cells to a triangle.
+const CELLS: f64 = 0.5;
+/// The most cells of a side.
+const MOST_CELLS: f64 = 512.0;
+/// The entries to a triangle beyond which a grid does not suit the mesh, and some to begin with.
+const MOST_ENTRIES: [usize; 2] = [16, 4096];
+/// The roundings of a point's coordinates and of its distance from a plane, generously, as a part of the distances.
+const ROUNDINGS: f32 = 16.0 * f32::EPSILON;
+/// The error of a point, as a part of the object's size, beyond which its cell is not known.
+const MARGIN: f64 = 1.0 / 4096.0;
+
+/// The triangles that are tested together.
+const EIGHT: usize = 8;
+
+/// Eight triangles: three edges ax + by + c, the distance from each, positive within; and ax + by + c − dk, the distance beneath the plane.
+#[derive(Clone)]
+struct Pack {
+    planes: [[f32; EIGHT]; 13],
+    triangles: [u32; EIGHT],
+}
+
+impl Pack {
+    /// Eight triangles that hide nothing.
+    const EMPTY: Self = {
+        let mut planes = [[0.0; EIGHT]; 13];
+        planes[2] = [f32::NEG_INFINITY; EIGHT];
+        Self {
+            planes,
+            triangles: [0; EIGHT],
+        }
+    };
+}
+
+/// The buffer of one light.
+pub struct LightBuffer {
+    /// U, V and W.
+    axes: [DVec3; 3],
+    /// 1/d; 0 for parallel rays.
+    nearness: f64,
+    /// The largest coordinate of the object.
+    extent: f32,
+    /// The lowest and the highest coordinates of the object.
+    low: [f32; 3],
+    high: [f32; 3],
+    grid: Grid,
+    /// The first pack of each cell, and the end of the last.
+    starts: Vec<u32>,
+    packs: Vec<Pack>,
+}
+
+/// Sixteen points as the light sees them.
+pub struct Seen {
+    place: [[f32; RAYS]; 3],
+    error: [f32; RAYS],
+    /// The points that certainly have nothing above them.
+    pub clear: u32,
+    /// The points for which the buffer has an answer.
+    pub sound: u32,
+}
+
+/// Returns a buffer for each light that there is, where that makes its shadows quicker: of convex objects few rays are left to follow.
+pub fn light_buffers(
+    level: Level,
+    model: &Model,
+    lights: &[Option<Light>],
+) -> Vec<Option<LightBuffer>> {
+    let few = model.triangles.len() * lights.len() <= MOST_TRIANGLES;
+    if !few || model.closed && model.convex {
+        return Vec::new();
+    }
+    let buffer = |light: &Option<Light>| LightBuffer::new(level, model, light.as_ref()?);
+    lights.par_iter().map(buffer).collect()
+}
+
+impl LightBuffer {
+    /// Makes the buffer of a light; none for an area light, for one too near, and where a grid does not suit the mesh.
+    fn new(level: Level, model: &Model, light: &Light) -> Option<Self> {
+        let radius = model.radius;
+        let (towards, nearness) = match light.kind {
+            LightKind::Area => return None,
+            LightKind::Directional => (-direction(light.direction)?, 0.0),
+            LightKind::Point | LightKind::Spot => {
+                let place = light.position - model.origin;
+                (direction(place)?, 1.0 / place.length())
+            }
+        };
+        if radius * nearness > 1.0 / FAR_ENOUGH || !(RADII[0]..RADII[1]).contains(&radius) {
+            return None;
+        }
+        let (u, v) = towards.any_orthonormal_pair();
+        let axes = [u, v, towards];
+        let places: Vec<DVec3> = (0..model.vertex_count as u32)
+            .map(|vertex| mapped(&axes, nearness, model.place(vertex).as_dvec3()))
+            .collect();
+        let corners = |triangle: &[u32; 3]| triangle.map(|vertex| places[vertex as usize]);
+        let used = model.triangles.iter().flat_map(corners);
+        let (low, high) = used.fold(
+            (DVec3::INFINITY, DVec3::NEG_INFINITY),
+            |(low, high), place| (low.min(place), high.max(place)),
+        );
+        let extent = low.abs().max_element().max(high.abs().max_element());
+        let margin = extent * MARGIN;
+        let side = (model.triangles.len() as f64 * CELLS)
+            .sqrt()
+            .clamp(1.0, MOST_CELLS) as usize;
+        let cell = (high - low).truncate().max(DVec2::splat(margin)) / side as f64;
+        let grid = Grid {
+            low: low.truncate().as_vec2().to_array(),
+            cell: cell.as_vec2().to_array(),
+            scale: (1.0 / cell).as_vec2().to_array(),
+            side,
+            margin: margin as f32,
+        };
+        let outlines = outlines(level, model, &places);
+        let most = model.triangles.len() * MOST_ENTRIES[0] + MOST_ENTRIES[1];
+        let mut counts = vec![0_u32; side * side];
+        let mut entries = Vec::with_capacity(4 * model.triangles.len());
+        for triangle in 0..model.triangles.len() {
+            let (outline, lane) = (&outlines[triangle / EIGHT], triangle % EIGHT);
+            grid.each_cell(outline, lane, |cell| {
+                counts[cell] += 1;
+                entries.push((cell as u32, triangle as u32));
+            });
+            if entries.len() > most {
+                return None;
+            }
+        }
+        let mut starts = Vec::with_capacity(counts.len() + 1);
+        let mut end = 0;
+        for count in &counts {
+            starts.push(end);
+            end += count.div_ceil(EIGHT as u32);
+        }
+        starts.push(end);
+        let mut packs = vec![Pack::EMPTY; end as usize];
+        let mut filled = counts;
+        filled.fill(0);
+        for (cell, triangle) in entries {
+            let at = &mut filled[cell as usize];
+            let pack = &mut packs[(starts[cell as usize] + *at / EIGHT as u32) as usize];
+            let lane = (*at % EIGHT as u32) as usize;
+            *at += 1;
+            let outline = &outlines[triangle as usize / EIGHT];
+            for (plane, from) in pack.planes.iter_mut().zip(&outline.planes) {
+                plane[lane] = from[triangle as usize % EIGHT];
+            }
+            pack.triangles[lane] = triangle;
+        }
+        Some(Self {
+            axes,
+            nearness,
+            extent: extent as f32,
+            low: low.as_vec3().to_array(),
+            high: high.as_vec3().to_array(),
+            grid,
+            starts,
+            packs,
+        })
+    }
+
+    /// Adds the memory held.
+    pub fn count(&self, memory: &mut Memory) {
+        memory.triangles += capacity(&self.starts) + capacity(&self.packs);
+    }
+
+    /// Maps sixteen points, given relative to the middle of the object with their distance from it.
+    #[inline(always)]
+    pub fn see<S: Simd>(&self, simd: S, from: &Vectors<S>, distance: f32x16<S>) -> Seen {
+        let [across, up, towards] = self
+            .axes
+            .map(|axis| dot(from, &splat(simd, axis.as_vec3())));
+        let one = f32x16::splat(simd, 1.0);
+        let shrunk = one - towards * (self.nearness as f32);
+        let scale = one / shrunk;
+        let place = [across * scale, up * scale, towards * scale];
+        let error = distance.mul_add(scale, f32x16::splat(simd, self.extent)) * ROUNDINGS;
+        let margin = f32x16::splat(simd, self.grid.margin);
+        let sound = shrunk.simd_gt(f32x16::splat(simd, 0.0)) & error.simd_le(margin * 0.5);
+        let mut clear = place[2].simd_gt(margin + self.high[2]);
+        for ((place, low), high) in place.iter().zip(self.low).zip(self.high).take(2) {
+            clear |=
+                place.simd_gt(margin + high) | place.simd_lt(f32x16::splat(simd, low) - margin);
+        }
+        let mut seen = Seen {
+            place: [[0.0; RAYS]; 3],
+            error: [0.0; RAYS],
+            clear: bits(clear & sound),
+            sound: bits(sound),
+        };
+        for (stored, lanes) in seen.place.iter_mut().zip(place) {
+            lanes.store_slice(stored);
+        }
+        error.store_slice(&mut seen.error);
+        seen
+    }
+
+    /// Returns whether a triangle hides the point `ray` of those seen; `meets` decides for a triangle where that is uncertain.
+    #[inline(always)]
+    pub fn hides<S: Simd>(
+        &self,
+        simd: S,
+        seen: &Seen,
+        ray: usize,
+        mut meets: impl FnMut(u32) -> bool,
+    ) -> bool {
+        let [x, y, k] = [0, 1, 2].map(|axis| seen.place[axis][ray]);
+        let cell = self.grid.index(y, 1) * self.grid.side + self.grid.index(x, 0);
+        let packs = &self.packs[self.starts[cell] as usize..self.starts[cell + 1] as usize];
+        let [x, y, k] = [x, y, k].map(|at| f32x8::splat(simd, at));
+        let error = f32x8::splat(simd, seen.error[ray]);
+        // The least distance within an edge or beneath the plane.
+        let within = |pack: &Pack| {
+            let plane = |index: usize| f32x8::from_slice(simd, &pack.planes[index]);
+            let line = |first: usize| {
+                plane(first).mul_add(x, plane(first + 1).mul_add(y, plane(first + 2)))
+            };
+            let beneath = line(9) - plane(12) * k;
+            line(0).min(line(3)).min(line(6).min(beneath))
+        };
+        let mut uncertain = false;
+        for pack in packs {
+            let within = within(pack);
+            if within.simd_gt(error).any_true() {
+                return true;
+            }
+            uncertain |= within.simd_ge(-error).any_true();
+        }
+        uncertain
+            && packs.iter().any(|pack| {
+                let mut near = within(pack).simd_ge(-error).to_bitmask();
+                let mut met = false;
+                while near != 0 && !met {
+                    met = meets(pack.triangles[near.trailing_zeros() as usize]);
+                    near &= near - 1;
+                }
+                met
+            })
+    }
+}
+
+/// Maps a place, relative to the middle of the object.
+fn mapped(axes: &[DVec3; 3], nearness: f64, place: DVec3) -> DVec3 {
+    let [across, up, towards] = axes.map(|axis| axis.dot(place));
+    DVec3::new(across, up, towards) / (1.0 - towards * nearness)
+}
+
+/// Eight triangles as the light sees them: their bounds, and the planes of a [`Pack`].
+struct Outlines {
+    low: [[f32; EIGHT]; 2],
+    high: [[f32; EIGHT]; 2],
+    planes: [[f32; EIGHT]; 13],
+}
+
+/// Returns the outlines of all triangles, whose corners are at these mapped places.
+fn outlines(level: Level, model: &Model, places: &[DVec3]) -> Vec<Outlines> {
+    let outlines = |triangles: &[[u32; 3]]| {
+        let mut corners = [[[0.0; EIGHT]; 3]; 3];
+        for (lane, triangle) in triangles.iter().enumerate() {
+            for (corner, vertex) in corners.iter_mut().zip(triangle) {
+                let place = places[*vertex as usize];
+                for (axis, plane) in corner.iter_mut().enumerate() {
+                    plane[lane] = place[axis];
+                }
+            }
+        }
+        dispatch!(level, simd => Outlines::new(simd, &corners))
+    };
+    model.triangles.chunks(EIGHT).map(outlines).collect()
+}
+
+impl Outlines {
+    #[inline(always)]
+    fn new<S: Simd>(simd: S, corners: &[[[f64; EIGHT]; 3]; 3]) -> Self {
+        let [a, b, c]: [[f64x8<S>; 3]; 3] = [0, 1, 2].map(|corner| load(simd, &corners[corner], 0));
+        let zero = f64x8::splat(simd, 0.0);
+        let bounds = |axis: usize, bound: fn(f64x8<S>, f64x8<S>) -> f64x8<S>| {
+            narrow(bound(bound(a[axis], b[axis]), c[axis]))
+        };
+        let (e1, e2) = (sub(b, a), sub(c, a));
+        let normal = cross(e1, e2);
+        // Counter-clockwise from the light.
+        let turn = f64x8::splat(simd, 1.0).copysign(normal[2]);
+        // An edge or a plane without extent has no sides: all is on it.
+        let inverse = |square: f64x8<S>| {
+            square
+                .simd_gt(zero)
+                .select(f64x8::splat(simd, 1.0) / square.sqrt(), zero)
+        };
+        let mut planes = [[0.0; EIGHT]; 13];
+        for (edge, (from, to)) in [(a, b), (b, c), (c, a)].into_iter().enumerate() {
+            let [x, y, _] = sub(to, from);
+            let scale = inverse(x * x + y * y) * turn;
+            let (x, y) = (-y * scale, x * scale);
+            planes[3 * edge] = narrow(x);
+            planes[3 * edge + 1] = narrow(y);
+            planes[3 * edge + 2] = narrow(-(x * from[0] + y * from[1]));
+        }
+        let scale = inverse(dot3(normal, normal)) * turn;
+        let normal = normal.map(|component| component * scale);
+        planes[9] = narrow(-normal[0]);
+        planes[10] = narrow(-normal[1]);
+        planes[11] = narrow(dot3(normal, a));
+        planes[12] = narrow(normal[2]);
+        Self {
+            low: [bounds(0, f64x8::min), bounds(1, f64x8::min)],
+            high: [bounds(0, f64x8::max), bounds(1, f64x8::max)],
+            planes,
+        }
+    }
+}
+
+/// Returns the numbers in single precision.
+#[inline(always)]
+fn narrow<S: Simd>(numbers: f64x8<S>) -> [f32; EIGHT] {
+    let mut wide = [0.0_f64; EIGHT];
+    numbers.store_slice(&mut wide);
+    wide.map(|number| number as f32)
+}
+
+/// The cells of a buffer.
+struct Grid {
+    low: [f32; 2],
+    cell: [f32; 2],
+    scale: [f32; 2],
+    side: usize,
+    margin: f32,
+}
+
+impl Grid {
+    /// Returns the column or row of a place, the nearest one of a place beside the grid.
+    #[inline(always)]
+    fn index(&self, at: f32, axis: usize) -> usize {
+        (((at - self.low[axis]) * self.scale[axis]) as usize).min(self.side - 1)
+    }
+
+    /// Calls `each` with the cells that hold a part of a triangle, or come near one.
+    #[inline(always)]
+    fn each_cell(&self, outlines: &Outlines, lane: usize, mut each: impl FnMut(usize)) {
+        let first = [0, 1].map(|axis| self.index(outlines.low[axis][lane] - self.margin, axis));
+        let last = [0, 1].map(|axis| self.index(outlines.high[axis][lane] + self.margin, axis));
+        let few = last[0] - first[0] < 2 && last[1] - first[1] < 2;
+        let centre =
+            [0, 1].map(|axis| self.low[axis] + self.cell[axis] * (first[axis] as f32 + 0.5));
+        let half = self.cell.map(|side| 0.5 * side + 2.0 * self.margin);
+        let edges = [0, 3, 6].map(|first| [0, 1, 2].map(|of| outlines.planes[first + of][lane]));
+        // The greatest distance within each edge that any place of the first cell has.
+        let greatest = edges.map(|[x, y, c]| {
+            x * centre[0] + y * centre[1] + c + x.abs() * half[0] + y.abs() * half[1]
+        });
+        for row in first[1]..=last[1] {
+            for column in first[0]..=last[0] {
+                let (across, up) = (
+                    (column - first[0]) as f32 * self.cell[0],
+                    (row - first[1]) as f32 * self.cell[1],
+                );
+                let touches = |(greatest, [x, y, _]): (&f32, &[f32; 3])| {
+                    greatest + x * across + y * up >= 0.0
+                };
+                if few || greatest.iter().zip(&edges).all(touches) {
+                    each(row * self.side + column);
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::bvh::Bvh;
+    use super::super::packet::{Packet, rays_of};
+    use super::super::traverse::meet;
+    use super::*;
+    use crate::geometry::tessellate;
+    use crate::scene::{NormalSource, Object, ObjectKind, Weighting};
+
+    fn model(kind: ObjectKind) -> Model {
+        let mesh = tessellate(&Object {
+            kind,
+            segments: 40,
+            rings: 23,
+            ..Object::default()
+        });
+        Model::new(mesh.with_vertex_normals(NormalSource::Exact, Weighting::Equal))
+    }
+
+    fn lights() -> [Light; 4] {
+        let lamp = |position: DVec3| Light {
+            kind: LightKind::Point,
+            position,
+            ..Light::default()
+        };
+        [
+            lamp(DVec3::new(2.2, 2.4, 1.4)),
+            lamp(DVec3::new(0.0, -1.7, 0.2)),
+            lamp(DVec3::new(-3e8, 2e8, 1e8)),
+            Light {
+                kind: LightKind::Directional,
+                direction: DVec3::new(0.2, -1.0, 0.4),
+                ..Light::default()
+            },
+        ]
+    }
+
+    #[test]
+    fn a_buffer_hides_what_the_boxes_hide() {
+        let part = |k: usize, factor: f64| (k as f64 * factor).fract() * 2.0 - 1.0;
+        for kind in [ObjectKind::Torus, ObjectKind::Teapot, ObjectKind::Plane] {
+            let (model, bvh) = {
+                let model = model(kind);
+                let bvh = Bvh::new(&model);
+                (model, bvh)
+            };
+            for light in lights() {
+                let buffer = LightBuffer::new(Level::new(), &model, &light).expect("a buffer");
+                let (mut hidden, mut known) = (0, 0);
+                for first in (0..4000).step_by(RAYS) {
+                    let point = |ray: usize| {
+                        let k = first + ray + 1;
+                        // Near the object, and some far below.
+                        let far = if k % 7 == 0 { 20.0 } else { 1.6 };
+                        DVec3::new(part(k, 0.618_034), part(k, 0.754_877), part(k, 0.569_84)) * far
+                    };
+                    let mut packet = Packet::default();
+                    let mut planes = [[0.0_f32; RAYS]; 3];
+                    for ray in 0..RAYS {
+                        let origin = point(ray);
+                        for axis in 0..3 {
+                            planes[axis][ray] = origin[axis] as f32;
+                        }
+                        let (direction, t_max) = match light.kind {
+                            LightKind::Directional => (-light.direction, f64::MAX),
+                            _ => (light.position - model.origin - origin, 1.0),
+                        };
+                        packet.set(ray, origin, direction, t_max);
+                    }
+                    for level in [Level::new(), Level::baseline()] {
+                        let blocked = dispatch!(level, simd => bvh.blocked(simd, &packet, 0xffff));
+                        let mut found = 0;
+                        let seen = dispatch!(level, simd => {
+                            let from: Vectors<_> = load(simd, &planes, 0);
+                            buffer.see(simd, &from, dot(&from, &from).sqrt())
+                        });
+                        for ray in rays_of(seen.sound & !seen.clear) {
+                            let meets = |triangle: u32| {
+                                let corners =
+                                    model.triangles[triangle as usize].map(|v| model.place(v));
+                                let (origin, direction, t_max) = packet.ray(ray);
+                                meet(&corners, origin, direction, t_max).is_some()
+                            };
+                            let hides =
+                                dispatch!(level, simd => buffer.hides(simd, &seen, ray, meets));
+                            found |= u32::from(hides) << ray;
+                        }
+                        assert_eq!(found, blocked & seen.sound, "{kind:?} {:?}", light.position);
+                        hidden += found.count_ones();
+                        known += seen.sound.count_ones();
+                    }
+                }
+                assert!(
+                    hidden > 100 && known > 7000,
+                    "{kind:?}: {hidden} of {known}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn what_no_grid_suits_has_no_buffer() {
+        let torus = model(ObjectKind::Torus);
+        let [lamp, ..] = lights();
+        let near = Light {
+            position: DVec3::new(0.0, 1.1 * torus.radius, 0.0),
+            ..lamp.clone()
+        };
+        let area = Light {
+            kind: LightKind::Area,
+            ..lamp.clone()
+        };
+        for light in [near, area] {
+            assert!(
+                LightBuffer::new(Level::new(), &torus, &light).is_none(),
+                "{:?}",
+                light.kind
+            );
+        }
+        let sphere = model(ObjectKind::Sphere);
+        assert!(light_buffers(Level::new(), &sphere, &[Some(lamp.clone())]).is_empty());
+        // Long thin triangles, each over many cells.
+        let count = 20_000;
+        let mut needles = Model {
+            vertex_count: 3 * count,
+            radius: 1.5,
+            ..Model::default()
+        };
+        for k in 0..count as u32 {
+            let turn = f64::from(k) * 2.399_963;
+            let away = DVec3::new(turn.cos(), 0.0, turn.sin());
+            for place in [away, -away, -away + DVec3::new(0.0, 1e-3, 0.0)] {
+                for axis in 0..3 {
+                    needles.position[axis].push(place[axis] as f32);
+                }
+            }
+            needles.triangles.push([3 * k, 3 * k + 1, 3 * k + 2]);
+        }
+        assert!(LightBuffer::new(Level::new(), &needles, &lamp).is_none());
+    }
+}
