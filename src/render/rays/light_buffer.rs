@@ -414,7 +414,7 @@ mod tests {
         };
         [
             lamp(DVec3::new(2.2, 2.4, 1.4)),
-            lamp(DVec3::new(0.0, -1.7, 0.2)),
+            lamp(DVec3::new(0.0, -2.6, 0.2)),
             lamp(DVec3::new(-3e8, 2e8, 1e8)),
             Light {
                 kind: LightKind::Directional,
