@@ -440,15 +440,15 @@ mod tests {
                     let point = |ray: usize| {
                         let k = first + ray + 1;
                         // Near the object, and some far below.
-                        let far = if k % 7 == 0 { 20.0 } else { 1.6 };
+                        let far = if k.is_multiple_of(7) { 20.0 } else { 1.6 };
                         DVec3::new(part(k, 0.618_034), part(k, 0.754_877), part(k, 0.569_84)) * far
                     };
                     let mut packet = Packet::default();
                     let mut planes = [[0.0_f32; RAYS]; 3];
                     for ray in 0..RAYS {
                         let origin = point(ray);
-                        for axis in 0..3 {
-                            planes[axis][ray] = origin[axis] as f32;
+                        for (plane, place) in planes.iter_mut().zip(origin.to_array()) {
+                            plane[ray] = place as f32;
                         }
                         let (direction, t_max) = match light.kind {
                             LightKind::Directional => (-light.direction, f64::MAX),

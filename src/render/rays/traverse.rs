@@ -400,7 +400,8 @@ pub fn meet(corners: &[Vec3; 3], origin: DVec3, direction: DVec3, limit: f64) ->
     let q = cross(from, e1);
     let w2 = dot(direction, q) * inverse;
     let t = dot(e2, q) * inverse;
-    let within = w1 >= -SEAM && w1 <= 1.0 + SEAM && w2 >= -SEAM && w1 + w2 <= 1.0 + SEAM;
+    let side = -SEAM..=1.0 + SEAM;
+    let within = side.contains(&w1) && w2 >= -SEAM && w1 + w2 <= 1.0 + SEAM;
     (within && t > 0.0 && t < limit && determinant != 0.0).then_some(t)
 }
 
