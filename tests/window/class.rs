@@ -320,15 +320,25 @@ fn everything_is_in_reach_on_a_projector_in_both_languages() {
             ..plain()
         };
         let mut harness = window(&folder, [1024.0, 768.0], &appearance);
+        let of = |key| shading_lab::text::in_language(language, || shading_lab::text!(key));
+        let count = shading_lab::text::in_language(language, || {
+            shading_lab::text!("wall-count", count = 0)
+        });
+        let mut plots = 0;
         for _ in 0..8 {
             remote(&mut harness, Key::PageDown);
-            let next = shading_lab::text::in_language(language, || shading_lab::text!("wall-next"));
-            let button = harness.get_by_role_and_label(Role::Button, next);
-            let rect = button.rect();
-            assert!(
-                rect.max.x <= 1024.0 && rect.max.y <= 768.0,
-                "{next}: {rect}"
-            );
+            let whole = harness.ctx.content_rect();
+            let button = harness.get_by_role_and_label(Role::Button, of("wall-next"));
+            let below = button.rect();
+            assert!(whole.contains_rect(below), "{below} of {whole}");
+            for plot in harness.query_all_by_role_and_label(Role::Image, &count) {
+                let rect = plot.rect();
+                assert!(whole.contains_rect(rect), "{rect} of {whole}");
+                assert!(rect.max.y <= below.min.y, "{rect} is above {below}");
+                assert!(rect.height() >= 0.25 * whole.height(), "{rect} of {whole}");
+                plots += 1;
+            }
         }
+        assert!(plots >= 3, "{plots}");
     }
 }

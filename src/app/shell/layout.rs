@@ -55,6 +55,8 @@ pub struct Layout {
     tall: bool,
     /// The panel that was closed because there was no space for both: the controls, or a view.
     closed: Option<ClosedPanel>,
+    /// True if a live class was shown in a low window in the last frame.
+    wall: bool,
     /// The last rectangle of the picture, in points.
     pub picture: Option<Rect>,
 }
@@ -78,6 +80,11 @@ impl Layout {
         let narrow = size.x < NARROW;
         state.window.drawer = narrow;
         let low = size.y < LOW;
+        // In the size for a projector, a class has the whole window: else its answers would have no room.
+        let teaches = state.course.class.is_some() && state.window.shows(ViewName::Class);
+        let wall = low && teaches;
+        state.window.enlarged |= wall && !self.wall;
+        self.wall = wall;
         if !ui.ctx().text_edit_focused() {
             self.tall = size.y > size.x;
         }

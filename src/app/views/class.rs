@@ -29,6 +29,8 @@ const COUNT: f32 = 20.0;
 /// The share of the view's width that the code has once the class is under way, and its least side in points.
 const CODE: f32 = 0.3;
 const LEAST_CODE: f32 = 110.0;
+/// The height of the view below which the code makes way for the answers, in points.
+const LOW: f32 = 400.0;
 
 /// What the view keeps.
 #[derive(Default)]
@@ -85,20 +87,32 @@ fn start_ui(ui: &mut Ui, window: &mut WindowState, open: Option<&str>, requests:
     }
 }
 
-/// Fills the view with the address, for those who join.
+/// Fills the view with the address, for those who join: beside its code in a low view, else below it.
 fn joining_ui(ui: &mut Ui, class: &mut Teaching, seen: &Snapshot) {
     let room = ui.available_size();
-    // Two lines of the address and one of the count stand below.
-    let side = room.x.min(room.y - 6.0 * ADDRESS).max(LEAST_CODE);
-    ui.vertical_centered(|ui| {
-        if code_ui(ui, class, side) {
-            class.joining = false;
-        }
-        address_ui(ui, class.live.address());
-        joined_ui(ui, seen);
-        for note in class.live.notes() {
-            ui.add(Label::new(RichText::new(sentence(note)).weak()).wrap());
-        }
+    let beside = room.x > 1.5 * room.y;
+    let (side, layout, align) = if beside {
+        let layout = Layout::left_to_right(Align::Min);
+        (room.y.min(0.5 * room.x), layout, Align::Min)
+    } else {
+        // Two lines of the address and one of the count stand below.
+        let layout = Layout::top_down(Align::Center);
+        (room.x.min(room.y - 6.0 * ADDRESS), layout, Align::Center)
+    };
+    let area = ScrollArea::vertical().id_salt("joining");
+    area.auto_shrink(false).show(ui, |ui| {
+        ui.with_layout(layout, |ui| {
+            if code_ui(ui, class, side.max(LEAST_CODE)) {
+                class.joining = false;
+            }
+            ui.with_layout(Layout::top_down(align), |ui| {
+                address_ui(ui, class.live.address());
+                joined_ui(ui, seen);
+                for note in class.live.notes() {
+                    ui.add(Label::new(RichText::new(sentence(note)).weak()).wrap());
+                }
+            });
+        });
     });
 }
 
@@ -164,15 +178,19 @@ fn step_ui(
 
 /// Shows the number of the step and of those who have answered, beside the address.
 fn head_ui(ui: &mut Ui, class: &mut Teaching, seen: &Snapshot, step: &Step) {
-    let side = (CODE * ui.available_width()).max(LEAST_CODE);
+    let room = vec2(ui.available_width(), ui.clip_rect().height());
+    let side = (CODE * room.min_elem()).max(LEAST_CODE);
+    let full = room.y < LOW && seen.spread.is_some();
     ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
-        if code_ui(ui, class, side) {
+        if !full && code_ui(ui, class, side) {
             class.joining = true;
         }
         ui.vertical(|ui| {
             let count = text!("wall-step", step = seen.pace.step, count = seen.steps);
-            ui.label(RichText::new(count).weak());
-            heading(ui, &without_marks(&step.title));
+            ui.horizontal_wrapped(|ui| {
+                ui.label(RichText::new(count).weak());
+                heading(ui, &without_marks(&step.title));
+            });
             if seen.asks {
                 count_ui(ui, seen);
             } else {
@@ -181,7 +199,9 @@ fn head_ui(ui: &mut Ui, class: &mut Teaching, seen: &Snapshot, step: &Step) {
             if seen.pace.round > 1 {
                 ui.label(RichText::new(text!("wall-round", round = seen.pace.round)).weak());
             }
-            ui.label(RichText::new(class.live.address()).weak());
+            if !full {
+                ui.label(RichText::new(class.live.address()).weak());
+            }
         });
     });
     ui.add_space(4.0);
@@ -300,7 +320,6 @@ fn commands_ui(ui: &mut Ui, class: &mut Teaching, seen: &Snapshot, requests: &mu
                 requests.ask(Action::Class(ClassAction::Perform(command)));
             }
         }
-        ui.separator();
         let joining = ui.selectable_label(class.joining, text!("wall-address"));
         if joining.clicked() {
             class.joining = !class.joining;

@@ -19,8 +19,9 @@ use eframe::egui::{
 use egui_commonmark::CommonMarkCache;
 use glam::DVec2;
 
-/// The height of a plot as a fraction of its width, and the most that one is high, in points.
+/// The height of a plot as a fraction of its width, and the most that one is high: as a fraction of the view's height, and in points.
 const ASPECT: f32 = 0.62;
+const SHARE: f32 = 0.55;
 const HIGHEST: f32 = 420.0;
 /// The height of a bar, in points.
 const BAR: f32 = 18.0;
@@ -98,10 +99,15 @@ fn caption_ui(ui: &mut Ui, answers: &Answers<'_>, (number, round): (usize, &Roun
     ui.label(RichText::new(words).weak());
 }
 
+/// Returns the most that a plot is high, in points: what it is about stays in sight above it.
+fn most_height(ui: &Ui) -> f32 {
+    HIGHEST.min(SHARE * ui.clip_rect().height())
+}
+
 fn round_ui(ui: &mut Ui, answers: &mut Answers<'_>, round: &Round) {
     let style = plot_style(ui);
     let width = ui.available_width();
-    let size = vec2(width, (ASPECT * width).min(HIGHEST));
+    let size = vec2(width, (ASPECT * width).min(most_height(ui)));
     let size = DVec2::new(size.x.into(), size.y.into());
     let colours = Colours {
         answer: rgb(vector_text(ui.visuals(), Vector::L)),
@@ -198,7 +204,7 @@ fn picture_ui(
         return;
     };
     let size = vec2(frame.width as f32, frame.height as f32);
-    let most = vec2(ui.available_width(), HIGHEST);
+    let most = vec2(ui.available_width(), most_height(ui));
     let shown = size * (most / size).min_elem();
     let (rect, response) = ui.allocate_exact_size(shown, Sense::hover());
     let words = text!("wall-count", count = round.answers.len());
