@@ -71,7 +71,7 @@ pub use question::{Question, Wrong};
 pub use read::keys::Term;
 pub use record::{Answered, Record, how_given};
 pub use stage::{OVERLAYS, Stage, Staged};
-pub use words::{in_words, without_marks};
+pub use words::{for_fingers, in_words, without_marks};
 pub use worksheet::{Worksheet, worksheet};
 #[cfg(feature = "class")]
 pub(crate) use {

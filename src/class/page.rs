@@ -14,7 +14,7 @@ pub use shell::{SCRIPT, STYLE, shell};
 
 use crate::lesson::{
     Budget, ClassQuestion, Element, FilledStep, Html, Kind, Lab, Lesson, LessonError, Printed,
-    Question, Solution, Step, answer, blocks, element, inline,
+    Question, Solution, Step, answer, blocks, element, for_fingers, inline,
 };
 use crate::text::text;
 use form::form;
@@ -48,7 +48,11 @@ pub fn step_page(lesson: &Lesson, index: usize, seed: u64) -> Result<StepPage, L
     let staged = step.stage.load(lesson.folder.as_deref())?;
     let full = Lab::within(&staged, &Budget::of_file());
     let place = full.place(&staged);
-    let filled = FilledStep::new((index, step), &full, place, Some(seed))?;
+    let mut filled = FilledStep::new((index, step), &full, place, Some(seed))?;
+    filled.text = for_fingers(&filled.text);
+    if let Some(asked) = &mut filled.asked {
+        (asked.ask, asked.why) = (for_fingers(&asked.ask), for_fingers(&asked.why));
+    }
     let pictures = Pictures::fitting(step, &staged, &filled)?;
     let link = LabLink::of(&staged);
     let mut page = element("article")
@@ -80,7 +84,7 @@ pub fn step_page(lesson: &Lesson, index: usize, seed: u64) -> Result<StepPage, L
             explanation = explanation
                 .line(element("h3").with(text!("phone-right")))
                 .line(right)
-                .line(blocks(&after))
+                .line(blocks(&for_fingers(&after)))
                 .line(link.html());
         }
         _ => page = page.line(link.html()),

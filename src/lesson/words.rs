@@ -96,3 +96,24 @@ pub fn without_marks(text: &str) -> String {
     let text = without_closed_links(text);
     text.replace("`$", "").replace("$`", "").replace('$', "")
 }
+
+/// Replaces the mouse's words by those of a finger.
+pub fn for_fingers(words: &str) -> String {
+    let [mouse, finger] = [text!("course-mouse-words"), text!("course-finger-words")];
+    let pairs = mouse.split(' ').zip(finger.split(' '));
+    pairs.fold(words.to_owned(), |words, (mouse, finger)| {
+        words.replace(mouse, finger)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::for_fingers;
+
+    #[test]
+    fn fingers_tap_where_a_mouse_clicks() {
+        let words = "Click the ball. You clicked the middle; click elsewhere.";
+        let tapped = "Tap the ball. You tapped the middle; tap elsewhere.";
+        assert_eq!(for_fingers(words), tapped);
+    }
+}

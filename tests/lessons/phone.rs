@@ -137,6 +137,8 @@ fn every_step_fits_into_80_kb_and_shows_the_same_whatever_its_answer_is() {
                 !page.html.contains("<script") && !page.html.contains(" style="),
                 "{name}"
             );
+            let words = page.html.to_lowercase() + &page.explanation.to_lowercase();
+            assert!(!words.contains("click"), "{name}: fingers tap");
             // Some questions have no other answer of this kind.
             let Ok(other) = other else { continue };
             if page.html.contains("data-kind=\"choice\"") {

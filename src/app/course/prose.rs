@@ -5,7 +5,7 @@ use crate::app::system;
 use crate::app::widgets::focus::one_stop;
 use crate::app::widgets::theme::TEXT;
 use crate::app::widgets::typeset::{Place, Run, spoken};
-use crate::lesson::{blocks, without_closed_links};
+use crate::lesson::{blocks, for_fingers, without_closed_links};
 use crate::text::text;
 use eframe::egui::accesskit::{self, Role};
 use eframe::egui::{Response, Sense, TextStyle, Ui, UiBuilder, WidgetInfo, vec2};
@@ -63,7 +63,7 @@ fn shown_ui(ui: &mut Ui, cache: &mut CommonMarkCache, words: &str, live: bool) {
     let row = std::mem::replace(&mut ui.spacing_mut().interact_size.y, line);
     let words = joined(&without_closed_links(words));
     let words = if system::fingers(ui.ctx()) {
-        for_fingers(words)
+        for_fingers(&words)
     } else {
         words
     };
@@ -71,13 +71,6 @@ fn shown_ui(ui: &mut Ui, cache: &mut CommonMarkCache, words: &str, live: bool) {
         .render_math_fn(Some(&math))
         .show(ui, cache, &words);
     ui.spacing_mut().interact_size.y = row;
-}
-
-/// Replaces the mouse's words by those of a finger.
-fn for_fingers(words: String) -> String {
-    let [mouse, finger] = [text!("course-mouse-words"), text!("course-finger-words")];
-    let pairs = mouse.split(' ').zip(finger.split(' '));
-    pairs.fold(words, |words, (mouse, finger)| words.replace(mouse, finger))
 }
 
 /// Moves closing punctuation, and the space after it, into the formula or the emphasis that it follows. Each
@@ -166,14 +159,7 @@ fn formula_ui(ui: &mut Ui, formula: &str, count: &Cell<usize>, live: bool) {
 
 #[cfg(test)]
 mod tests {
-    use super::{for_fingers, joined};
-
-    #[test]
-    fn fingers_tap_where_a_mouse_clicks() {
-        let words = "Click the ball. You clicked the middle; click elsewhere.".to_owned();
-        let tapped = "Tap the ball. You tapped the middle; tap elsewhere.";
-        assert_eq!(for_fingers(words), tapped);
-    }
+    use super::joined;
 
     #[test]
     fn no_line_begins_with_what_closes_the_one_before() {
