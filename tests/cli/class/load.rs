@@ -4,6 +4,10 @@
 //! CLASS_PHONES=500 cargo test --release --test cli class::load -- --nocapture
 //! ```
 //! prints how long joining took, how long acknowledging, and the server's memory. Everything stays on this machine, and ends after a minute.
+//!
+//! A class that runs already, in a window for example, is joined with `CLASS_ADDRESS`, as the program prints it on this machine
+//! (`shading-lab class tests/data/every-kind.md --bind 127.0.0.1`, at its first step). Its phones then stay for twenty seconds,
+//! in which the lecturer shows the answers.
 
 use super::client::Phone;
 use super::command::Running;
@@ -11,6 +15,7 @@ use crate::common::dice::Dice;
 use crate::common::program::Folder;
 use serde_json::json;
 use std::fs;
+use std::net::SocketAddr;
 use std::sync::Barrier;
 use std::time::{Duration, Instant};
 
@@ -18,12 +23,24 @@ use std::time::{Duration, Instant};
 const PHONES: usize = 50;
 /// The time within which all answer.
 const WITHIN: Duration = Duration::from_secs(5);
+/// The time that phones stay in a class that runs already.
+const STAY: Duration = Duration::from_secs(20);
 /// The stack of a phone's thread, in bytes.
 const STACK: usize = 256 << 10;
 
 struct Timed {
     joined: Duration,
     acknowledged: Duration,
+}
+
+/// Returns where a class that runs already is, and its code.
+fn running() -> Option<(SocketAddr, String)> {
+    let address = std::env::var("CLASS_ADDRESS").ok()?;
+    let rest = address.strip_prefix("http://").expect("an address");
+    let (host, code) = rest.split_once('/').expect("an address with a code");
+    let host: SocketAddr = host.parse().expect("an address with a port");
+    assert!(host.ip().is_loopback(), "only a class on this machine");
+    Some((host, code.trim_end_matches('/').to_owned()))
 }
 
 /// Returns the largest memory that a process has had, in bytes; none where the system does not say.
@@ -43,12 +60,20 @@ fn a_whole_class_joins_and_answers() {
         .and_then(|count| count.parse().ok());
     let phones = phones.unwrap_or(PHONES);
     let folder = Folder::new("class-load");
-    let class = Running::start(&folder, &[]);
+    let elsewhere = running();
+    let class = elsewhere.is_none().then(|| Running::start(&folder, &[]));
+    let (address, code) = match (elsewhere, &class) {
+        (Some(elsewhere), _) => elsewhere,
+        (None, own) => {
+            let own = own.as_ref().expect("a class");
+            (own.address, own.code.clone())
+        }
+    };
     let begun = Instant::now();
     let together = Barrier::new(phones);
-    let (address, code) = (class.address, &class.code);
+    let stays = class.is_none();
     let phone = |index: usize| {
-        let mut phone = Phone::new(address, code);
+        let mut phone = Phone::new(address, &code);
         let begun_here = Instant::now();
         // As a browser does: the page, what it names, joining, the events, the picture.
         let page = phone.get("").text();
@@ -81,6 +106,9 @@ fn a_whole_class_joins_and_answers() {
             events.pace().expect("a pace")["answered"],
             json!({ "choice": index % 2 })
         );
+        if stays {
+            std::thread::sleep(STAY);
+        }
         Timed {
             joined,
             acknowledged,
@@ -101,9 +129,6 @@ fn a_whole_class_joins_and_answers() {
             .collect()
     });
     assert!(begun.elapsed() < Duration::from_secs(60));
-    class.hears("answered", |event| event["answered"] == phones);
-    let marks = folder.json(&["collect", "class.jsonl", "--json"]);
-    assert_eq!(marks["rows"].as_array().map(Vec::len), Some(phones));
     let mut waits: Vec<Duration> = timed.iter().map(|timed| timed.acknowledged).collect();
     waits.sort();
     let joined = timed
@@ -112,11 +137,18 @@ fn a_whole_class_joins_and_answers() {
         .max()
         .unwrap_or_default();
     let (median, late) = (waits[phones / 2], waits[(phones * 99).div_ceil(100) - 1]);
-    let memory = peak_memory(class.child.id());
     println!(
         "{phones} phones: joined with the picture within {joined:.1?}; acknowledged in {median:.1?} at the median, {late:.1?} at the \
-         99th percentile, {:.1?} at most; the server's memory {} MB at most",
+         99th percentile, {:.1?} at most",
         waits[phones - 1],
+    );
+    let Some(class) = class else { return };
+    class.hears("answered", |event| event["answered"] == phones);
+    let marks = folder.json(&["collect", "class.jsonl", "--json"]);
+    assert_eq!(marks["rows"].as_array().map(Vec::len), Some(phones));
+    let memory = peak_memory(class.child.id());
+    println!(
+        "the server's memory: {} MB at most",
         memory.map_or(0, |bytes| bytes >> 20)
     );
     assert!(memory.is_none_or(|bytes| bytes < 200 << 20), "{memory:?}");
