@@ -392,19 +392,9 @@ mod tests {
     use super::super::bvh::Bvh;
     use super::super::packet::{Packet, rays_of};
     use super::super::traverse::meet;
+    use super::super::traverse::tests::model;
     use super::*;
-    use crate::geometry::tessellate;
-    use crate::scene::{NormalSource, Object, ObjectKind, Weighting};
-
-    fn model(kind: ObjectKind) -> Model {
-        let mesh = tessellate(&Object {
-            kind,
-            segments: 40,
-            rings: 23,
-            ..Object::default()
-        });
-        Model::new(mesh.with_vertex_normals(NormalSource::Exact, Weighting::Equal))
-    }
+    use crate::scene::ObjectKind;
 
     fn lights() -> [Light; 4] {
         let lamp = |position: DVec3| Light {

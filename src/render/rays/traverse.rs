@@ -406,14 +406,14 @@ pub fn meet(corners: &[Vec3; 3], origin: DVec3, direction: DVec3, limit: f64) ->
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::geometry::tessellate;
     use crate::render::model::Model;
     use crate::scene::{NormalSource, Object, ObjectKind, Weighting};
     use fearless_simd::{Level, dispatch};
 
-    fn model(kind: ObjectKind) -> Model {
+    pub fn model(kind: ObjectKind) -> Model {
         let mesh = tessellate(&Object {
             kind,
             segments: 40,
