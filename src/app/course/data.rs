@@ -322,6 +322,15 @@ impl Course {
         answered || self.is_explained()
     }
 
+    /// Returns whether a live class is going on.
+    pub fn teaches(&self) -> bool {
+        #[cfg(feature = "class")]
+        let teaches = self.class.is_some();
+        #[cfg(not(feature = "class"))]
+        let teaches = false;
+        teaches
+    }
+
     /// Returns whether the step is explained to a class that is going on.
     #[cfg(feature = "class")]
     fn is_explained(&self) -> bool {

@@ -81,8 +81,7 @@ impl Layout {
         state.window.drawer = narrow;
         let low = size.y < LOW;
         // In the size for a projector, a class has the whole window: else its answers would have no room.
-        let teaches = state.course.class.is_some() && state.window.shows(ViewName::Class);
-        let wall = low && teaches;
+        let wall = low && state.course.teaches() && state.window.shows(ViewName::Class);
         state.window.enlarged |= wall && !self.wall;
         self.wall = wall;
         if !ui.ctx().text_edit_focused() {
