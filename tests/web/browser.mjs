@@ -20,22 +20,26 @@ const TYPES = {
 
 /**
  * Serves a folder on a port of the system's choice. With `own.stalled` it accepts requests and answers none; with `own.encoding`, "br" or
- * "gzip", it gives out the compressed files beside the others; `own.headers` come with each answer; `own.sent` lists what was sent, with
- * the time at which it was asked for.
+ * "gzip", it gives out the compressed files beside the others; the paths `own.together` are answered once all of them have been asked for;
+ * `own.headers` come with each answer; `own.sent` lists what was sent.
  */
 export async function serve(folder, own = {}) {
   own.sent = [];
+  const missing = new Set(own.together);
+  let release;
+  const together = new Promise((done) => { release = done; });
   const server = createServer(async (request, response) => {
     if (own.stalled) return;
-    const at = performance.now();
     let path = normalize(decodeURIComponent(new URL(request.url, "http://host").pathname));
     if (path.endsWith("/")) path += "index.html";
+    if (missing.delete(path) && missing.size === 0) release();
+    if (own.together?.includes(path)) await together;
     const headers = { ...own.headers, "Content-Type": TYPES[extname(path)] ?? "application/octet-stream" };
     try {
       let content = await readFile(join(folder, path));
       const packed = own.encoding && (await readFile(join(folder, `${path}.${own.encoding === "br" ? "br" : "gz"}`)).catch(() => undefined));
       if (packed) [content, headers["Content-Encoding"]] = [packed, own.encoding];
-      own.sent.push({ path, bytes: content.length, at });
+      own.sent.push({ path, bytes: content.length });
       response.writeHead(200, headers);
       response.end(content);
     } catch {
