@@ -26,12 +26,12 @@ use crate::text;
 use crate::text::Language;
 use eframe::egui::{Context, TextureHandle, TextureOptions};
 use glam::DVec2;
-pub use pane::{image_of, overlay_options, upload};
+pub use pane::{drawing, image_of, overlay_options, upload};
 #[cfg(target_arch = "wasm32")]
 pub use refined::Supersampled;
 
 use normals::NormalsDrawing;
-use pane::{PaneEngine, Wanted, drawing, is_dark, lettering};
+use pane::{PaneEngine, Wanted, is_dark, lettering};
 use refined::Refined;
 #[cfg(not(target_arch = "wasm32"))]
 use refined::Supersampled;

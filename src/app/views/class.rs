@@ -4,6 +4,7 @@
 
 mod answers;
 mod charts;
+mod layer;
 
 use crate::app::course::{Course, Teaching, prose_ui};
 use crate::app::session::action::{Action, ClassAction, Requests};
@@ -21,6 +22,7 @@ use eframe::egui::{
     TextureHandle, Ui, vec2,
 };
 use egui_commonmark::CommonMarkCache;
+use layer::Layer;
 use std::sync::Arc;
 
 /// The size of what the last row has to read, in points: of the address, of the counts, and of the question.
@@ -38,6 +40,8 @@ pub struct ClassView {
     markdown: CommonMarkCache,
     /// The picture of a step, from 1, that clicks are shown in.
     picture: Option<(usize, TextureHandle)>,
+    /// The answers of the last two rounds.
+    layers: [Layer; 2],
 }
 
 /// Shows the class that is going on, or how to start one.
@@ -244,6 +248,7 @@ fn shown_ui(
             step: seen.pace.step,
             markdown: &mut own.markdown,
             picture: &mut own.picture,
+            layers: &mut own.layers,
         };
         answers_ui(ui, &mut answers);
         if !explained {

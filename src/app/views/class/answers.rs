@@ -1,20 +1,22 @@
 //! The answers to a question, the round before beside the present one.
 
 use super::charts::{Colours, Range, clicks, curves, highest, numbers};
+use super::layer::Layer;
 use crate::app::course::{prose_ui, right_colour};
-use crate::app::widgets::drawing::{drawing_ui, paint, plot_style, rgb};
+use crate::app::widgets::drawing::{drawing_ui, plot_style, rgb};
 use crate::app::widgets::focus::named;
 use crate::app::widgets::palette::vector_text;
 use crate::class::{Round, Spread};
-use crate::figure::PlotStyle;
 use crate::figure::palette::Vector;
+use crate::figure::{Drawing, PlotStyle};
 use crate::lesson::{
     Answer, ClassQuestion, Kind, Question, Solution, control_name, letter, short_answer, slider,
 };
 use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Color32, ColorImage, Rect, RichText, Sense, TextureHandle, TextureOptions, Ui, pos2, vec2,
+    Color32, ColorImage, Rect, RichText, Sense, Shape, TextureHandle, TextureOptions, Ui, pos2,
+    vec2,
 };
 use egui_commonmark::CommonMarkCache;
 use glam::DVec2;
@@ -42,6 +44,8 @@ pub struct Answers<'a> {
     pub markdown: &'a mut CommonMarkCache,
     /// The picture of a step that clicks are shown in.
     pub picture: &'a mut Option<(usize, TextureHandle)>,
+    /// What the drawings of the last two rounds are shown with.
+    pub layers: &'a mut [Layer; 2],
 }
 
 impl<'a> Answers<'a> {
@@ -76,8 +80,8 @@ fn rounds_ui(ui: &mut Ui, answers: &mut Answers<'_>) {
     let rounds = answers.rounds();
     let several = rounds.len() > 1;
     ui.columns(rounds.len().max(1), |columns| {
-        for (ui, (number, round)) in columns.iter_mut().zip(rounds) {
-            round_ui(ui, answers, round);
+        for (index, (ui, (number, round))) in columns.iter_mut().zip(rounds).enumerate() {
+            round_ui(ui, answers, (index, round));
             caption_ui(ui, answers, (number, round), several);
         }
     });
@@ -104,7 +108,7 @@ fn most_height(ui: &Ui) -> f32 {
     HIGHEST.min(SHARE * ui.clip_rect().height())
 }
 
-fn round_ui(ui: &mut Ui, answers: &mut Answers<'_>, round: &Round) {
+fn round_ui(ui: &mut Ui, answers: &mut Answers<'_>, (index, round): (usize, &Round)) {
     let style = plot_style(ui);
     let width = ui.available_width();
     let size = vec2(width, (ASPECT * width).min(most_height(ui)));
@@ -114,7 +118,7 @@ fn round_ui(ui: &mut Ui, answers: &mut Answers<'_>, round: &Round) {
         right: rgb(right_colour(ui)),
     };
     let words = || text!("wall-count", count = round.answers.len());
-    let drawing = match (&answers.question.kind, answers.solution()) {
+    let mut drawing = match (&answers.question.kind, answers.solution()) {
         (Kind::Curve(curve), right) => {
             let names = [&curve.x_name, &curve.y_name].map(|name| name.plain());
             let right = match right {
@@ -129,7 +133,7 @@ fn round_ui(ui: &mut Ui, answers: &mut Answers<'_>, round: &Round) {
                 (size, &style, colours),
             )
         }
-        (Kind::Point(_), _) => return picture_ui(ui, answers, round, (&style, colours)),
+        (Kind::Point(_), _) => return picture_ui(ui, answers, (index, round), (&style, colours)),
         _ => {
             let Some((ends, name, tolerance)) = range(answers.question) else {
                 return;
@@ -152,7 +156,16 @@ fn round_ui(ui: &mut Ui, answers: &mut Answers<'_>, round: &Round) {
             numbers(range, &values(round), most.unwrap_or(0), style)
         }
     };
-    drawing_ui(ui, &drawing, Sense::hover(), words);
+    // The letters are the window's own, over the texture.
+    let letters = Drawing {
+        texts: std::mem::take(&mut drawing.texts),
+        ..Drawing::new(drawing.size, style.paper.ground)
+    };
+    let below = ui.painter().add(Shape::Noop);
+    if let Some((response, painter)) = drawing_ui(ui, &letters, Sense::hover(), words) {
+        let shape = answers.layers[index].shape(&painter, drawing, response.rect);
+        painter.set(below, shape);
+    }
 }
 
 /// Returns the ends and the name of the axis of a question for a number, and how far from the right one is right too.
@@ -181,7 +194,7 @@ fn values(round: &Round) -> Vec<f64> {
 fn picture_ui(
     ui: &mut Ui,
     answers: &mut Answers<'_>,
-    round: &Round,
+    (index, round): (usize, &Round),
     (style, colours): (&PlotStyle, Colours),
 ) {
     let (Some(frame), Kind::Point(point)) = (&answers.asked.picture, &answers.question.kind) else {
@@ -218,7 +231,7 @@ fn picture_ui(
     };
     let size = DVec2::new(shown.x.into(), shown.y.into());
     let drawing = clicks(round, right, point.tolerance, (size, style.text, colours));
-    paint(&painter, &drawing, rect.min);
+    painter.add(answers.layers[index].shape(&painter, drawing, rect));
 }
 
 /// Shows each option with a bar for each round.
