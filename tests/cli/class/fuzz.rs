@@ -29,7 +29,12 @@ fn exchange(address: SocketAddr, bytes: &[u8]) -> Vec<u16> {
         .read_until(b'\n', &mut line)
         .is_ok_and(|count| count > 0)
     {
-        if let Some(rest) = line.strip_prefix(b"HTTP/1.1 ") {
+        // Who asks in HTTP/1.0 is answered in it.
+        let version = [&b"HTTP/1.1 "[..], b"HTTP/1.0 "];
+        if let Some(rest) = version
+            .iter()
+            .find_map(|version| line.strip_prefix(*version))
+        {
             codes.extend(
                 std::str::from_utf8(&rest[..3])
                     .ok()
