@@ -72,7 +72,7 @@ mod tests {
                 assert!(shape.visual_bounding_rect().width() >= 40.0);
             };
             let mut output = ctx.run_ui(RawInput::default(), show);
-            let new = output.textures_delta.set.iter().flat_map(|(_, new)| new);
+            let new = output.textures_delta.set.values().flatten();
             let count = new.filter(|new| new.image.size() == [40, 30]).count();
             output.textures_delta.clear();
             count
