@@ -109,9 +109,11 @@
       show();
       changed();
     };
+    // Without the sign that a rounded zero may have.
+    const rounded = (value) => (Math.round(100 * value) / 100 || 0).toFixed(2);
     const show = () => {
       cross.put(at);
-      say(told, at ? filled(told.dataset.place, { x: at[0].toFixed(2), y: at[1].toFixed(2) }) : "");
+      say(told, at ? filled(told.dataset.place, { x: rounded(at[0]), y: rounded(at[1]) }) : "");
     };
     const read = (event) => {
       const box = picture.getBoundingClientRect();

@@ -120,7 +120,8 @@ test("three phones: one draws, one loses its connection, one cheats", { skip }, 
     assert.ok(await ada.page.locator("#pager").isHidden(), "all follow the lecturer");
 
     // A place in the picture. One answers without a connection; it is sent as soon as there is one.
-    await tap(ada.page, [0.22, 0]);
+    await tap(ada.page, [0.22, -0.002]);
+    assert.match(await ada.page.locator("#place").textContent(), /^Cross at 0\.2\d, 0\.00 /);
     await ada.send();
     await bob.context.setOffline(true);
     await tap(bob.page, [-0.2, 0.1]);
