@@ -15,7 +15,7 @@ pub struct Layer {
 }
 
 impl Layer {
-    /// Returns the shapes of a drawing as one of the window's, with its top left corner in that of `rect`.
+    /// Returns the shapes of a drawing as one shape of the window, at the top left corner of `rect`.
     pub fn shape(&mut self, painter: &Painter, shapes: Drawing, rect: Rect) -> Shape {
         let scale = painter.pixels_per_point();
         let size = [shapes.size.x, shapes.size.y].map(|side| side * f64::from(scale));
