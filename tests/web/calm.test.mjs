@@ -61,14 +61,14 @@ test("a step beyond the lesson's last one is told", async () => {
   });
 });
 
-/** How many scenes are drawn between that of a step and that of the next one, which differs in the place of a lamp. */
+/** Counts the scenes between that of a step and that of the next one, which differs in the place of a lamp. */
 async function between(reducedMotion) {
   const own = await browser({ reducedMotion });
   try {
     const { page } = await open(own.context, `${here.server.url}?lesson=attenuation&step=2`);
     await until(async () => (await widgets(page)).some(({ name }) => name === "Next"));
     await page.waitForTimeout(1500);
-    // The scene inside the picture, since a still scene has several pictures: a coarse one and finer ones.
+    // The scene inside the picture: its pixels may still be those of the scene before, where drawing waits for the next frame.
     const seen = (milliseconds) => page.evaluate(async (milliseconds) => {
       const scene = (picture) => {
         const view = new DataView(picture.buffer, picture.byteOffset);
