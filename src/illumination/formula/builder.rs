@@ -22,6 +22,8 @@ pub struct Operation {
     pub rate: Rate,
     /// The part of the formula that it was made for first.
     pub origin: u32,
+    /// True if its result cannot be below 0.
+    pub never_negative: bool,
 }
 
 /// An operation that was done while the list was made.
@@ -109,6 +111,7 @@ impl Builder {
             operands: [none; 3],
             rate,
             origin: self.origin,
+            never_negative: false,
         })
     }
 
@@ -159,6 +162,7 @@ impl Builder {
             operands,
             rate,
             origin: self.origin,
+            never_negative: self.gives_no_negative(code, operands),
         });
         self.known.insert(key, value);
         value
@@ -326,39 +330,32 @@ impl Builder {
     }
 
     fn is_never_negative(&self, value: Value) -> bool {
-        if let Some(number) = value.known() {
-            return number >= 0.0;
+        match value {
+            Value::Known(number, _) => number >= 0.0,
+            Value::Varying(_) => self.operation(value).is_some_and(|own| own.never_negative),
         }
-        let Some(operation) = self.operation(value) else {
-            return false;
-        };
-        let [a, b, _] = operation.operands;
-        match operation.code {
-            Some(
-                Code::Abs
-                | Code::Sqrt
-                | Code::InverseSqrt
-                | Code::Exp2
-                | Code::PowerOfPositive
-                | Code::Greater
-                | Code::Acos,
-            ) => true,
-            Some(Code::Max) => {
-                a.known().is_some_and(|a| a >= 0.0) || b.known().is_some_and(|b| b >= 0.0)
-            }
-            Some(Code::Min | Code::Divide) => {
-                self.is_never_negative(a) && self.is_never_negative(b)
-            }
-            Some(Code::Multiply) => {
-                a == b || (self.is_never_negative(a) && self.is_never_negative(b))
-            }
+    }
+
+    fn gives_no_negative(&self, code: Code, [a, b, _]: [Value; 3]) -> bool {
+        let [a_is, b_is] = [a, b].map(|value| self.is_never_negative(value));
+        match code {
+            Code::Abs
+            | Code::Sqrt
+            | Code::InverseSqrt
+            | Code::Exp2
+            | Code::PowerOfPositive
+            | Code::Greater
+            | Code::Acos => true,
+            Code::Max => a.known().is_some_and(|a| a >= 0.0) || b.known().is_some_and(|b| b >= 0.0),
+            Code::Min | Code::Divide => a_is && b_is,
+            Code::Multiply => a == b || (a_is && b_is),
             _ => false,
         }
     }
 
     /// Returns `a^b`: small whole powers by multiplication.
     pub fn power(&mut self, a: Value, b: Value) -> Value {
-        let Some(exponent) = b.known().filter(|_| a.known().is_none()) else {
+        let Some(exponent) = b.known() else {
             let positive = self.is_never_negative(a);
             let code = if positive {
                 Code::PowerOfPositive
