@@ -75,7 +75,7 @@ mod tests {
                 (lines - 1..=9 * lines).contains(&scalar),
                 "{scalar}: {text}"
             );
-            // What no later line needs makes place.
+            // A value that no later line needs gives its register to another.
             assert!(registers <= 3 * 256 + 16, "{registers}: {text}");
         }
         // One call of many values is an operation for each of them.

@@ -224,6 +224,16 @@ fn long_formulas_are_refused() {
 }
 
 #[test]
+fn small_powers_of_numbers_are_exact() {
+    for (base, exponent) in
+        (2..40_u32).flat_map(|base| (2..=4).map(move |exponent| (base, exponent)))
+    {
+        let power = value(&format!("floor({base}^{exponent})"), &[("x", 1.0)]);
+        assert_eq!(power, f64::from(base.pow(exponent)), "{base}^{exponent}");
+    }
+}
+
+#[test]
 fn values_agree_with_rust() {
     let (x, y) = (0.3_f64, -1.7_f64);
     for (text, expected) in [

@@ -329,6 +329,7 @@ impl Builder {
         self.one(code, a)
     }
 
+    /// Returns whether a value cannot be below 0.
     fn is_never_negative(&self, value: Value) -> bool {
         match value {
             Value::Known(number, _) => number >= 0.0,
@@ -336,6 +337,7 @@ impl Builder {
         }
     }
 
+    /// Returns whether the result of an operation cannot be below 0.
     fn gives_no_negative(&self, code: Code, [a, b, _]: [Value; 3]) -> bool {
         let [a_is, b_is] = [a, b].map(|value| self.is_never_negative(value));
         match code {
