@@ -12,6 +12,7 @@ mod session;
 mod shell;
 #[cfg_attr(target_arch = "wasm32", path = "app/start/page.rs")]
 mod start;
+mod stored;
 #[cfg_attr(target_arch = "wasm32", path = "app/page.rs")]
 mod system;
 mod views;
@@ -43,7 +44,6 @@ use eframe::egui::util::IdTypeMap;
 use eframe::egui::{ColorImage, Context, ThemePreference, Ui, ViewportCommand};
 use engine::Engine;
 use picture::Room;
-use serde::{Deserialize, Serialize};
 use session::action::Action;
 #[cfg(feature = "class")]
 use session::action::ClassAction;
@@ -57,21 +57,10 @@ use shell::state::Leaving;
 use shell::{commands, dialogs, embed, files, links, toast};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use stored::Stored;
 use widgets::symbol::{self, Sought};
 use widgets::theme::ThemeChoice;
 use widgets::{fingers, focus, theme};
-
-/// The storage key of the window's appearance and of the course's progress.
-const STORAGE_KEY: &str = "look";
-
-/// The settings and progress stored between two runs.
-#[derive(Default, Serialize, Deserialize)]
-#[serde(default)]
-struct Stored {
-    #[serde(rename = "look")]
-    appearance: Appearance,
-    course: SavedProgress,
-}
 
 /// The application window.
 pub struct App {
@@ -102,11 +91,7 @@ impl App {
         theme::install(&cc.egui_ctx);
         cc.egui_ctx
             .add_plugin(fingers::Fingers::new(system::coarse()));
-        let stored: Option<Stored> = cc
-            .storage
-            .and_then(|storage| eframe::get_value(storage, STORAGE_KEY));
-        // The stored text may have been written by anybody.
-        let Stored { appearance, course } = stored.unwrap_or_default();
+        let Stored { appearance, course } = cc.storage.map(Stored::read).unwrap_or_default();
         let mut state = AppState::default();
         state.window.appearance = appearance.sound();
         state.course = Course::with(course);
@@ -634,13 +619,10 @@ impl eframe::App for App {
         if self.fresh || self.state.window.embedded.is_some() {
             return;
         }
-        eframe::set_value(
-            storage,
-            STORAGE_KEY,
-            &Stored {
-                appearance: self.state.window.appearance.clone(),
-                course: self.state.course.kept.clone(),
-            },
-        );
+        let stored = Stored {
+            appearance: self.state.window.appearance.clone(),
+            course: self.state.course.kept.clone(),
+        };
+        stored.write(storage);
     }
 }

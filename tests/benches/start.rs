@@ -73,7 +73,7 @@ fn measure() {
     std::fs::create_dir_all(&stored).expect("a folder for the test");
     std::fs::write(
         stored.join("app.ron"),
-        r#"{"appearance": "(appearance:(smooth_edges:false))"}"#,
+        r#"{"look": "(look:(smooth_edges:false))"}"#,
     )
     .expect("a stored look");
     let own = std::env::current_exe().expect("this program");

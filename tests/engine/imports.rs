@@ -31,9 +31,9 @@ const ORDER: [&str; 18] = [
 ];
 
 /// Folders of the window, from the bottom up. The system and the page do the same for the window, each on its platform.
-const ROOMS: [&str; 11] = [
-    "widgets", "system", "page", "session", "engine", "controls", "course", "views", "picture",
-    "shell", "start",
+const ROOMS: [&str; 12] = [
+    "widgets", "system", "page", "session", "engine", "controls", "course", "stored", "views",
+    "picture", "shell", "start",
 ];
 
 type ModulePath = Vec<String>;

@@ -87,10 +87,10 @@ test("what a closed tab leaves behind is offered to the next", async () => {
 test("how the window looks is kept when the page is left at once", async () => {
   const { page, ready } = await tab("?scene=sphere");
   const stored = () => page.evaluate(() => localStorage.look ?? "");
-  assert.ok(!(await stored()).includes("views:false"));
+  assert.ok(!(await stored()).includes('"views":false'));
   await press(page, "Close this view");
   await page.goto(`${here.server.url}?scene=cube`);
   await ready();
-  assert.ok((await stored()).includes("views:false"));
+  assert.ok((await stored()).includes('"views":false'));
   await page.close();
 });
