@@ -90,11 +90,10 @@ enum Command {
 }
 
 /// The commands that take no scene.
-const WITHOUT_SCENE: [&str; 10] = [
+const WITHOUT_SCENE: [&str; 9] = [
     "scenes",
     "materials",
     "parameters",
-    "stability",
     "lesson",
     "class",
     "collect",
@@ -224,7 +223,7 @@ fn perform(arguments: Arguments, name: Option<&str>) -> Result<(), Failure> {
         Some(Command::Scenes(list)) => list.scenes(),
         Some(Command::Materials(list)) => list.materials(),
         Some(Command::Parameters(list)) => list.parameters(),
-        Some(Command::Stability(stability)) => stability.run_alone(),
+        Some(Command::Stability(stability)) => stability.run_cases(&earlier),
         Some(Command::Completions(completions)) => completions.run(Arguments::command()),
         Some(Command::Manual(manual)) => manual.run(Arguments::command()),
         Some(Command::Help(help)) => help.run(Arguments::command()),

@@ -13,8 +13,13 @@ mod real;
 mod source;
 mod specular;
 
+pub(crate) use equation::SourcePart;
 pub use equation::{Equation, LightAt, LightResponse, Reached};
-pub use formula::{Counterexample, Domain, FormulaFunction, Outcome, Rate};
+pub(crate) use formula::{Code, Incidence, LawOperations, LawSite, Operation, Value};
+pub use formula::{
+    Counterexample, Domain, FormulaFunction, LawLine, LawPart, LawValues, LineNumbers, Outcome,
+    Rate, Unneeded, law_operations,
+};
 pub use fresnel::{Index, critical_angle, mirror, refract};
 pub use lanes::{COUNT, LANES, Lanes};
 pub use pattern::Fields;

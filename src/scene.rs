@@ -10,6 +10,7 @@ mod choice;
 pub mod compare;
 mod face_material;
 mod format;
+mod law;
 pub mod light;
 pub mod material;
 mod material_override;
@@ -39,6 +40,7 @@ pub use choice::{Choice, ChoiceOption};
 pub use compare::{Compare, CompareView, DifferenceKind, Pane};
 pub use face_material::FaceMaterial;
 pub use format::Coefficient;
+pub use law::{LAW_NUMBERS, LAW_VECTORS};
 pub use light::{AreaShape, Attenuation, Light, LightKind};
 pub use material::{
     Ambient, AmbientSource, Backfacing, Distribution, Material, MaterialSource, Pattern,

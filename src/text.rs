@@ -154,11 +154,13 @@ pub fn interned(key: &str) -> &'static str {
 
 macro_rules! files {
     ($($(#[$where:meta])* $name:literal)*) => {
+        const ENGLISH: &[(&str, &str)] =
+            &[$($(#[$where])* ($name, include_str!(concat!("../assets/text/en/", $name, ".ftl")))),*];
+
         /// Files of the catalogue by language: name and content.
-        pub const FILES: [&[(&str, &str)]; 2] = [
-            &[$($(#[$where])* ($name, include_str!(concat!("../assets/text/en/", $name, ".ftl")))),*],
-            &[$($(#[$where])* ($name, include_str!(concat!("../assets/text/zh-Hant/", $name, ".ftl")))),*],
-        ];
+        #[cfg(not(target_arch = "wasm32"))]
+        pub const FILES: [&[(&str, &str)]; 2] =
+            [ENGLISH, &[$(($name, include_str!(concat!("../assets/text/zh-Hant/", $name, ".ftl")))),*]];
     };
 }
 
@@ -199,13 +201,15 @@ pub fn chinese_font() -> &'static [u8] {
 }
 
 #[cfg(target_arch = "wasm32")]
-pub use page_font::{chinese_font, set_chinese_font};
+pub use fetched::{chinese_font, chinese_text, set_chinese_font, set_chinese_text};
 
+/// What a web page fetches when Chinese is chosen.
 #[cfg(target_arch = "wasm32")]
-mod page_font {
+mod fetched {
     use std::sync::OnceLock;
 
     static FONT: OnceLock<Vec<u8>> = OnceLock::new();
+    static TEXT: OnceLock<String> = OnceLock::new();
 
     /// Returns the font, empty until it has been fetched.
     pub fn chinese_font() -> &'static [u8] {
@@ -215,6 +219,33 @@ mod page_font {
     /// Sets the fetched font, the first time only.
     pub fn set_chinese_font(font: Vec<u8>) {
         let _ = FONT.set(font);
+    }
+
+    /// Returns the messages, empty until they have been fetched; text is English until then.
+    pub fn chinese_text() -> &'static str {
+        TEXT.get().map_or("", String::as_str)
+    }
+
+    /// Sets the fetched messages, the first time only.
+    pub fn set_chinese_text(text: String) {
+        let _ = TEXT.set(text);
+    }
+}
+
+/// Returns the contents of the files of the catalogue, empty as long as they have not been fetched.
+#[cfg(not(target_arch = "wasm32"))]
+fn files(language: Language) -> Vec<&'static str> {
+    FILES[language as usize]
+        .iter()
+        .map(|(_, file)| *file)
+        .collect()
+}
+
+#[cfg(target_arch = "wasm32")]
+fn files(language: Language) -> Vec<&'static str> {
+    match language {
+        Language::English => ENGLISH.iter().map(|(_, file)| *file).collect(),
+        Language::TraditionalChinese => vec![chinese_text()],
     }
 }
 
@@ -235,9 +266,9 @@ impl Catalogue {
         let mut bundle = FluentBundle::new_concurrent(vec![locale]);
         // Isolation marks are for text of mixed directions; both languages run from left to right.
         bundle.set_use_isolating(false);
-        for (_, file) in FILES[language as usize] {
+        for file in files(language) {
             // A message with an error is omitted, and so is the second of two with one key; a test finds both.
-            let resource = FluentResource::try_new((*file).to_owned());
+            let resource = FluentResource::try_new(file.to_owned());
             let _ = bundle.add_resource(resource.unwrap_or_else(|(resource, _)| resource));
         }
         Self {
@@ -262,6 +293,10 @@ impl Catalogue {
 }
 
 fn catalogue() -> &'static Catalogue {
+    #[cfg(target_arch = "wasm32")]
+    if chinese_text().is_empty() {
+        return &CATALOGUES[Language::English as usize];
+    }
     &CATALOGUES[language() as usize]
 }
 

@@ -1,12 +1,14 @@
-//! The curves of local illumination, sampled in double precision: the family cosⁿ φ, the attenuation f(d), the
-//! reflectance W(θ) and the polar lobe, as [`Plot`]s with the scene's own values marked.
+//! The curves of local illumination, sampled in double precision: the family cosⁿ φ or the scene's own law, the attenuation f(d),
+//! the reflectance W(θ) and the polar lobe, as [`Plot`]s with the scene's own values marked.
 
 mod attenuation;
 mod highlight;
+mod law;
 mod reflectance;
 
 pub use attenuation::{Distances, attenuation_plot};
-pub use highlight::{COURSE, exponent_plot, highlight_half_width, lobe_plot};
+pub use highlight::{COURSE, exponent_plot, highlight_half_width, lobe_half_width, lobe_plot};
+pub use law::law_plot;
 pub use reflectance::{READ_AT, reflectance_plot};
 
 use super::lobe::ReflectionLobe;
@@ -60,13 +62,14 @@ impl Curves {
             curves.distances = Distances::seen(renderer, scene, source, position);
         }
         curves.kinds = shown_kinds(scene, light);
-        curves.kinds.retain(|kind| {
-            *kind != PlotKind::Lobe
-                || curves
-                    .hit
-                    .as_ref()
-                    .is_some_and(|hit| ReflectionLobe::at(scene, hit, light).is_some())
-        });
+        let hit = curves.hit.as_ref();
+        let has_lobe = hit.is_some_and(|hit| ReflectionLobe::at(scene, hit, light).is_some());
+        let needs_lobe = |kind| match kind {
+            PlotKind::Lobe => true,
+            PlotKind::Exponent => scene.reflection.is_own_law(),
+            _ => false,
+        };
+        curves.kinds.retain(|kind| has_lobe || !needs_lobe(*kind));
         curves
     }
 
@@ -95,10 +98,13 @@ impl Curves {
         let scene = own.as_deref().unwrap_or(scene);
         let terms = hit.and_then(|hit| hit.lights.get(self.light));
         match kind {
-            PlotKind::Exponent => Some(exponent_plot(
+            PlotKind::Exponent if scene.reflection.is_own_law() => {
+                law_plot(scene, hit?, self.light)
+            }
+            PlotKind::Exponent => exponent_plot(
                 scene,
                 terms.map(|terms| terms.lobe_angle(scene.reflection.model).1),
-            )),
+            ),
             PlotKind::Reflectance => {
                 Some(reflectance_plot(scene, terms.map(|terms| terms.incidence)))
             }
@@ -150,8 +156,10 @@ impl Question for CurvesQuestion {
         }
         let [x, y] = probed.pixel;
         Err(match (kind, &probed.hit) {
-            (PlotKind::Lobe, None) => text!("point-error-background", x = x, y = y),
-            (PlotKind::Lobe, Some(_)) if light < count => {
+            (PlotKind::Lobe | PlotKind::Exponent, None) => {
+                text!("point-error-background", x = x, y = y)
+            }
+            (PlotKind::Lobe | PlotKind::Exponent, Some(_)) if light < count => {
                 text!("point-error-behind", light = light + 1, x = x, y = y)
             }
             _ => text!("point-error-no-light").to_owned(),
@@ -179,11 +187,12 @@ impl Answer for Curves {
     }
 }
 
-/// Returns the kinds of plot that apply: f only where it has a distance to depend on.
+/// Returns the kinds of plot that apply: f only where it has a distance to depend on, W not beside a law of the scene's own.
 pub fn shown_kinds(scene: &Scene, light: usize) -> Vec<PlotKind> {
     let shown = |kind: &PlotKind| match kind {
         PlotKind::Attenuation => scene.lights.get(light).is_some_and(has_distance),
-        PlotKind::Reflectance | PlotKind::Exponent | PlotKind::Lobe => true,
+        PlotKind::Reflectance => !scene.reflection.is_own_law(),
+        PlotKind::Exponent | PlotKind::Lobe => true,
         _ => false,
     };
     PlotKind::ALL.into_iter().filter(shown).collect()

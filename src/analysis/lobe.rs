@@ -5,11 +5,16 @@ use super::probe::ProbeHit;
 use crate::illumination::{Equation, ShadingPoint, V3, reflect};
 use crate::scene::{Backfacing, Light, LightKind, Rgb, Scene};
 use glam::DVec3;
+use std::f64::consts::FRAC_PI_3;
 
 /// Sine below which an angle's plane is lost to rounding, and tolerance for a length of 1.
 const UPRIGHT: f64 = 1e-9;
+/// Cosine from N below which a viewer is below the surface. A viewer in the surface itself still sees it, whatever the last
+/// digit is.
+const BELOW: f64 = -1e-12;
 
-/// Reflection of a light as seen from one direction, as luminance.
+/// Reflection of a light as seen from one direction, as luminance. What a scene's own law reflects is not split: all of it
+/// counts as specular.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Response {
     /// Luminance by the diffuse term, the same in every direction.
@@ -19,20 +24,28 @@ pub struct Response {
 }
 
 impl Response {
-    /// Returns the sum of both terms.
+    /// Returns the sum of both terms, which a scene's own law may make negative.
     pub fn total(self) -> f64 {
         self.diffuse + self.specular
+    }
+
+    /// Returns the sum of both terms as the length of an arrow: 0 where it is negative.
+    pub fn length(self) -> f64 {
+        self.total().max(0.0)
     }
 }
 
 /// The reflection of one light at one point as a function of the viewer's direction:
-/// `I(V) = f·Ip·(kd·Od·(N·L) + ks·W·S(V))`, luminance by Rec. 709. The light's own switches and shadows are ignored, an
-/// area light is a point in its middle, and where f depends on the distance to the viewer, that of the picture is kept.
+/// `I(V) = f·Ip·(kd·Od·(N·L) + ks·W·S(V))`, or f·Ip times the scene's own law; luminance by Rec. 709. The light's own switches
+/// and shadows are ignored, an area light is a point in its middle, and where f depends on the distance to the viewer, that of
+/// the picture is kept.
 #[derive(Clone, Debug)]
 pub struct ReflectionLobe {
     equation: Equation<f64>,
     site: ShadingPoint<f64>,
     od: Rgb,
+    /// True if the scene's own law takes the place of both terms.
+    own_law: bool,
     /// N, a unit vector on the side of the light.
     pub n: DVec3,
     /// L, a unit vector.
@@ -60,7 +73,9 @@ impl ReflectionLobe {
         let equation = Equation::<f64>::new(&Scene {
             lights: vec![alone],
             ..hit.scene_of(scene).into_owned()
-        });
+        })
+        .without_ambient();
+        let own_law = scene.reflection.is_own_law();
         let site = equation.site(
             V3::from(equation.from_world(hit.position)),
             V3::from(hit.normal),
@@ -69,6 +84,7 @@ impl ReflectionLobe {
             od: equation.pattern_color(hit.position),
             equation,
             site,
+            own_law,
             n: hit.normal.try_normalize()?,
             l: DVec3::ZERO,
             r: DVec3::ZERO,
@@ -80,7 +96,8 @@ impl ReflectionLobe {
             .sources
             .first()
             .map(|source| lobe.equation.respond_to(source, &lobe.site).l.into())?;
-        if scene.reflection.backfacing == Backfacing::Flip && lobe.n.dot(lobe.l) < 0.0 {
+        let two_sided = scene.reflection.backfacing == Backfacing::Flip && !own_law;
+        if two_sided && lobe.n.dot(lobe.l) < 0.0 {
             lobe.n = -lobe.n;
         }
         lobe.r = mirrored(hit.normal, lobe.l)?;
@@ -105,14 +122,49 @@ impl ReflectionLobe {
         self.r.dot(self.across).atan2(self.r.dot(self.n))
     }
 
+    /// Returns whether the scene's own law takes the place of both terms.
+    pub fn is_own_law(&self) -> bool {
+        self.own_law
+    }
+
+    /// Returns the reflection as seen from the unit direction `v`, per channel; zero from below the surface.
+    pub fn channels_towards(&self, v: DVec3) -> Rgb {
+        if v.dot(self.n) < BELOW {
+            return Rgb::ZERO;
+        }
+        let site = ShadingPoint {
+            view: V3::from(v),
+            ..self.site
+        };
+        Rgb::from_array(self.equation.illuminate(&site, None))
+    }
+
+    /// Returns the angle from R at which the reflection has fallen to half of what R has, within the plane of incidence and on
+    /// the side where that is first, radians: to 10 %, between 10⁻⁴ and 60°. 60° for a lobe that is not highest near R.
+    pub fn half_width(&self) -> f64 {
+        const FINEST: f64 = 1e-4;
+        let at = |angle: f64| {
+            self.towards(self.in_plane(self.mirror_angle() + angle))
+                .total()
+        };
+        let half = 0.5 * self.towards(self.r).total();
+        let mut angles = std::iter::successors(Some(FINEST), |angle| Some(1.1 * angle))
+            .take_while(|angle| *angle < FRAC_PI_3);
+        let fallen = angles.find(|angle| at(*angle).min(at(-angle)) < half);
+        fallen.unwrap_or(FRAC_PI_3)
+    }
+
     /// Returns the reflection as seen from the unit direction `v`; zero from below the surface.
     pub fn towards(&self, v: DVec3) -> Response {
         let mut response = Response {
             diffuse: 0.0,
             specular: 0.0,
         };
-        // A viewer in the surface itself still sees it, whatever the last digit is.
-        if v.dot(self.n) < -1e-12 {
+        if self.own_law {
+            response.specular = luminance(self.channels_towards(v));
+            return response;
+        }
+        if v.dot(self.n) < BELOW {
             return response;
         }
         let site = ShadingPoint {

@@ -25,6 +25,7 @@ pub fn stage_words(stage: Stage) -> (&'static str, &'static str) {
 pub fn per_words(per: Per) -> &'static str {
     match per {
         Per::Frame => text!("engine-each-frame"),
+        Per::Light => text!("engine-each-light"),
         Per::Face => text!("engine-each-face"),
         Per::Vertex => text!("engine-each-vertex"),
         Per::Pixel => text!("engine-each-pixel"),

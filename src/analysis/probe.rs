@@ -11,7 +11,7 @@ mod zero;
 
 pub use construction::{ConstructionStep, WorkedStep};
 pub use digits::{digits, digits_below, percent};
-pub use filled::{FilledLine, FilledPart, LineValue, Share};
+pub use filled::{FilledLine, FilledPart, LineValue, Share, law_text, law_words};
 pub use letters::{Letters, Tone, equation_letters, plain_formula, specular_vector};
 pub(super) use letters::{attenuation_law, exponent};
 pub use overlay::{
@@ -21,7 +21,7 @@ pub use products::{Here, LightHere, Product, TermColumn};
 pub use report::{ProbeQuestion, Probed, channels};
 pub use zero::{ZeroCause, ZeroCauses};
 
-use crate::illumination::Equation;
+use crate::illumination::{Equation, LawValues};
 use crate::render::{Evaluation, Renderer, Transmission};
 use crate::scene::{
     Backfacing, FaceMaterial, LightKind, PatternKind, ReflectionModel, Rgb, Scene, View,
@@ -227,13 +227,17 @@ pub struct LightTerms {
     pub diffuse_zero: ZeroCauses,
     /// Causes why `specular` is 0, if it is.
     pub specular_zero: ZeroCauses,
+    /// The lines of the scene's own law with their values at the pixel itself; none for the models that are built in. Its part
+    /// is `diffuse`, and `specular` is 0.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub law: Option<LawValues>,
 }
 
 impl LightTerms {
     /// Returns the angle whose cosine a model raises or distributes, with its letter: φ, or α between N and H.
     pub fn lobe_angle(&self, model: ReflectionModel) -> (&'static str, f64) {
         match model {
-            ReflectionModel::Phong => ("φ", self.phi),
+            ReflectionModel::Phong | ReflectionModel::Formula => ("φ", self.phi),
             ReflectionModel::Blinn | ReflectionModel::CookTorrance => ("α", self.alpha),
         }
     }
@@ -255,7 +259,7 @@ impl LightTerms {
     /// Returns the reason why the light adds nothing, in a clause; none if it adds something.
     pub fn why_nothing(&self) -> Option<String> {
         let (diffuse, specular) = (self.why_no_diffuse()?, self.why_no_specular()?);
-        Some(if diffuse == specular {
+        Some(if self.law.is_some() || diffuse == specular {
             diffuse
         } else {
             text!("point-zero-both", diffuse = diffuse, specular = specular)
@@ -265,7 +269,7 @@ impl LightTerms {
     /// Returns the reason why the light adds nothing in a word or two.
     pub fn why_nothing_in_short(&self) -> Option<&'static str> {
         self.why_nothing()?;
-        let one = self.diffuse_zero == self.specular_zero
+        let one = (self.law.is_some() || self.diffuse_zero == self.specular_zero)
             && self.diffuse_zero.first() == self.diffuse_zero;
         Some(
             self.diffuse_zero
@@ -417,6 +421,17 @@ fn light_terms(
     } else {
         evaluation.normal
     };
+    let tint: Rgb = evaluation
+        .points
+        .iter()
+        .map(|site| site.tint * site.weight)
+        .sum();
+    let color = if equation.has_pattern() {
+        equation.pattern_color(evaluation.position)
+    } else {
+        scene.material.color
+    };
+    let place = (evaluation.position, evaluation.normal);
     LightTerms {
         kind: scene.lights[light].kind,
         l: here.l,
@@ -435,6 +450,7 @@ fn light_terms(
         specular,
         diffuse_zero,
         specular_zero,
+        law: equation.law_values(scene, light, place, color * tint),
     }
 }
 

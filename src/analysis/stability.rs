@@ -1,14 +1,17 @@
-//! Stiff and extreme cases: the naive renderer, the engine and a reference on the same scene, and their results.
+//! Stiff and extreme cases: the naive renderer, the engine and a reference on the same scene, and their results; and where a
+//! scene's own law loses digits.
 //!
 //! Values are compared as code values, 255·min(I, 1) before rounding, at pixels of the reference that belong to no
 //! outline. NaN counts as an error of the whole range.
 
 mod cases;
+mod law;
 mod naive;
 mod precise;
 mod reference;
 mod report;
 
+pub use law::{LawOperation, LawStability, PrecisionError, law_stability};
 pub use report::{Catalogue, StabilityQuestion};
 
 use crate::figure::magnitude;
@@ -310,7 +313,7 @@ fn wrapped(intensity: f64) -> f64 {
     }
 }
 
-/// Colour of a pixel that is not finite.
+/// Colour of a pixel that is not finite, or where a law loses digits.
 const MARK: [u8; 4] = [255, 0, 255, 255];
 
 fn frame(pixels: &[[f64; 3]], code: fn(f64) -> f64) -> Frame {
@@ -325,5 +328,50 @@ fn frame(pixels: &[[f64; 3]], code: fn(f64) -> f64) -> Frame {
         width: cases::SIDE,
         height: cases::SIDE,
         pixels: pixels.iter().map(pixel).collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::ReflectionModel;
+
+    /// Returns the largest difference of two pictures, intensities.
+    fn apart(a: &[[f64; 3]], b: &[[f64; 3]]) -> f64 {
+        let pairs = a.as_flattened().iter().zip(b.as_flattened());
+        pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+    }
+
+    fn naive(scene: &Scene) -> Vec<[f64; 3]> {
+        let pixels = naive::draw(scene).into_iter();
+        pixels.map(|color| color.map(f64::from)).collect()
+    }
+
+    fn reference(scene: &Scene) -> Vec<[f64; 3]> {
+        reference::draw(scene)
+            .iter()
+            .map(|truth| truth.color)
+            .collect()
+    }
+
+    #[test]
+    fn a_typed_law_is_drawn_in_both_precisions_as_typed() {
+        let case = stability_cases().find(|case| case.name == "far-from-the-origin");
+        let mut scene = case.and_then(Case::scene).expect("a scene");
+        scene.image.size = [32, 32];
+        let built_in = [naive(&scene), reference(&scene)];
+        scene.reflection.model = ReflectionModel::Formula;
+        let formulas = [
+            ("kd*od*max(N·L, 0) + ks*os*max(R·V, 0)^n * (N·L > 0)", true),
+            ("kd*od*max(N·L, 0) + ks*os*max(N·H, 0)^n * (N·L > 0)", false),
+        ];
+        for (formula, same) in formulas {
+            scene.reflection.formula = formula.to_owned();
+            let typed = [naive(&scene), reference(&scene)];
+            for ((typed, built_in), most) in typed.iter().zip(&built_in).zip([1e-5, 1e-14]) {
+                let apart = apart(typed, built_in);
+                assert_eq!(apart <= most, same, "{formula}: {apart}");
+            }
+        }
     }
 }

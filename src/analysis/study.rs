@@ -1,5 +1,8 @@
 //! Error against run time: every shading method at every tessellation against the exact picture.
 //!
+//! A scene's own law is compared with a reference law, Phong's unless another is asked for: both are measured, against the exact picture
+//! of the reference.
+//!
 //! Errors are of the linear intensity before the display, and nothing is clamped; a code value of the raw encoding is
 //! 1/255. They are measured inside, where the picture and the exact one show the object with N·V ≥ 0.2, and
 //! separately for the outline. Times are medians of whole frames without the tessellation, which is kept as a
@@ -16,7 +19,10 @@ pub use measure::study;
 pub use report::{study_plot, study_point};
 pub use statistics::{Fit, fit_line, median_and_spread, order_of, pareto_front, student};
 
-use crate::scene::{Choice, FlatAt, Interpolation, Scene, ShadingMode, choices};
+use crate::illumination::law_operations;
+use crate::scene::{
+    Choice, FlatAt, Interpolation, ReflectionModel, Scene, ShadingMode, choices, presets,
+};
 use crate::text::{Message, text};
 use serde::{Deserialize, Serialize};
 
@@ -58,14 +64,20 @@ impl Method {
     /// and ks 2 and 2. Taylor's two cosines take 2 additions each by forward differences, their sum the fifth. The
     /// normal of angular interpolation takes 3 multiplications and 3 additions and has unit length by construction.
     pub fn pixel_cost(self) -> [u32; 4] {
-        match self {
-            Self::Flat | Self::FlatVertexMean => [0, 0, 0, 0],
-            Self::Interpolated | Self::Gouraud => [1, 0, 0, 0],
-            Self::Phong | Self::PhongScalar => [12, 16, 2, 1],
-            Self::PhongUnnormalised => [10, 10, 0, 1],
-            Self::Taylor => [5, 0, 0, 1],
-            Self::Angular => [10, 13, 0, 1],
-        }
+        self.pixel_cost_of(PHONG_COST)
+    }
+
+    /// Returns the cost of a pixel likewise, with a law that costs `law` where it is evaluated at each pixel.
+    pub fn pixel_cost_of(self, law: [u32; 4]) -> [u32; 4] {
+        let normal = match self {
+            Self::Flat | Self::FlatVertexMean => return [0, 0, 0, 0],
+            Self::Interpolated | Self::Gouraud => return [1, 0, 0, 0],
+            Self::Taylor => return [5, 0, 0, 1],
+            Self::Phong | Self::PhongScalar => [5, 6, 2, 0],
+            Self::PhongUnnormalised => [3, 0, 0, 0],
+            Self::Angular => [3, 3, 0, 0],
+        };
+        std::array::from_fn(|kind| normal[kind] + law[kind])
     }
 
     /// Applies the method to a scene; scalar ones leave it unchanged.
@@ -87,6 +99,25 @@ impl Method {
     }
 }
 
+/// The cost of Phong's law with unit vectors N and V: see [`Method::pixel_cost`].
+const PHONG_COST: [u32; 4] = [7, 10, 0, 1];
+
+/// Returns the cost of the scene's law, as in [`Method::pixel_cost`]; of its own the operations of its code and the addition of
+/// the ambient term. None for Cook and Torrance's, which no paper counts.
+fn law_cost(scene: &Scene) -> Option<[u32; 4]> {
+    match scene.reflection.model {
+        ReflectionModel::Phong => Some(PHONG_COST),
+        // N·L and N·H, H being the same everywhere, and the sum.
+        ReflectionModel::Blinn => Some([6, 8, 0, 1]),
+        ReflectionModel::CookTorrance => None,
+        ReflectionModel::Formula => {
+            let [additions, rest @ ..] = law_operations(scene).ok()?;
+            let [multiplications, divisions, powers] = rest;
+            Some([additions + 1, multiplications, divisions, powers])
+        }
+    }
+}
+
 /// The settings that a study compares.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StudyQuestion {
@@ -100,6 +131,9 @@ pub struct StudyQuestion {
     pub n: Vec<f64>,
     /// Number of frames timed for each setting, at least 1.
     pub repeats: u32,
+    /// The law whose exact picture errors are measured against; none stands for Phong's where the scene has a law of its own, and
+    /// elsewhere for the scene's. If it is not the scene's, both laws are measured.
+    pub reference: Option<ReflectionModel>,
 }
 
 impl Default for StudyQuestion {
@@ -110,15 +144,38 @@ impl Default for StudyQuestion {
             interpolations: vec![Interpolation::Perspective, Interpolation::Affine],
             n: Vec::new(),
             repeats: 9,
+            reference: None,
         }
     }
 }
 
 impl StudyQuestion {
-    /// Returns whether two scenes differ only in what a study sets itself, so that they have the same results.
+    /// Returns the law whose exact picture errors are measured against.
+    pub fn reference(&self, scene: &Scene) -> ReflectionModel {
+        let own = match scene.reflection.model {
+            ReflectionModel::Formula => ReflectionModel::Phong,
+            built_in => built_in,
+        };
+        self.reference.unwrap_or(own)
+    }
+
+    /// Returns the laws to measure, the scene's first; a single one needs no name.
+    fn laws(&self, scene: &Scene) -> Vec<Option<ReflectionModel>> {
+        let (own, reference) = (scene.reflection.model, self.reference(scene));
+        if own == reference {
+            vec![None]
+        } else {
+            vec![Some(own), Some(reference)]
+        }
+    }
+
+    /// Returns whether scene `b` differs from `a`, which was measured, only in what a study sets itself, so that both have the same
+    /// results.
     pub fn same(&self, a: &Scene, b: &Scene) -> bool {
+        let laws = self.laws(a);
         let plain = |scene: &Scene| {
             let mut plain = scene.clone();
+            let measured = laws.contains(&Some(scene.reflection.model));
             let n = if self.n.is_empty() {
                 scene.material.n
             } else {
@@ -130,6 +187,7 @@ impl StudyQuestion {
                 rings: 8,
                 interpolation: Some(Interpolation::Perspective),
                 n,
+                law: measured.then_some(a.reflection.model),
             };
             setting.apply(&mut plain);
             plain
@@ -151,6 +209,8 @@ pub struct Setting {
     pub interpolation: Option<Interpolation>,
     /// The specular exponent.
     pub n: f64,
+    /// The law of reflection, where two are compared; none stands for the scene's.
+    pub law: Option<ReflectionModel>,
 }
 
 impl Setting {
@@ -158,6 +218,7 @@ impl Setting {
         (scene.object.segments, scene.object.rings) = (self.segments, self.rings);
         scene.material.n = self.n;
         scene.shading.interpolation = self.interpolation.unwrap_or(scene.shading.interpolation);
+        scene.reflection.model = self.law.unwrap_or(scene.reflection.model);
         self.method.apply(scene);
     }
 
@@ -171,18 +232,13 @@ impl Setting {
 
     /// Returns whether it belongs to the same series of tessellations.
     fn is_like(&self, other: &Self) -> bool {
-        (self.method, self.interpolation, self.n.to_bits())
-            == (other.method, other.interpolation, other.n.to_bits())
-    }
-
-    /// Returns the setting's title.
-    pub fn title(&self) -> String {
-        format!(
-            "{} {}×{}",
-            title(self.method, self.interpolation),
-            self.segments,
-            self.rings
-        )
+        (self.method, self.interpolation, self.n.to_bits(), self.law)
+            == (
+                other.method,
+                other.interpolation,
+                other.n.to_bits(),
+                other.law,
+            )
     }
 }
 
@@ -195,6 +251,20 @@ fn title(method: Method, interpolation: Option<Interpolation>) -> String {
     }
 }
 
+/// Returns the name of a scene's own law: the scene's title, unless that is a built-in scene's which has another law; may be empty.
+fn own_law(scene: &Scene) -> String {
+    let title = &scene.about.title;
+    let another = presets::ALL.iter().any(|preset| {
+        let built_in = preset.scene();
+        built_in.about.title == *title && built_in.reflection != scene.reflection
+    });
+    if another {
+        String::new()
+    } else {
+        title.clone()
+    }
+}
+
 /// An omitted setting, with the reason.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Omission {
@@ -202,6 +272,8 @@ pub struct Omission {
     pub method: Method,
     /// The interpolation; none where it makes no difference.
     pub interpolation: Option<Interpolation>,
+    /// The law, where two are compared.
+    pub law: Option<ReflectionModel>,
     /// The reason why it is not measured.
     pub reason: Message,
 }
@@ -241,6 +313,11 @@ pub struct StudyRow {
     pub pareto: bool,
     /// True if the time is that of scalar code in one thread instead of the engine.
     pub scalar: bool,
+    /// Root mean square difference inside from the same setting with the reference law, linear intensity before the display; none
+    /// where the law is the reference.
+    pub law_rms: Option<f64>,
+    /// Operations at a pixel, as in [`Method::pixel_cost`], with the setting's law; none where the law has no count.
+    pub operations: Option<[u32; 4]>,
 }
 
 /// Dependence of one method's errors on the tessellation.
@@ -252,6 +329,8 @@ pub struct Series {
     pub interpolation: Option<Interpolation>,
     /// The specular exponent.
     pub n: f64,
+    /// The law, where two are compared.
+    pub law: Option<ReflectionModel>,
     /// Order p of the maximum error, proportional to hᵖ with the spacing h; none for fewer than three tessellations.
     pub order: Option<Fit>,
     /// Order of the root mean square error, likewise.
@@ -271,9 +350,56 @@ pub struct Study {
     pub complete: bool,
     /// Number of threads of the engine.
     pub threads: usize,
+    /// The law whose exact picture errors are measured against, where two laws are compared.
+    pub reference: Option<ReflectionModel>,
+    /// The name of the scene's own law; empty if it has none.
+    pub own_law: String,
 }
 
 impl Study {
+    /// Returns the name of a law.
+    fn law_name(&self, law: ReflectionModel) -> String {
+        match law {
+            ReflectionModel::Formula if self.own_law.is_empty() => text!("engine-law-own").into(),
+            ReflectionModel::Formula => self.own_law.clone(),
+            ReflectionModel::Phong => text!("engine-law", name = "Phong"),
+            ReflectionModel::Blinn => text!("engine-law", name = "Blinn"),
+            ReflectionModel::CookTorrance => text!("engine-law", name = "Cook–Torrance"),
+        }
+    }
+
+    /// Returns the title of a method, with the law where two are compared.
+    fn method_title(
+        &self,
+        method: Method,
+        interpolation: Option<Interpolation>,
+        law: Option<ReflectionModel>,
+    ) -> String {
+        let method = title(method, interpolation);
+        match law {
+            Some(law) => text!(
+                "engine-law-method",
+                law = self.law_name(law),
+                method = method
+            ),
+            None => method,
+        }
+    }
+
+    /// Returns a setting's title.
+    pub fn title(&self, setting: &Setting) -> String {
+        let Setting {
+            method,
+            interpolation,
+            law,
+            segments,
+            rings,
+            ..
+        } = *setting;
+        let method = self.method_title(method, interpolation, law);
+        format!("{method} {segments}×{rings}")
+    }
+
     fn conclude(&mut self) {
         // Times of engine and scalar code are not comparable: the scalar ones count only where there are no others.
         let engine = self.rows.iter().any(|row| !row.scalar);
@@ -300,6 +426,7 @@ impl Study {
                     method,
                     interpolation,
                     n,
+                    law,
                     ..
                 } = rows[0].setting;
                 let order = order_of(rows.iter().map(|row| (row.spacing, row.error_max)));
@@ -308,6 +435,7 @@ impl Study {
                     method,
                     interpolation,
                     n,
+                    law,
                     order,
                     order_rms,
                 }
@@ -315,7 +443,7 @@ impl Study {
             .collect();
     }
 
-    /// Returns the first series of a method: of the first interpolation and n requested.
+    /// Returns the first series of a method: of the first interpolation and n requested, and of the scene's law.
     pub fn series_of(&self, method: Method) -> Option<&Series> {
         self.series.iter().find(|series| series.method == method)
     }

@@ -2,6 +2,7 @@
 //!
 //! A row belongs to a parameter or is a control of its own.
 
+mod law;
 mod lights;
 pub mod materials;
 mod model;
@@ -130,7 +131,7 @@ static SECTIONS: [Section; 8] = [
             Symbol::Reflectance,
             Symbol::Reflected,
         ],
-        tables: &[],
+        tables: &["reflection"],
         items: &[
             Own(|ui, session, window, _, engine| model::list_ui(ui, session, window, engine)),
             Chosen(&[
@@ -142,10 +143,16 @@ static SECTIONS: [Section; 8] = [
                         .change(|gallery| gallery_ui(ui, initial, gallery, material));
                 }),
                 Rows(&[&material::KA, &material::KD, &material::KS]),
-                While(has_facets, &[&material::ROUGHNESS]),
+                While(
+                    |scene| has_facets(scene) || scene.reflection.law_uses(&["m"]),
+                    &[&material::ROUGHNESS],
+                ),
                 While(|scene| !has_facets(scene), &[&material::N]),
-                Rows(&[&material::MODEL]),
-                While(has_facets, &[&material::DISTRIBUTION]),
+            ]),
+            Rows(&[&material::MODEL]),
+            Own(|ui, session, _, _, _| law::law_ui(ui, session)),
+            While(has_facets, &[&material::DISTRIBUTION]),
+            Chosen(&[
                 Own(|ui, session, _, _, _| matching_ui(ui, &mut session.shown.scene)),
                 Rows(&[
                     &material::COLOR,
@@ -158,9 +165,10 @@ static SECTIONS: [Section; 8] = [
                 ),
                 Rows(&[&material::REFLECTANCE]),
                 While(
-                    |scene| scene.material.reflectance == Reflectance::Custom,
-                    &[&material::IOR, &material::EXTINCTION],
+                    |scene| has_own_index(scene) || scene.reflection.law_uses(&["eta"]),
+                    &[&material::IOR],
                 ),
+                While(has_own_index, &[&material::EXTINCTION]),
             ]),
             Rows(&[&material::BACKFACING]),
         ],
@@ -353,6 +361,10 @@ fn open_in(scene: &Scene) -> [bool; SECTIONS.len()] {
 
 fn has_facets(scene: &Scene) -> bool {
     scene.reflection.model == ReflectionModel::CookTorrance
+}
+
+fn has_own_index(scene: &Scene) -> bool {
+    scene.material.reflectance == Reflectance::Custom
 }
 
 /// The sections that were opened or folded by hand: other scenes leave them so, until the window closes.

@@ -3,7 +3,6 @@
 mod data;
 mod edges;
 mod feedback;
-mod formula;
 mod glide;
 mod handed_in;
 mod kinds;

@@ -9,7 +9,7 @@ use crate::app::widgets::dialog::{FileKind, Picked};
 use crate::app::widgets::theme;
 use crate::document::{ending, give};
 use crate::lesson::{are_there, take_texts};
-use crate::text::{Language, language, set_chinese_font};
+use crate::text::{Language, chinese_text, language, set_chinese_font, set_chinese_text};
 use eframe::egui::{Context, DroppedFile, InputState, OutputCommand};
 use js_sys::{Array, ArrayBuffer, Function, Promise, Reflect, Uint8Array};
 use std::cell::{Cell, RefCell};
@@ -22,7 +22,8 @@ use web_sys::{ClipboardEvent, Event, File, FileList, HtmlInputElement, PopStateE
 
 /// True if this is a web page.
 pub const PAGE: bool = true;
-/// The file of the Chinese font, beside the page.
+/// The files of the Chinese texts and font, beside the page.
+const CHINESE_TEXT: &str = "chinese.txt";
 const CHINESE_FONT: &str = "chinese.otf";
 /// The file of the lessons, beside the page.
 const LESSONS: &str = "lessons.txt";
@@ -42,7 +43,7 @@ thread_local! {
     static OPENED: RefCell<Option<PathBuf>> = const { RefCell::new(None) };
     /// The context of the window, once it has drawn a frame.
     static CONTEXT: RefCell<Option<Context>> = const { RefCell::new(None) };
-    static FONT_ASKED: Cell<bool> = const { Cell::new(false) };
+    static CHINESE_ASKED: Cell<bool> = const { Cell::new(false) };
     static SHOWN_IN: Cell<Option<Language>> = const { Cell::new(None) };
     /// The link of the current view, and its place.
     static SHOWN: RefCell<Option<(String, String)>> = const { RefCell::new(None) };
@@ -381,25 +382,34 @@ fn offer(ctx: &Context) {
     }
 }
 
-/// Sets the page's language, and fetches the font for the current language, once.
+/// Fetches the Chinese texts, unless they are there.
+pub async fn fetch_chinese_text() -> Result<(), JsValue> {
+    if chinese_text().is_empty() {
+        let text = fetch(CHINESE_TEXT).await?;
+        set_chinese_text(String::from_utf8_lossy(&text).into_owned());
+    }
+    Ok(())
+}
+
+/// Sets the page's language, and fetches the texts and the font for the current language, once.
 fn want_letters(ctx: &Context) {
     if let Some(page) = document().and_then(|document| document.document_element()) {
         let _ = page.set_attribute("lang", language().tag());
     }
-    if language() != Language::TraditionalChinese || FONT_ASKED.replace(true) {
+    if language() != Language::TraditionalChinese || CHINESE_ASKED.replace(true) {
         return;
     }
     let ctx = ctx.clone();
     spawn_local(async move {
-        match fetch(CHINESE_FONT).await {
-            Ok(font) => {
-                set_chinese_font(font);
-                theme::install_fonts(&ctx);
-                ctx.request_repaint();
-            }
-            // Until then the browser draws the characters. The next choice of the language tries again.
-            Err(_) => FONT_ASKED.set(false),
-        }
+        let text = fetch_chinese_text().await;
+        ctx.request_repaint();
+        let font = fetch(CHINESE_FONT).await.map(|font| {
+            set_chinese_font(font);
+            theme::install_fonts(&ctx);
+            ctx.request_repaint();
+        });
+        // Until then text is English, or drawn by the browser. What was not there is tried again when the language is next chosen.
+        CHINESE_ASKED.set(text.is_ok() && font.is_ok());
     });
 }
 

@@ -54,6 +54,8 @@ pub struct Session {
     modified: bool,
     /// True if the document has changed since the history last observed it.
     unobserved: bool,
+    /// The number of times that another scene has taken the place of the present one.
+    replacements: u64,
     /// Previously open documents, as they were opened or saved: undo can return to them.
     opened_history: Vec<(Document, Scene)>,
     /// Index of the light whose controls are shown.
@@ -94,6 +96,12 @@ impl Session {
         std::mem::take(&mut self.just_opened)
     }
 
+    /// Returns how often another scene has taken the place of the present one: opened, restored, reset, reached by undo or
+    /// redo, or moved to another pane. What is half typed then belongs to a scene that is gone.
+    pub fn replacements(&self) -> u64 {
+        self.replacements
+    }
+
     /// Starts a new history with the open document, which undo does not take back.
     pub fn begin(&mut self) {
         self.history = History::new(self.document.clone());
@@ -107,6 +115,7 @@ impl Session {
             return false;
         }
         self.document = document;
+        self.replacements += 1;
         (self.notice, self.warning) = (None, None);
         self.just_opened = true;
         self.panes.active = 0;
@@ -142,6 +151,7 @@ impl Session {
     /// Moves through the history, unless the lock keeps the scene. A document outside the lesson is not kept back.
     fn travel(&mut self, there: Travel, back: Travel) {
         self.notice = None;
+        self.replacements += 1;
         let locked = self.lock.as_ref();
         let locked = locked.map(|lock| (lock, self.document.clone()));
         there(&mut self.history, &mut self.document);
@@ -300,6 +310,7 @@ impl Session {
 
     /// Replaces the document's scene, as one edit.
     pub fn put_scene(&mut self, scene: Scene) {
+        self.replacements += 1;
         self.edit(|present, _| *present = scene);
     }
 
@@ -326,6 +337,7 @@ impl Session {
     /// Replaces the open document with a later state of it.
     pub fn restore(&mut self, document: Document) {
         self.document = document;
+        self.replacements += 1;
         self.derive();
     }
 
@@ -365,6 +377,15 @@ impl Session {
         compare.view = view;
     }
 
+    /// Shows how the active pane differs from the same scene with Phong's model.
+    pub fn compare_with_phong(&mut self) {
+        let active = self.panes.active;
+        if active > 0 {
+            self.rearrange(0, |scene| scene.move_pane(active, 0));
+        }
+        self.edit(|scene, _| scene.compare_with_phong());
+    }
+
     /// Adds, removes or moves panes; pane `active` is the active one afterwards.
     pub fn rearrange(
         &mut self,
@@ -377,6 +398,7 @@ impl Session {
         self.commit();
         match change(&mut self.document.scene) {
             Ok(()) => {
+                self.replacements += 1;
                 self.panes.active = active;
                 // The values that a reset restores move with their pane.
                 let count = self.document.scene.pane_count();
@@ -506,7 +528,7 @@ impl Panes {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::Light;
+    use crate::scene::{Light, ReflectionModel};
 
     /// Returns a session with three panes: one shows the scene exactly, one with 64 segments.
     fn session() -> Session {
@@ -602,6 +624,55 @@ mod tests {
             session.rearrange(to, |scene| scene.move_pane(from, to));
             assert_eq!(session.initial, session.shown.scene, "{from} to {to}");
         }
+    }
+
+    #[test]
+    fn the_active_panes_law_is_compared_with_phongs() {
+        let mut session = session();
+        session.panes.own = true;
+        edit(&mut session, 2, |scene| {
+            scene.reflection.model = ReflectionModel::Formula;
+            scene.reflection.formula = "a = N·L\nkd * a".to_owned();
+        });
+        session.compare_with_phong();
+        // Once more adds nothing.
+        session.compare_with_phong();
+        let scene = &session.document.scene;
+        assert_eq!(scene.validate(), Ok(()));
+        assert_eq!((scene.pane_count(), session.panes.active), (4, 0));
+        assert_eq!(scene.compare.view, CompareView::Difference);
+        let shown = scene.shown_panes().into_iter();
+        let models = shown.map(|pane| session.panes.scene(pane).reflection.model);
+        let models: Vec<_> = models.collect();
+        assert_eq!(models, [ReflectionModel::Formula, ReflectionModel::Phong]);
+        // A formula is named by its value.
+        session.document.scene.compare.panes =
+            vec![Pane::of(&["reflection.formula=\"a = 2\\na\""])];
+        let names = [0, 1].map(|pane| session.document.scene.pane_name(pane));
+        assert_eq!(names, ["kd * a", "a"]);
+    }
+
+    #[test]
+    fn a_draft_can_tell_that_its_scene_is_gone() {
+        let mut session = session();
+        let mut count = session.replacements();
+        let mut grows = |session: &Session| {
+            let before = std::mem::replace(&mut count, session.replacements());
+            session.replacements() > before
+        };
+        edit(&mut session, 0, |scene| scene.material.n = 7.0);
+        assert!(!grows(&session), "edits are the draft's own");
+        session.save_as(Origin::File("a.toml".into()));
+        assert!(!grows(&session), "saving changes nothing");
+        session.undo();
+        assert!(grows(&session));
+        session.redo();
+        assert!(grows(&session));
+        session.put_scene(Scene::default());
+        assert!(grows(&session));
+        session.restore(Document::default());
+        assert!(grows(&session));
+        assert!(session.replace(Document::default()) && grows(&session));
     }
 
     #[test]

@@ -175,7 +175,9 @@ pub static GROUPS: [Group; 5] = [
                 name: "view-stability",
                 words: "view-stability.words",
                 show: |ui, p| {
-                    p.with(|p, own| stability_ui(ui, own, p.session, p.window, p.requests));
+                    p.with(|p, own| {
+                        stability_ui(ui, own, p.session, p.window, p.requests, p.engine);
+                    });
                 },
             },
         ],

@@ -6,6 +6,8 @@ pub mod dialog;
 pub mod drawing;
 pub mod fingers;
 pub mod focus;
+pub mod formula;
+pub mod formula_field;
 pub mod heading;
 pub mod letter;
 pub mod lines;

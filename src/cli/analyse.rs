@@ -25,7 +25,7 @@ use shading_lab::document::{check_target, save_answer, save_picture};
 use shading_lab::figure::{Paper, PlotKind};
 use shading_lab::jobs::nanoseconds;
 use shading_lab::render::{SimdLevel, check_memory_for};
-use shading_lab::scene::{Choice, Interpolation, Object, Scene, ShadingMode};
+use shading_lab::scene::{Choice, Interpolation, Object, ReflectionModel, Scene, ShadingMode};
 use shading_lab::text::text;
 use std::path::{Path, PathBuf};
 
@@ -95,12 +95,22 @@ impl<A: AnalysisArguments> Analyse<A> {
     }
 }
 
-impl<A: AnalysisArguments> Catalogued<A> {
-    pub fn run_alone(self) -> Result<(), Failure> {
+impl Catalogued<Stability> {
+    /// Examines the law of the scene, if one is given, otherwise draws the cases.
+    pub fn run_cases(mut self, earlier: &[String]) -> Result<(), Failure> {
         self.check()?;
-        self.run(A::NAME, Subject::new(Scene::default()))
+        let scene = &self.arguments.scene;
+        self.arguments.law =
+            scene.source.is_some() || !scene.overrides().is_empty() || !earlier.is_empty();
+        if !self.arguments.law {
+            return self.run(Stability::NAME, Subject::new(Scene::default()));
+        }
+        let loaded = scene.load(earlier)?;
+        self.run(&loaded.name.clone(), loaded.into())
     }
+}
 
+impl<A: AnalysisArguments> Catalogued<A> {
     /// Refuses files that cannot be written, before any work is done.
     fn check(&self) -> Result<(), Failure> {
         let OutputArguments { output, csv, .. } = &self.output;
@@ -427,6 +437,8 @@ pub struct Study {
     interpolation: Vec<Interpolation>,
     #[arg(long, value_name = "N", default_value_t = 9, value_parser = whole::<u32>(1..=10_000))]
     repeats: u32,
+    #[arg(long, value_name = "LAW", value_parser = choice(ReflectionModel::VALUES))]
+    reference: Option<ReflectionModel>,
     #[arg(long, value_name = "N", value_parser = whole::<u16>(1..=1024))]
     threads: Option<u16>,
 }
@@ -453,6 +465,7 @@ impl AnalysisArguments for Study {
             interpolations: self.interpolation.clone(),
             n: self.n.clone(),
             repeats: self.repeats,
+            reference: self.reference,
         })
     }
 
@@ -463,8 +476,14 @@ impl AnalysisArguments for Study {
 
 #[derive(Args)]
 pub struct Stability {
-    #[arg(long = "case", value_name = "NAME", value_delimiter = ',', value_parser = parse_case)]
+    #[command(flatten)]
+    scene: SceneArguments,
+    #[arg(long = "case", value_name = "NAME", value_delimiter = ',', value_parser = parse_case,
+          conflicts_with_all = ["source", "set", "material"])]
     cases: Vec<String>,
+    /// True if a scene is given.
+    #[arg(skip)]
+    law: bool,
 }
 
 fn parse_case(text: &str) -> Result<String, String> {
@@ -478,11 +497,11 @@ fn parse_case(text: &str) -> Result<String, String> {
 impl AnalysisArguments for Stability {
     type Question = StabilityQuestion;
     const NAME: &'static str = "stability";
-    const SIZES_FIGURE: bool = true;
 
     fn question(&self, _: &mut Scene) -> Result<StabilityQuestion, Failure> {
         Ok(StabilityQuestion {
             cases: self.cases.clone(),
+            law: self.law,
         })
     }
 }

@@ -27,7 +27,10 @@ pub fn examples(command: &str) -> &'static [&'static str] {
         "study" => &[
             "shading-lab study sphere --methods flat,gouraud,phong --segments 8,16,32 -o study.png",
         ],
-        "stability" => &["shading-lab stability --csv stability.csv"],
+        "stability" => &[
+            "shading-lab stability --csv stability.csv",
+            "shading-lab stability ward -o stability.png",
+        ],
         "code" => &["shading-lab code spotlight --target glsl -o spotlight"],
         "link" => &[
             "shading-lab link highlight --set material.n=50",

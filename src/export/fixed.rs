@@ -143,7 +143,9 @@ fn limits(scene: &Scene, mesh: &VertexMesh) -> Vec<Limit> {
             limit!("export-limit-pattern"),
         ),
         (
-            scene.reflection.backfacing == Backfacing::Flip,
+            // A law of the scene's own turns no N.
+            scene.reflection.backfacing == Backfacing::Flip
+                && scene.reflection.model != ReflectionModel::Formula,
             limit!("export-limit-two-side"),
         ),
     ]));
@@ -171,6 +173,10 @@ fn specular_limits(scene: &Scene) -> Vec<Limit> {
     let mut limits = Vec::new();
     match scene.reflection.model {
         ReflectionModel::Blinn => {}
+        ReflectionModel::Formula => {
+            let n = said(n.min(GREATEST_EXPONENT));
+            return vec![limit!("export-limit-own-law", n = n)];
+        }
         ReflectionModel::Phong => limits.push(limit!(
             "export-limit-phong-lobe",
             blinn = said(n),
@@ -183,7 +189,7 @@ fn specular_limits(scene: &Scene) -> Vec<Limit> {
     if n > GREATEST_EXPONENT {
         limits.push(limit!("export-limit-shininess", n = said(n)));
     }
-    if Index::of(&scene.material).is_some() {
+    if index(scene).is_some() {
         limits.push(limit!("export-limit-reflectance"));
     }
     limits
@@ -339,7 +345,7 @@ fn fog_limits(scene: &Scene, mesh: &VertexMesh) -> Vec<Limit> {
 fn exponent(scene: &Scene) -> f64 {
     let material = &scene.material;
     match scene.reflection.model {
-        ReflectionModel::Blinn => material.n,
+        ReflectionModel::Blinn | ReflectionModel::Formula => material.n,
         ReflectionModel::Phong => blinn_from_phong(material.n),
         // The inverse of m = √(2/(n + 2)).
         ReflectionModel::CookTorrance => {
@@ -348,16 +354,21 @@ fn exponent(scene: &Scene) -> f64 {
     }
 }
 
+/// Returns the index of refraction that W depends on, if it does: a law of the scene's own has no W.
+fn index(scene: &Scene) -> Option<Index> {
+    Index::of(&scene.material).filter(|_| scene.reflection.model != ReflectionModel::Formula)
+}
+
 /// Writes the four coefficients of a material: of each, its array in C and its meaning.
 fn coefficients(scene: &Scene) -> [(String, String); 4] {
     let material = &scene.material;
-    let index = Index::of(material);
+    let index = index(scene);
     let head_on = index.map_or(Rgb::ONE, |index| index.reflectance(1.0));
     let n_means = match scene.reflection.model {
         _ if SpecularForm::of(scene) == SpecularForm::None => {
             "n, of no effect: no specular light".to_owned()
         }
-        ReflectionModel::Blinn => "n of (N.H)^n".to_owned(),
+        ReflectionModel::Blinn | ReflectionModel::Formula => "n of (N.H)^n".to_owned(),
         ReflectionModel::Phong => format!(
             "as wide as (R.V)^n with n = {}, up to 128",
             said(material.n)

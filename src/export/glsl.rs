@@ -4,6 +4,7 @@
 //! code of the equation is the same.
 
 mod numbers;
+mod own_law;
 
 use super::limit::limit;
 use super::sources::{
@@ -22,6 +23,7 @@ use crate::scene::{
 use crate::text::{Language, Message, in_language};
 use glam::{DMat4, DVec3, DVec4};
 use numbers::{constants, own};
+use own_law::OwnLaw;
 
 /// Radius about the origin that contains every built-in shape: √2 for the corners of the plane, a little more for
 /// rounding.
@@ -35,6 +37,12 @@ const NEAR: f64 = 1e-3;
 
 const EQUATION: &str =
     "    I = Ka*Od*Ia + sum over the lights of f*Ip*[Kd*Od*(N.L) + Ks*Os*W*S], where N.L > 0";
+
+const OWN_EQUATION: &str =
+    "    I = Ka*Od*Ia + sum over the lights of f*Ip*law, the scene's own law";
+
+/// The distance of parallel rays in camera distances, as in the equation.
+const FARTHEST: f64 = 1e12;
 
 /// Code for the direction to a light; lengths get a small minimum before they are divisors.
 const DIRECTION: &str = "    float d = max(length(to_light), 1e-9);\n    vec3 L = to_light / d;\n";
@@ -74,11 +82,16 @@ pub fn glsl_330_of_model(scene: &Scene, model: Option<&Mesh>) -> Export {
     };
     let scale = (scene.display.overflow == Overflow::Scale).then(|| limit!("export-limit-scale"));
     limits.extend([shading, scale].into_iter().flatten());
+    let law = OwnLaw::of(scene);
+    let terms = match &law {
+        Some(law) => pattern(scene) + law.text(),
+        None => terms(scene, &materials),
+    };
+    let law = law.as_ref();
     let equation = format!(
-        "{}\n{}\n{}",
-        constants(scene, &materials),
-        terms(scene, &materials),
-        lights(scene)
+        "{}\n{terms}\n{}",
+        constants(scene, &materials, law),
+        lights(scene, law)
     );
     let [in_vertex, in_fragment] = if per_pixel(scene) {
         ["", equation.as_str()]
@@ -94,7 +107,7 @@ pub fn glsl_330_of_model(scene: &Scene, model: Option<&Mesh>) -> Export {
                 &what,
                 &host(scene, &materials),
                 "The equation, per channel:",
-                EQUATION,
+                law.map_or(EQUATION, |_| OWN_EQUATION),
             ],
             &limits,
             "// ",
@@ -262,7 +275,7 @@ fn specular(forms: &[SpecularForm]) -> String {
     );
     let (both, either);
     let (gap, helpers, doc, body) = match form {
-        SpecularForm::None => return String::new(),
+        SpecularForm::None | SpecularForm::Formula => return String::new(),
         _ if forms.iter().any(|other| *other != form) => {
             let (doc, cosine, chord_of) = if form.at_halfway() {
                 (BLINN, BLINN_COSINE, BLINN_CHORD)
@@ -319,8 +332,10 @@ fn pattern(scene: &Scene) -> String {
 }
 
 /// Writes a function for each light, and `illuminate`, which adds them up.
-fn lights(scene: &Scene) -> String {
+fn lights(scene: &Scene, law: Option<&OwnLaw>) -> String {
     let emitters = emitters(scene);
+    let farthest = FARTHEST * scene.camera.distance();
+    let light = |emitter| light(emitter, law, farthest);
     let functions: String = emitters.iter().map(light).collect();
     let view = match scene.camera.viewer {
         Viewer::Local => "normalize(eye - P)",
@@ -338,14 +353,20 @@ fn lights(scene: &Scene) -> String {
     functions + &filled(include_str!("glsl/illuminate.glsl"), &values)
 }
 
-fn light(emitter: &Emitter<'_>) -> String {
+/// Writes a light's function; the rays of one that is parallel come from the distance `farthest`.
+fn light(emitter: &Emitter<'_>, law: Option<&OwnLaw>, farthest: f64) -> String {
     let index = emitter.index.to_string();
+    let d = law.map_or("", OwnLaw::distance);
     let (what, direction) = match &emitter.place {
-        EmitterPosition::Among(points) => return area(emitter, points, &index),
-        EmitterPosition::Towards(l) => (
-            "L is the same everywhere",
-            format!("    const vec3 L = {};\n", vec3(*l)),
-        ),
+        EmitterPosition::Among(points) => return area(emitter, points, &index, d),
+        EmitterPosition::Towards(l) => {
+            let mut direction = format!("    const vec3 L = {};\n", vec3(*l));
+            if !d.is_empty() {
+                let d = float(farthest);
+                direction += &format!("    const float d = {d}; // almost infinite\n");
+            }
+            ("L is the same everywhere", direction)
+        }
         EmitterPosition::At(place) => {
             let to_light = format!("    vec3 to_light = {} - P;\n{DIRECTION}", vec3(*place));
             ("L points to its place from each point", to_light)
@@ -354,7 +375,7 @@ fn light(emitter: &Emitter<'_>) -> String {
     let (title, ip, shine) = (
         emitter.title(),
         vec3(emitter.light.color),
-        direction + &shine(emitter, "return"),
+        direction + &shine(emitter, "return", d),
     );
     let values: [(&str, &str); 5] = [
         ("title", &title),
@@ -367,14 +388,14 @@ fn light(emitter: &Emitter<'_>) -> String {
 }
 
 /// Writes an area light: the points that represent it, and a loop over them.
-fn area(emitter: &Emitter<'_>, points: &[DVec3], index: &str) -> String {
+fn area(emitter: &Emitter<'_>, points: &[DVec3], index: &str, d: &str) -> String {
     let list: Vec<_> = points
         .iter()
         .map(|&point| format!("    {}", vec3(point)))
         .collect();
     let body = format!(
         "    vec3 to_light = points_{index}[i] - P;\n{DIRECTION}{}",
-        shine(emitter, "sum +=")
+        shine(emitter, "sum +=", d)
     );
     let body: String = body.lines().map(|line| format!("    {line}\n")).collect();
     filled(
@@ -390,8 +411,8 @@ fn area(emitter: &Emitter<'_>, points: &[DVec3], index: &str) -> String {
     )
 }
 
-/// Writes f, a spot light's factor, and the reflected light, which `verb` returns or adds.
-fn shine(emitter: &Emitter<'_>, verb: &str) -> String {
+/// Writes f, a spot light's factor, and the reflected light, which `verb` returns or adds; `d` passes the distance on.
+fn shine(emitter: &Emitter<'_>, verb: &str, d: &str) -> String {
     let Light {
         attenuation,
         k,
@@ -416,7 +437,7 @@ fn shine(emitter: &Emitter<'_>, verb: &str) -> String {
     } else {
         (String::new(), "f * Ip")
     };
-    format!("    float f = {f};\n{cone}    {verb} reflected(N, L, V, color, {factor});\n")
+    format!("    float f = {f};\n{cone}    {verb} reflected(N, L, V, {d}color, {factor});\n")
 }
 
 /// Writes `(−L·D)^e` inside the cone, 0 outside.

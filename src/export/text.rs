@@ -1,6 +1,7 @@
 //! Numbers, comments and filled templates in the syntax of C and GLSL.
 
 use super::limit::Limit;
+use crate::expression::in_name;
 use crate::illumination::Scalar;
 use crate::text::{Language, in_language};
 use glam::DVec3;
@@ -47,6 +48,28 @@ pub(super) fn said(value: f64) -> String {
         return text.trim_end_matches('0').trim_end_matches('.').to_owned();
     }
     format!("{value:.3e}")
+}
+
+/// Returns a typed text as plain ASCII that continues no line: signs and Greek letters as they are typed without them, `?` for
+/// anything else.
+pub(super) fn ascii(text: &str) -> String {
+    let plain = |c: char| match c {
+        '·' | '⋅' | '•' => ".".to_owned(),
+        '×' => "*".to_owned(),
+        '÷' => "/".to_owned(),
+        '−' => "-".to_owned(),
+        '²' => "^2".to_owned(),
+        '³' => "^3".to_owned(),
+        '√' => "sqrt".to_owned(),
+        '∞' => "inf".to_owned(),
+        'π' => "pi".to_owned(),
+        '≤' => "<=".to_owned(),
+        '≥' => ">=".to_owned(),
+        '\t' => " ".to_owned(),
+        ' '..='~' if c != '\\' => c.to_string(),
+        _ => in_name(c).unwrap_or_else(|| "?".to_owned()),
+    };
+    text.chars().map(plain).collect()
 }
 
 /// Fills each `$name$` of `template` with its value. A line that consists only of a name is removed if its value is

@@ -84,6 +84,18 @@ impl Formula {
         &self.lines
     }
 
+    /// Returns whether a name appears in it whose index among the given names `holds`.
+    pub fn names_any(&self, holds: &dyn Fn(usize) -> bool) -> bool {
+        fn any(part: &Typed, holds: &dyn Fn(usize) -> bool) -> bool {
+            match &part.term {
+                Term::Name(index) => holds(*index),
+                Term::Call(_, parts) => parts.iter().any(|part| any(part, holds)),
+                _ => false,
+            }
+        }
+        self.lines.iter().any(|line| any(&line.value, holds))
+    }
+
     /// Returns the text of one of its parts.
     pub fn text_of(&self, part: &Typed) -> &str {
         self.text.get(part.span.clone()).unwrap_or_default()

@@ -152,7 +152,7 @@ const LETTERS: [(char, &str); 18] = [
 
 /// Returns how a character of a name is read: a Greek letter as its name, a subscript digit as a digit; none for a
 /// character that is in no name.
-pub(super) fn in_name(c: char) -> Option<String> {
+pub(crate) fn in_name(c: char) -> Option<String> {
     if c.is_ascii_alphanumeric() || c == '_' {
         return Some(c.to_string());
     }

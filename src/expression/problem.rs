@@ -20,7 +20,7 @@ pub struct Position {
 
 impl Position {
     /// Returns the position of the byte `at` of `text`.
-    pub(super) fn of(text: &str, at: usize) -> Self {
+    pub(crate) fn of(text: &str, at: usize) -> Self {
         let before = &text[..at.min(text.len())];
         let line = before.rfind('\n').map_or(0, |end| end + 1);
         Self {

@@ -4,6 +4,7 @@
 
 use std::iter::Peekable;
 use std::slice::Iter;
+use std::str::Chars;
 
 /// Names that stand for a Greek letter, alone or with an index.
 const GREEK: [(&str, char); 12] = [
@@ -91,6 +92,8 @@ fn tokens(text: &str) -> Vec<Token> {
                 ));
             }
             '\n' => tokens.push(Token::Sign(';')),
+            '#' => skip_line(&mut rest),
+            '/' if rest.peek() == Some(&'/') => skip_line(&mut rest),
             // What would be notation, or end the formula.
             '$' | '\\' | '{' | '}' | '_' | '`' => {}
             _ if first.is_whitespace() || first.is_control() => {}
@@ -99,6 +102,11 @@ fn tokens(text: &str) -> Vec<Token> {
         join_vectors(&mut tokens);
     }
     tokens
+}
+
+/// Skips a comment up to the end of its line.
+fn skip_line(rest: &mut Peekable<Chars<'_>>) {
+    while rest.next_if(|c| *c != '\n').is_some() {}
 }
 
 /// Returns a digit below the line as one on it.
@@ -322,6 +330,8 @@ mod tests {
             ("eta1/eta2*sin(theta)", "η_1/η_2·sin(θ)"),
             ("spot = max(R·V, 0)\nspot^n", "spot = max(R·V, 0); spot^n"),
             ("back - z", "back − z"),
+            ("kd # of light\nks // as well", "K_d; K_s"),
+            ("a / b", "a/b"),
             ("a <= b", "a <= b"),
             ("max(kd, ", "max(K_d,"),
             ("kd * (", "K_d·("),

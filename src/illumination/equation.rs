@@ -1,5 +1,10 @@
 //! The illumination equation itself: the sum over the sources.
 
+mod own_law;
+
+pub(crate) use own_law::SourcePart;
+
+use super::formula::Law;
 use super::fresnel::{Fresnel, Index};
 use super::pattern::Fields;
 use super::source::{BRIGHTEST, Share};
@@ -10,6 +15,7 @@ use crate::scene::{
 };
 use glam::DVec3;
 use std::ops::Range;
+use std::sync::Arc;
 
 /// The contribution of one source at a shading point, factor by factor.
 #[derive(Clone, Copy, Debug)]
@@ -102,6 +108,10 @@ pub struct Equation<T> {
     /// V, if it is constant.
     infinite_view: Option<[T; 3]>,
     form: SpecularForm,
+    /// The law in place of both terms; [`Source::diffuse`] is then Ip alone.
+    law: Option<Arc<Law>>,
+    /// What the law computes once for each source, source by source.
+    known: Vec<T>,
     /// True if any light is reflected diffusely.
     diffuses: bool,
     /// The eye, world.
@@ -178,7 +188,7 @@ impl<T: Scalar> Equation<T> {
             1.0
         };
         let peak = match scene.reflection.model {
-            ReflectionModel::Phong | ReflectionModel::Blinn => 1.0,
+            ReflectionModel::Phong | ReflectionModel::Blinn | ReflectionModel::Formula => 1.0,
             ReflectionModel::CookTorrance => greatest_factor(material.roughness),
         };
         let count: usize = scene
@@ -189,19 +199,28 @@ impl<T: Scalar> Equation<T> {
         let share = Share::new(count, tint, peak);
         let mut sources = Vec::with_capacity(count);
         let mut starts = vec![0];
+        let has_law = scene.reflection.model == ReflectionModel::Formula;
+        let coefficients = if has_law {
+            [Rgb::ONE, Rgb::ZERO]
+        } else {
+            [material.kd * color, ks]
+        };
         for light in &scene.lights {
             let on = if light.shines(soloing) { 1.0 } else { 0.0 };
             sources.extend(Source::all_of(
                 light,
                 camera.eye,
                 unit,
-                [material.kd * color * on, ks * on],
+                coefficients.map(|of| of * on),
                 share,
             ));
             starts.push(sources.len());
         }
         let zero = [T::default(); 3];
-        Self {
+        let infinite = camera.viewer == Viewer::Infinite;
+        let parallel = sources.iter().all(Source::is_parallel);
+        let law = has_law.then(|| Arc::new(own_law::law_of(scene, pattern.is_some(), parallel)));
+        let mut equation = Self {
             diffuses: sources.iter().any(|source| source.diffuse != zero),
             ambient: (material.ka * color * scene.ambient.constant())
                 .min(Rgb::splat(BRIGHTEST / tint))
@@ -214,12 +233,15 @@ impl<T: Scalar> Equation<T> {
             pattern,
             backfacing: scene.reflection.backfacing,
             grazing: grazing(scene, unit, T::ROUNDING, T::GRID).map(T::from_f64),
-            infinite_view: (camera.viewer == Viewer::Infinite)
-                .then(|| backwards.to_array().map(T::from_f64)),
+            infinite_view: infinite.then(|| backwards.to_array().map(T::from_f64)),
             form: SpecularForm::of(scene),
+            law,
+            known: vec![],
             eye: camera.eye,
             unit,
-        }
+        };
+        equation.prepare_law();
+        equation
     }
 
     /// Returns the form of the specular factor that the scene needs.
@@ -238,9 +260,10 @@ impl<T: Scalar> Equation<T> {
             starts.push(kept.len());
         }
         (self.sources, self.starts) = (kept, starts);
+        self.prepare_law();
         let zero = [T::default(); 3];
         self.diffuses = self.sources.iter().any(|source| source.diffuse != zero);
-        if self.sources.iter().all(|source| source.specular == zero) {
+        if self.law.is_none() && self.sources.iter().all(|source| source.specular == zero) {
             self.form = SpecularForm::None;
         }
     }
@@ -371,6 +394,9 @@ impl<T: Scalar> Equation<T> {
         };
         if let Some(color) = color {
             sum = [sum[0] * color[0], sum[1] * color[1], sum[2] * color[2]];
+        }
+        if let (SpecularForm::Formula, Some(law)) = (form, &self.law) {
+            return self.add_law(law, site, reached, color, sum);
         }
         for (index, source) in self.sources.iter().enumerate() {
             if reached.is_some_and(|reached| like.holds_none(reached.bits(index))) {
@@ -551,10 +577,26 @@ impl Equation<f64> {
         n: DVec3,
         reached: Option<Reached<'_>>,
     ) -> LightAt {
+        self.respond_tinted(light, (point, n), Rgb::ONE, reached)
+    }
+
+    /// Returns the contribution of a light as [`Self::respond_world`] does, with `tint` times Od.
+    ///
+    /// # Panics
+    /// If there is no such light.
+    pub fn respond_tinted(
+        &self,
+        light: usize,
+        (point, n): (DVec3, DVec3),
+        tint: Rgb,
+        reached: Option<Reached<'_>>,
+    ) -> LightAt {
         let site = self.site_at(point, n);
-        let color = self.pattern_color(point);
+        let color = self.pattern_color(point) * tint;
         let range = self.sources_of(light);
         let share = 1.0 / range.len().max(1) as f64;
+        let law = self.law.as_deref();
+        let mut law = law.map(|law| law.at(site.normal, site.view, Some(color.to_array())));
         let mut sum = LightAt {
             v: site.view.into(),
             ..LightAt::default()
@@ -575,6 +617,10 @@ impl Equation<f64> {
             sum.reached += share * lit;
             sum.diffuse_factor += share * lit * response.diffuse;
             sum.specular_factor += share * lit * response.specular;
+            if let Some(point) = &mut law {
+                sum.diffuse += Rgb::from_array(self.part_by_law(point, index, &site)) * lit;
+                continue;
+            }
             sum.diffuse += Rgb::from_array(source.diffuse) * color * (lit * response.diffuse);
             sum.specular +=
                 Rgb::from_array(source.specular) * reflectance * (lit * response.specular);

@@ -9,12 +9,20 @@ mod builder;
 mod code;
 mod compare;
 mod function;
+mod law;
 mod lower;
+mod operations;
 mod program;
 mod rate;
 
+pub(crate) use builder::{Operation, Value};
+pub(crate) use code::Code;
 pub use compare::{Counterexample, Domain};
 pub use function::{FormulaFunction, Outcome};
+pub(crate) use law::Incidence;
+pub(super) use law::{Constancy, Law, LawAt};
+pub use law::{LawLine, LawLines, LawPart, LawValues, LineNumbers, Unneeded, law_operations};
+pub(crate) use operations::{LawOperations, LawSite};
 pub use rate::Rate;
 
 #[cfg(test)]
@@ -45,7 +53,9 @@ mod tests {
         let mut builder = Builder::default();
         let lines = lower(&mut builder, &formula, &mut Varying);
         let value = lines.last().and_then(Lowered::number);
-        let program = schedule(&builder, &[vec![value.unwrap_or(Value::ZERO)]], &|_| 0);
+        let program = schedule(&builder, &[vec![value.unwrap_or(Value::ZERO)]], &|_| {
+            Some(0)
+        });
         (program.sections[0].len(), program.registers)
     }
 
@@ -64,7 +74,7 @@ mod tests {
             lines("cross(v, v)", "cross(a, v)", "a.x"),
             lines("v + v", "mix(a, v, x)", "a.x"),
             lines("v + v", "normalize(a)", "a.x"),
-            lines("x + x", "mix(a, a, a)", "a"),
+            lines("x + x", "mix(a, x, a)", "a"),
             // Whether a root may be undefined depends on all lines before it.
             format!("a=abs(x)\n{}√(a)", "a=a*(a*abs(x))\n".repeat(84)),
             format!("a = x + x\n{}a", "a=smoothstep(x,a,a)\n".repeat(94)),
@@ -81,5 +91,13 @@ mod tests {
         // One call of many values is an operation for each of them.
         let many = format!("sum({}x)", "x,".repeat(995));
         assert_eq!(size(&many).0, 995);
+    }
+
+    #[test]
+    fn a_value_less_itself_is_nothing() {
+        assert_eq!(size("a = x*x\na - a").0, 0);
+        assert_eq!(size("a = x*x\nx + (a - a)").0, 0);
+        assert_eq!(size("a = cross(v, v)\na.x").0, 2);
+        assert_eq!(size("a = 2*v\nb = cross(a, a)\nb.x").0, 0);
     }
 }

@@ -165,6 +165,11 @@ impl<S: Simd> Real for Lanes<S> {
     }
 
     #[inline(always)]
+    fn vectorize<T>(self, work: impl FnOnce() -> T) -> T {
+        self.0.token().vectorize(work)
+    }
+
+    #[inline(always)]
     fn mul_add(self, a: Self, b: Self) -> Self {
         Self(self.0.mul_add(a.0, b.0))
     }

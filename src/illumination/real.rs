@@ -13,6 +13,9 @@ pub trait Scalar: Copy + PartialEq + PartialOrd + Default + Send + Sync + 'stati
 
     /// Rounds to this type; values beyond its range become its largest.
     fn from_f64(value: f64) -> Self;
+
+    /// Converts to double precision, exactly.
+    fn to_f64(self) -> f64;
 }
 
 impl Scalar for f32 {
@@ -23,6 +26,11 @@ impl Scalar for f32 {
     fn from_f64(value: f64) -> Self {
         (value as f32).clamp(f32::MIN, f32::MAX)
     }
+
+    #[inline(always)]
+    fn to_f64(self) -> f64 {
+        f64::from(self)
+    }
 }
 
 impl Scalar for f64 {
@@ -32,6 +40,11 @@ impl Scalar for f64 {
     #[inline(always)]
     fn from_f64(value: f64) -> Self {
         value.clamp(f64::MIN, f64::MAX)
+    }
+
+    #[inline(always)]
+    fn to_f64(self) -> f64 {
+        self
     }
 }
 
@@ -99,6 +112,12 @@ pub trait Real:
         !Self::any(self.mask_of_bits(bits))
     }
 
+    /// Runs `work` with the instructions for numbers like `self`, whatever those of its caller are: in a function that is not compiled
+    /// into its callers, `work` is.
+    fn vectorize<T>(self, work: impl FnOnce() -> T) -> T {
+        work()
+    }
+
     /// Returns `√self` for `self` ≥ 0.
     #[inline(always)]
     fn sqrt(self) -> Self {
@@ -145,7 +164,7 @@ pub trait Real:
 /// The smallest divisor; smaller ones are raised to it.
 const SHORTEST_DIVISOR: f64 = 1e-20;
 
-/// Defines the functions that `f64` has itself.
+/// Defines the functions that `f32` and `f64` have themselves.
 macro_rules! from_std {
     ($($name:ident($($other:ident)?)),*) => {
         $(fn $name(self $(, $other: Self)?) -> Self {
@@ -154,60 +173,67 @@ macro_rules! from_std {
     };
 }
 
-impl Real for f64 {
-    type Scalar = Self;
-    type Mask = bool;
+/// Implements [`Real`] for number types of the standard library, by its own functions.
+macro_rules! real_of_std {
+    ($($real:ident),*) => {$(
+        impl Real for $real {
+            type Scalar = Self;
+            type Mask = bool;
 
-    fn constant(self, value: Self) -> Self {
-        value
-    }
+            fn constant(self, value: Self) -> Self {
+                value
+            }
 
-    from_std!(max(other), min(other), abs(), floor(), exp2(), log2());
+            from_std!(max(other), min(other), abs(), floor(), exp2(), log2());
 
-    fn sin_of_degrees(self) -> Self {
-        self.to_radians().sin()
-    }
+            fn sin_of_degrees(self) -> Self {
+                self.to_radians().sin()
+            }
 
-    fn cos_of_degrees(self) -> Self {
-        self.to_radians().cos()
-    }
+            fn cos_of_degrees(self) -> Self {
+                self.to_radians().cos()
+            }
 
-    fn asin_in_degrees(self) -> Self {
-        self.asin().to_degrees()
-    }
+            fn asin_in_degrees(self) -> Self {
+                self.asin().to_degrees()
+            }
 
-    fn acos_in_degrees(self) -> Self {
-        self.acos().to_degrees()
-    }
+            fn acos_in_degrees(self) -> Self {
+                self.acos().to_degrees()
+            }
 
-    fn atan_in_degrees(self) -> Self {
-        self.atan().to_degrees()
-    }
+            fn atan_in_degrees(self) -> Self {
+                self.atan().to_degrees()
+            }
 
-    fn inverse_sqrt(self) -> Self {
-        1.0 / self.max(Self::MIN_POSITIVE).sqrt()
-    }
+            fn inverse_sqrt(self) -> Self {
+                1.0 / self.max(Self::MIN_POSITIVE).sqrt()
+            }
 
-    fn log2_one_minus(t: Self) -> Self {
-        (-t).ln_1p() * std::f64::consts::LOG2_E
-    }
+            fn log2_one_minus(t: Self) -> Self {
+                (-t).ln_1p() * std::$real::consts::LOG2_E
+            }
 
-    fn greater_than(self, other: Self) -> bool {
-        self > other
-    }
+            fn greater_than(self, other: Self) -> bool {
+                self > other
+            }
 
-    fn select(mask: bool, if_true: Self, if_false: Self) -> Self {
-        if mask { if_true } else { if_false }
-    }
+            fn select(mask: bool, if_true: Self, if_false: Self) -> Self {
+                if mask { if_true } else { if_false }
+            }
 
-    fn any(mask: bool) -> bool {
-        mask
-    }
+            fn any(mask: bool) -> bool {
+                mask
+            }
 
-    fn mask_of_bits(self, bits: u64) -> bool {
-        bits & 1 == 1
-    }
+            fn mask_of_bits(self, bits: u64) -> bool {
+                bits & 1 == 1
+            }
+        }
+    )*};
 }
+
+real_of_std!(f32, f64);
 
 /// A vector of three [`Real`]s.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -237,6 +263,16 @@ impl<R: Real> V3<R> {
             like.constant(value[1]),
             like.constant(value[2]),
         )
+    }
+
+    /// Returns the component of this index: x, y, or z.
+    #[inline(always)]
+    pub fn axis(self, index: usize) -> R {
+        match index {
+            0 => self.x,
+            1 => self.y,
+            _ => self.z,
+        }
     }
 
     /// Returns `x·x' + y·y' + z·z'`, by fused multiply and add where the machine has it.

@@ -269,9 +269,17 @@ impl<T: Scalar> Source<T> {
         !matches!(self.falloff, Falloff::Constant(_))
     }
 
+    /// Returns L, if it is the same everywhere.
+    pub fn parallel(&self) -> Option<[T; 3]> {
+        match self.place {
+            SourcePosition::Towards(l) => Some(l),
+            SourcePosition::At(_) => None,
+        }
+    }
+
     /// Returns whether L is the same everywhere.
     pub fn is_parallel(&self) -> bool {
-        matches!(self.place, SourcePosition::Towards(_))
+        self.parallel().is_some()
     }
 }
 

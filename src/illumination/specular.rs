@@ -44,6 +44,8 @@ pub enum SpecularForm {
     Ggx,
     /// The distribution of Walter et al. from the cosine, for normals that are not unit.
     GgxCosine,
+    /// The law that the scene has as a formula, in place of both terms.
+    Formula,
 }
 
 impl SpecularForm {
@@ -61,7 +63,7 @@ impl SpecularForm {
             .lights
             .iter()
             .any(|light| light.shines(soloing) && ks * light.color != Rgb::ZERO);
-        if lit {
+        if lit || scene.reflection.model == ReflectionModel::Formula {
             Self::of_model(scene)
         } else {
             Self::None
@@ -95,24 +97,41 @@ impl SpecularForm {
     ) -> R {
         let (n, v) = (site.normal, site.view);
         match self {
-            Self::None => n_dot_l.number(0.0),
+            Self::None | Self::Formula => n_dot_l.number(0.0),
             // R·V without R: 2(N·L)(N·V) − L·V.
             Self::PhongCosine => {
                 power_of_cosine((n_dot_l + n_dot_l).mul_add(n.dot(v), -l.dot(v)), lobe)
             }
-            Self::PhongChord => power_of_chord(reflect(n, l, n_dot_l), v, lobe),
             Self::BlinnCosine => power_of_cosine(n.dot(halfway(l, v)), lobe),
+            form => form.long_factor(site, l, n_dot_l, lobe),
+        }
+    }
+
+    /// Returns S of the forms with longer texts.
+    // In a page, where all code has the same instructions, one copy for all shaders is smaller.
+    #[cfg_attr(target_arch = "wasm32", inline(never))]
+    #[cfg_attr(not(target_arch = "wasm32"), inline(always))]
+    fn long_factor<R: Real>(
+        self,
+        site: &ShadingPoint<R>,
+        l: V3<R>,
+        n_dot_l: R,
+        lobe: &Lobe<R::Scalar>,
+    ) -> R {
+        let (n, v) = (site.normal, site.view);
+        match self {
+            Self::PhongChord => power_of_chord(reflect(n, l, n_dot_l), v, lobe),
             Self::BlinnChord => power_of_chord(n, halfway(l, v), lobe),
-            Self::Beckmann | Self::BeckmannCosine => {
+            Self::Ggx | Self::GgxCosine => {
+                let f = Facet::new(site, l, self == Self::Ggx);
+                f.factor(ggx(f.gap, lobe), smith_over_view(n_dot_l, f.n_dot_v, lobe))
+            }
+            _ => {
                 let f = Facet::new(site, l, self == Self::Beckmann);
                 f.factor(
                     beckmann(f.gap, lobe),
                     geometric_over_view(f.n_dot_h, n_dot_l, f.n_dot_v, f.v_dot_h),
                 )
-            }
-            Self::Ggx | Self::GgxCosine => {
-                let f = Facet::new(site, l, self == Self::Ggx);
-                f.factor(ggx(f.gap, lobe), smith_over_view(n_dot_l, f.n_dot_v, lobe))
             }
         }
     }
@@ -135,6 +154,7 @@ impl SpecularForm {
         let unit_normals = shading.renormalise || shading.mode != ShadingMode::Phong;
         let chord = scene.material.n >= Self::CHORD_FROM && unit_normals;
         match (scene.reflection.model, scene.reflection.distribution) {
+            (ReflectionModel::Formula, _) => Self::Formula,
             (ReflectionModel::Phong, _) if chord => Self::PhongChord,
             (ReflectionModel::Phong, _) => Self::PhongCosine,
             (ReflectionModel::Blinn, _) if chord => Self::BlinnChord,

@@ -1,7 +1,7 @@
 //! Work on a web page: sent to workers, which load the same program, or done on the page itself, between frames.
 
 use super::MessageKind;
-use crate::text::{Language, chinese_font, language};
+use crate::text::{Language, chinese_font, chinese_text, language};
 use js_sys::{Array, Object, Reflect, Uint8Array};
 use std::cell::RefCell;
 use std::collections::VecDeque;
@@ -65,11 +65,12 @@ pub fn later(work: impl FnOnce() + 'static) {
 /// Sends work of this name to a worker; `hear` receives its messages.
 pub fn send(name: &str, content: Vec<u8>, hear: impl FnMut(WorkerMessage<'_>) + 'static) -> u64 {
     let place = Language::ALL.iter().position(|known| *known == language());
-    let message = Array::of4(
+    let message = Array::of5(
         &name.into(),
         &(place.unwrap_or(0) as u32).into(),
         &Uint8Array::from(&*content),
         &Uint8Array::from(chinese_font()),
+        &chinese_text().into(),
     );
     let number = POOL.with_borrow_mut(|pool| {
         pool.sent += 1;

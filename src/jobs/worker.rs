@@ -2,7 +2,7 @@
 
 use super::{MessageKind, Work, nanoseconds};
 use crate::analysis::Watch;
-use crate::text::{Language, set_chinese_font, set_language};
+use crate::text::{Language, set_chinese_font, set_chinese_text, set_language};
 use js_sys::{Array, Reflect, Uint8Array};
 use std::any::type_name;
 use std::marker::PhantomData;
@@ -35,6 +35,10 @@ pub fn serve(kinds: Vec<Served>) -> bool {
         if !font.is_empty() {
             set_chinese_font(font);
         }
+        let text = message.get(4).as_string();
+        text.filter(|text| !text.is_empty())
+            .into_iter()
+            .for_each(set_chinese_text);
         let language = Language::ALL.get(place.unwrap_or(0.0) as usize);
         language.copied().into_iter().for_each(set_language);
         let kind = kinds

@@ -17,7 +17,7 @@ use crate::analysis::{Answer, Question, ReportContext, Subject, unwatched};
 use crate::expression::{Expression, Part, Quantities, Todo, Value};
 use crate::geometry::Mesh;
 use crate::render::{Frame, Renderer};
-use crate::scene::{Rgb, Scene, ShadingMode};
+use crate::scene::{ReflectionModel, Rgb, Scene, ShadingMode};
 use crate::text::{excerpt, text};
 use glam::DVec2;
 use serde_json::{Value as Json, json};
@@ -64,13 +64,14 @@ pub struct LabPlace<'l> {
 }
 
 /// The quantities that there are.
-const QUANTITIES: [&str; 8] = [
+const QUANTITIES: [&str; 9] = [
     "probe",
     "profile",
     "conditions",
     "defects",
     "explain",
     "error",
+    "beside_phong",
     "picture",
     "scene",
 ];
@@ -452,14 +453,18 @@ impl LabPlace<'_> {
                 let plan: FramePlan = question.answer(&self.subject(EXPLAIN)?, &unwatched)?;
                 object(&plan)
             }
-            "error" => {
-                let mut exact = Scene::clone(&scene);
-                exact.shading.mode = ShadingMode::Exact;
+            "error" | "beside_phong" => {
+                let mut other = Scene::clone(&scene);
+                if name == "error" {
+                    other.shading.mode = ShadingMode::Exact;
+                } else {
+                    other.reflection.model = ReflectionModel::Phong;
+                }
                 let own = self.linear()?;
-                self.lab.spend_pictures(&exact, 1)?;
+                self.lab.spend_pictures(&other, 1)?;
                 let inner = &mut *self.lab.inner.borrow_mut();
                 inner.drawn = None;
-                let reference = inner.renderer.linear_picture(&exact);
+                let reference = inner.renderer.linear_picture(&other);
                 let picture = |pixels| LinearPicture {
                     width: scene.image.size[0],
                     pixels,

@@ -2,7 +2,7 @@
 
 use super::Rgb;
 use super::choice::choices;
-use super::material::NO_LIGHT;
+use super::material::{NO_LIGHT, unused};
 use super::parameter::{GREATEST_LENGTH, LEAST_LENGTH, Limits, Reason, Slider, Unit, table};
 use super::symbol::Symbol;
 use crate::text::text;
@@ -48,7 +48,7 @@ table! {
         /// The side of the picture that `fov_y` and `height` span.
         FRAMING framing: Framing = Framing::Height, Choice;
         /// The point or direction that the equation's V points to.
-        VIEWER viewer: Viewer = Viewer::Local, Choice.letter("V", Symbol::Viewer).idle_if(&[NO_VIEWER, NO_LIGHT]);
+        VIEWER viewer: Viewer = Viewer::Local, Choice.letter("V", Symbol::Viewer).idle_if(&[NO_VIEWER, NO_LIGHT, UNUSED_VIEWER]);
     }
 }
 
@@ -60,7 +60,11 @@ const NOT_ORTHOGRAPHIC: Reason = (
     |scene, _| scene.camera.projection != Projection::Orthographic,
     "idle-not-orthographic",
 );
-const NO_VIEWER: Reason = (|scene, _| scene.material.ks == Rgb::ZERO, "idle-viewer");
+const NO_VIEWER: Reason = (
+    |scene, _| scene.material.ks == Rgb::ZERO && !scene.reflection.is_own_law(),
+    "idle-viewer",
+);
+const UNUSED_VIEWER: Reason = unused!("V", "H", "R·V", "N·H", "V·H", "N·V", "L·V", "phi");
 
 impl Camera {
     /// The range of the field of view, degrees. Below it a pixel is narrower than single precision resolves; above it the

@@ -4,12 +4,12 @@ use super::Scene;
 use super::camera::Overflow;
 use super::choice::{Choice, choices};
 use super::format::list_of;
-use super::material::ReflectionModel;
+use super::material::{FORMULA, MODEL, ReflectionModel};
 use super::overrides::{is_inside, key_and_value};
 use super::parameter::{Limits, Parameter, Reason, Slider, at_most, table};
 use super::problem::{Cause, Problem, ProblemLocation, SceneError, UnlocatedProblem};
 use super::setting::setting_words;
-use super::shading::{Interpolation, MODE, ShadingMode};
+use super::shading::{self, Interpolation, ShadingMode};
 use crate::text::text;
 
 table! {
@@ -34,6 +34,8 @@ table! {
     }
 }
 
+/// The longest part of a formula in the name of a pane, in characters.
+const LONGEST_FORMULA: usize = 32;
 const PANE_NUMBERS: Slider = Slider::linear(0.0, 1.0 + Compare::MAX_PANES as f64).decimals(0);
 const GAINS: Slider = Slider::logarithmic(1.0, Compare::MAX_GAIN).decimals(1);
 
@@ -242,13 +244,31 @@ impl Scene {
     pub fn compare_all_modes(&mut self) {
         let (first, others) = (ShadingMode::VALUES[0], &ShadingMode::VALUES[1..]);
         self.shading.mode = first;
-        let pane = |mode: &ShadingMode| Pane::of(&[&format!("{}={}", MODE.key, mode.word())]);
+        let pane =
+            |mode: &ShadingMode| Pane::of(&[&format!("{}={}", shading::MODE.key, mode.word())]);
         self.compare = Compare {
             view: CompareView::Panes,
             reference: 0,
             panes: others.iter().map(pane).collect(),
             ..self.compare.clone()
         };
+    }
+
+    /// Compares the scene with Phong's model by the difference of their pictures. The pane of Phong's model becomes the
+    /// reference; where there is none, it is added. Without space for another pane nothing changes.
+    pub fn compare_with_phong(&mut self) {
+        let phong = Pane::of(&[&format!("{}={}", MODEL.key, ReflectionModel::Phong.word())]);
+        let panes = &mut self.compare.panes;
+        let known = panes.iter().position(|pane| pane.set == phong.set);
+        if known.is_none() && panes.len() >= Compare::MAX_PANES {
+            return;
+        }
+        let place = known.unwrap_or(panes.len());
+        if known.is_none() {
+            panes.push(phong);
+        }
+        self.set_reference(place + 1);
+        self.compare.view = CompareView::Difference;
     }
 
     /// Returns the scene that a pane shows, without further panes; 0 is the scene itself. A number past the last pane
@@ -356,6 +376,12 @@ fn short_words(setting: &str) -> Option<String> {
         "reflection.model" => {
             ReflectionModel::from_word(value).map(|model| model.label().to_owned())
         }
+        key if key == FORMULA.key => {
+            let known = Scene::default().with_override(setting).ok()?;
+            let formula = known.reflection.formula;
+            let value = formula.lines().rfind(|line| !line.trim().is_empty())?;
+            Some(shortened(value.trim()))
+        }
         key => {
             // Only a material's letters are clear without a word.
             let named = Parameter::by_word(key).filter(|one| one.section() == "material");
@@ -367,6 +393,14 @@ fn short_words(setting: &str) -> Option<String> {
                 _ => Some(setting_words(setting)),
             }
         }
+    }
+}
+
+/// Returns the beginning of a formula, as long as the name of a pane.
+fn shortened(formula: &str) -> String {
+    match formula.char_indices().nth(LONGEST_FORMULA) {
+        Some((end, _)) => format!("{}…", &formula[..end]),
+        None => formula.to_owned(),
     }
 }
 

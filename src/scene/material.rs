@@ -12,34 +12,49 @@ const SLOPES: Slider =
     Slider::logarithmic(*Material::ROUGHNESS.start(), *Material::ROUGHNESS.end());
 const INDEX: Slider = Slider::linear(0.0, 5.0);
 
+/// Makes the reason of a quantity that the scene's own law does not use.
+macro_rules! unused {
+    ($($quantity:literal),+) => {
+        (
+            |scene, _| scene.reflection.law_leaves_out(&[$($quantity),+]),
+            "idle-not-in-formula",
+        )
+    };
+}
+pub(super) use unused;
+
 table! {
     /// The reflecting material: the coefficients of the illumination equation.
     pub struct Material = [material] in material {
         /// Ambient coefficient Ka, 0 to 10⁶ per channel.
         KA ka: Rgb = Rgb::splat(0.1), Coefficient(COEFFICIENT, Slider::UNIT)
-            .letter("Ka", Symbol::Ka).idle_if(&[NO_AMBIENT]);
+            .letter("Ka", Symbol::Ka).idle_if(&[AMBIENT_ALONE]);
         /// Diffuse coefficient Kd, 0 to 10⁶ per channel.
-        KD kd: Rgb = Rgb::splat(0.7), Coefficient(COEFFICIENT, Slider::UNIT).letter("Kd", Symbol::Kd).idle_if(&[NO_LIGHT]);
+        KD kd: Rgb = Rgb::splat(0.7), Coefficient(COEFFICIENT, Slider::UNIT)
+            .letter("Kd", Symbol::Kd).idle_if(&[NO_LIGHT, unused!("kd")]);
         /// Specular coefficient Ks, 0 to 10⁶ per channel.
-        KS ks: Rgb = Rgb::splat(0.4), Coefficient(COEFFICIENT, Slider::UNIT).letter("Ks", Symbol::Ks).idle_if(&[NO_LIGHT]);
+        KS ks: Rgb = Rgb::splat(0.4), Coefficient(COEFFICIENT, Slider::UNIT)
+            .letter("Ks", Symbol::Ks).idle_if(&[NO_LIGHT, unused!("ks")]);
         /// Specular exponent n of Phong and Blinn, 0 or more.
-        N n: f64 = 32.0, Number(Limits::new(0.0, f64::INFINITY), EXPONENTS).letter("n", Symbol::Exponent).idle_if(&[NO_LIGHT, NO_HIGHLIGHT, NO_EXPONENT]);
+        N n: f64 = 32.0, Number(Limits::new(0.0, f64::INFINITY), EXPONENTS)
+            .letter("n", Symbol::Exponent).idle_if(&[NO_LIGHT, NO_HIGHLIGHT, NO_EXPONENT, unused!("n")]);
         /// Colour Od of the surface, linear: it tints ambient and diffuse light.
-        COLOR color: Rgb = Rgb::new(0.9, 0.3, 0.2), Colour(COEFFICIENT).letter("Od", Symbol::Od).idle_if(&[COLOURLESS]);
+        COLOR color: Rgb = Rgb::new(0.9, 0.3, 0.2), Colour(COEFFICIENT).letter("Od", Symbol::Od).idle_if(&[COLOURLESS, NO_COLOUR]);
         /// Colour Os of the highlight, linear.
-        SPECULAR_COLOR specular_color: Rgb = Rgb::ONE, Colour(COEFFICIENT).letter("Os", Symbol::Os).idle_if(&[NO_LIGHT, NO_HIGHLIGHT]);
-        /// Root mean square slope m of the microfacets, 0.001 to 1. Cook–Torrance only.
+        SPECULAR_COLOR specular_color: Rgb = Rgb::ONE, Colour(COEFFICIENT)
+            .letter("Os", Symbol::Os).idle_if(&[NO_LIGHT, NO_HIGHLIGHT, unused!("os")]);
+        /// Root mean square slope m of the microfacets, 0.001 to 1. Cook–Torrance, or a formula with m.
         ROUGHNESS roughness: f64 = 0.25, Number(Limits::within(&Material::ROUGHNESS), SLOPES)
-            .letter("m", Symbol::Facets).idle_if(&[NO_LIGHT, NO_HIGHLIGHT, NO_FACETS]);
+            .letter("m", Symbol::Facets).idle_if(&[NO_LIGHT, NO_HIGHLIGHT, NO_ROUGHNESS, unused!("m")]);
         /// The source of W(θ).
         REFLECTANCE reflectance: Reflectance = Reflectance::Constant, Choice
-            .letter("W", Symbol::Reflectance).idle_if(&[NO_LIGHT, NO_HIGHLIGHT]);
-        /// Index of refraction η, 0.01 to 100 per channel. `reflectance = "custom"` only.
+            .letter("W", Symbol::Reflectance).idle_if(&[NO_LIGHT, OWN_LAW, NO_HIGHLIGHT]);
+        /// Index of refraction η, 0.01 to 100 per channel. `reflectance = "custom"`, or a formula with eta.
         IOR ior: Rgb = Rgb::splat(1.5), Channels(Limits::within(&Material::IOR), INDEX)
-            .letter("η", Symbol::Reflectance).idle_if(&[NO_LIGHT, NO_HIGHLIGHT, NO_INDEX]);
+            .letter("η", Symbol::Reflectance).idle_if(&[NO_LIGHT, NO_HIGHLIGHT, NO_INDEX, unused!("eta")]);
         /// Extinction coefficient k, 0 to 100 per channel. `reflectance = "custom"` only.
         EXTINCTION extinction: Rgb = Rgb::ZERO, Channels(Limits::new(0.0, *Material::IOR.end()), INDEX)
-            .letter("k", Symbol::Reflectance).idle_if(&[NO_LIGHT, NO_HIGHLIGHT, NO_INDEX]);
+            .letter("k", Symbol::Reflectance).idle_if(&[NO_LIGHT, OWN_LAW, NO_HIGHLIGHT, NO_INDEX]);
         /// The material of a model's faces: their own from its MTL file, or this one.
         SOURCE source: MaterialSource = MaterialSource::Model, Choice.idle_if(&[NO_MODEL]);
     }
@@ -85,25 +100,46 @@ pub(super) const NO_AMBIENT: Reason = (
     |scene, _| scene.ambient.color == Rgb::ZERO,
     "idle-no-ambient",
 );
+/// Ka has no effect without ambient light, but in a formula.
+const AMBIENT_ALONE: Reason = (
+    |scene, _| scene.ambient.color == Rgb::ZERO && !scene.reflection.law_uses(&["ka"]),
+    "idle-no-ambient",
+);
 const NO_HIGHLIGHT: Reason = (
-    |scene, _| scene.material.ks == Rgb::ZERO,
+    |scene, _| scene.material.ks == Rgb::ZERO && !scene.reflection.is_own_law(),
     "idle-no-highlight",
 );
 const COLOURLESS: Reason = (
-    |scene, _| scene.material.ka == Rgb::ZERO && scene.material.kd == Rgb::ZERO,
+    |scene, _| {
+        let material = &scene.material;
+        material.ka == Rgb::ZERO && material.kd == Rgb::ZERO && !scene.reflection.is_own_law()
+    },
     "idle-colourless",
 );
+/// Neither the ambient term nor the formula has Od.
+const NO_COLOUR: Reason = (
+    |scene, _| scene.material.ka == Rgb::ZERO && scene.reflection.law_leaves_out(&["od"]),
+    "idle-not-in-formula",
+);
+
+/// The formula takes the place of both terms, W(θ) and the policy for the back side included.
+const OWN_LAW: Reason = (|scene, _| scene.reflection.is_own_law(), "idle-own-law");
 
 const NO_EXPONENT: Reason = (
     |scene, _| scene.reflection.model == ReflectionModel::CookTorrance,
     "idle-roughness-instead",
+);
+const NO_FORMULA: Reason = (|scene, _| !scene.reflection.is_own_law(), "idle-no-formula");
+const NO_ROUGHNESS: Reason = (
+    |scene, index| (NO_FACETS.0)(scene, index) && !scene.reflection.is_own_law(),
+    NO_FACETS.1,
 );
 const NO_FACETS: Reason = (
     |scene, _| scene.reflection.model != ReflectionModel::CookTorrance,
     "idle-no-microfacets",
 );
 const NO_INDEX: Reason = (
-    |scene, _| scene.material.reflectance != Reflectance::Custom,
+    |scene, _| scene.material.reflectance != Reflectance::Custom && !scene.reflection.is_own_law(),
     "idle-index-not-custom",
 );
 
@@ -127,12 +163,15 @@ table! {
     /// The specular term, and the policy for the side away from a light.
     pub struct Reflection = [reflection] in reflection {
         /// The specular term.
-        MODEL model: ReflectionModel = ReflectionModel::Phong, Choice.symbol(Symbol::Reflected).idle_if(&[NO_LIGHT, NO_HIGHLIGHT]);
+        MODEL model: ReflectionModel = ReflectionModel::Phong, Choice.symbol(Symbol::Reflected).idle_if(&[NO_LIGHT]);
+        /// The law as a formula: the factor of one light's part, for each channel. `model = "formula"` only.
+        FORMULA formula: String = Reflection::PHONG.to_owned(), Lines(Reflection::MOST_CHARACTERS)
+            .symbol(Symbol::Reflected).idle_if(&[NO_LIGHT, NO_FORMULA]);
         /// Distribution D of the microfacets. Cook–Torrance only.
         DISTRIBUTION distribution: Distribution = Distribution::Beckmann, Choice
-            .letter("D", Symbol::Masking).idle_if(&[NO_LIGHT, NO_HIGHLIGHT, NO_FACETS]);
+            .letter("D", Symbol::Masking).idle_if(&[NO_LIGHT, OWN_LAW, NO_HIGHLIGHT, NO_FACETS]);
         /// The policy for a light behind the surface.
-        BACKFACING backfacing: Backfacing = Backfacing::Clamp, Choice.symbol(Symbol::Normal).idle_if(&[NO_LIGHT]);
+        BACKFACING backfacing: Backfacing = Backfacing::Clamp, Choice.symbol(Symbol::Normal).idle_if(&[NO_LIGHT, OWN_LAW]);
     }
 }
 
@@ -145,6 +184,8 @@ choices! {
         Blinn = "blinn";
         /// `π·D·G/(4·(N·V))` of microfacets (Cook and Torrance 1982).
         CookTorrance = "cook-torrance";
+        /// The law that [`Reflection::formula`] writes down, in place of the diffuse and the specular term.
+        Formula = "formula";
     }
 }
 
@@ -215,13 +256,13 @@ table! {
     /// A second colour of the surface, laid out by object coordinates, so that no picture file is needed.
     pub struct Pattern = [pattern] in pattern {
         /// The kind of pattern.
-        PATTERN_KIND kind: PatternKind = PatternKind::None, Choice.symbol(Symbol::Od).idle_if(&[COLOURLESS]);
+        PATTERN_KIND kind: PatternKind = PatternKind::None, Choice.symbol(Symbol::Od).idle_if(&[COLOURLESS, NO_COLOUR]);
         /// The pattern's colour, linear. The material's colour is visible between.
         PATTERN_COLOR color: Rgb = Rgb::new(0.95, 0.92, 0.85), Colour(COEFFICIENT)
-            .letter("Od", Symbol::Od).idle_if(&[COLOURLESS, NO_PATTERN]);
+            .letter("Od", Symbol::Od).idle_if(&[COLOURLESS, NO_COLOUR, NO_PATTERN]);
         /// Width of a field, world units, 10⁻⁴ to 10⁴.
         PATTERN_SCALE scale: f64 = 0.25, Number(FIELD, FIELD_SLIDER)
-            .measured_in(Unit::World).symbol(Symbol::Od).idle_if(&[COLOURLESS, NO_PATTERN]);
+            .measured_in(Unit::World).symbol(Symbol::Od).idle_if(&[COLOURLESS, NO_COLOUR, NO_PATTERN]);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::Scene;
 use super::format::set;
+use super::parameter::{Kind, Parameter};
 use super::problem::{Cause, ProblemLocation, SceneError, UnlocatedProblem};
 use crate::text::text;
 use std::borrow::Cow;
@@ -44,7 +45,7 @@ fn replace(scene: &mut Scene, assignment: &str) -> Vec<UnlocatedProblem> {
         let words = text!("problem-no-equals").to_owned();
         return vec![UnlocatedProblem::new("", Cause::Text(words))];
     };
-    match parse_value(value) {
+    match value_of(key, value) {
         Ok(value) => set(scene, key, value),
         Err(cause) => vec![UnlocatedProblem::new(key, cause)],
     }
@@ -54,6 +55,19 @@ pub(super) fn key_and_value(assignment: &str) -> Option<(&str, &str)> {
     let (key, value) = assignment.split_once('=')?;
     let key = key.trim();
     (!key.is_empty()).then_some((key, value.trim()))
+}
+
+/// Parses the value of a key. That of lines, such as a formula, is a text even where it looks like a number.
+fn value_of<'a>(key: &str, text: &'a str) -> Result<Spanned<DeValue<'a>>, Cause> {
+    let parameter = Parameter::of_key(key).map(|(parameter, _)| &parameter.kind);
+    if matches!(parameter, Some(Kind::Lines(..))) && !text.starts_with(['"', '\'']) {
+        return Ok(plain(text));
+    }
+    parse_value(text)
+}
+
+fn plain(text: &str) -> Spanned<DeValue<'_>> {
+    Spanned::new(0..0, DeValue::String(Cow::Borrowed(text)))
 }
 
 /// Parses a TOML value, a word without its quotation marks, or numbers without the brackets of their list.
@@ -66,8 +80,7 @@ pub(super) fn parse_value(text: &str) -> Result<Spanned<DeValue<'_>>, Cause> {
                 text!("expected-file-value"),
             ))
         }
-        Err(_) => Ok(numbers(text)
-            .unwrap_or_else(|| Spanned::new(0..0, DeValue::String(Cow::Borrowed(text))))),
+        Err(_) => Ok(numbers(text).unwrap_or_else(|| plain(text))),
     }
 }
 

@@ -88,6 +88,8 @@ pub enum Kind {
     Switch(&'static Access<bool>),
     /// A line of at most this many characters.
     Text(&'static Access<String>, usize),
+    /// Lines of at most this many characters together.
+    Lines(&'static Access<String>, usize),
     /// A value with checks and controls of its own; the message that names its kind, and its limits in words.
     Other(&'static dyn Field, &'static str, fn() -> String),
 }
@@ -477,7 +479,7 @@ impl Parameter {
             Kind::Point(at) | Kind::Direction(at, _) => at,
             Kind::Choice(at) => at,
             Kind::Switch(at) => at,
-            Kind::Text(at, _) => at,
+            Kind::Text(at, _) | Kind::Lines(at, _) => at,
             Kind::Other(at, ..) => at,
         }
     }
@@ -536,6 +538,7 @@ impl Parameter {
             Kind::Choice(_) => text!("kind-choice"),
             Kind::Switch(_) => text!("kind-switch"),
             Kind::Text(..) => text!("kind-text"),
+            Kind::Lines(..) => text!("kind-lines"),
             Kind::Other(_, kind, _) => text!(kind),
         }
     }
@@ -554,10 +557,17 @@ impl Parameter {
         }
     }
 
-    /// Returns its default in the form of a scene file; empty where it has none.
+    /// Returns its default in the form of a scene file, of several lines the first with an ellipsis; empty where it has none.
     pub fn default_text(&self) -> String {
+        let first_line = |value| match value {
+            Value::String(text) => match text.split_once('\n') {
+                Some((first, _)) => Value::String(format!("{first} …")),
+                None => Value::String(text),
+            },
+            value => value,
+        };
         self.default()
-            .map_or_else(String::new, |value| plain(&value))
+            .map_or_else(String::new, |value| plain(&first_line(value)))
     }
 
     /// Returns its options, where its value is one of a few words.

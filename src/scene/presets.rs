@@ -74,7 +74,7 @@ macro_rules! scenes {
 /// Every built-in scene, by topic.
 pub static ALL: &[Preset] = &SCENES;
 
-static SCENES: [Preset; 46] = scenes! {
+static SCENES: [Preset; 54] = scenes! {
     "shapes": "sphere" "torus" "cylinder" "cone" "cube" "plane" "teapot" "balls";
     "shading": "shading-modes" "highlight" "flat-facets" "mach-bands" "silhouette" "perspective-distortion" "orientation" "shared-vertices"
         "vertex-normals" "depth-cueing";
@@ -82,6 +82,7 @@ static SCENES: [Preset; 46] = scenes! {
         "attenuation-quadratic" "attenuation-viewer" "infinite";
     "reflection": "matt" "blinn" "tinted-highlight" "mirror-like" "gold" "glass-rim" "microfacets" "two-sided" "overflow"
         "brass" "opengl" "checker" "rings";
+    "laws": "lommel-seeliger" "minnaert" "oren-nayar" "half-lambert" "schlick" "ward" "gooch" "toon";
     "surfaces": "shadows" "glass-ball" "one-surface" "under-water" "one-bounce";
 };
 

@@ -55,6 +55,7 @@ impl Parameter {
                 .join(", "),
             Kind::Switch(_) => ["true", "false"].join(", "),
             Kind::Text(_, longest) => text!("range-text", longest = longest),
+            Kind::Lines(_, longest) => text!("range-lines", longest = longest),
             Kind::Direction(..) => text!("range-direction").to_owned(),
             Kind::Point(_) => String::new(),
             Kind::Whole(_, limits, _) => range_of_shapes(limits),

@@ -7,7 +7,7 @@ use super::light::Attenuation;
 use super::object::ObjectKind;
 use super::parameter::{GREATEST_LENGTH, Kind, LEAST_LENGTH, Limits, Parameter, Unit, at_most};
 use super::problem::{Cause, ProblemLocation, SceneError, UnlocatedProblem};
-use super::{Image, Rgb, Scene};
+use super::{Image, Reflection, Rgb, Scene};
 use crate::text::text;
 use glam::DVec3;
 use std::fmt;
@@ -70,6 +70,7 @@ impl Scene {
         self.object.check_polygons(&mut checks);
         self.object.check_materials(&mut checks);
         self.check_attenuation(&mut checks);
+        self.check_law(&mut checks);
         let cue = &self.depth_cueing;
         if checks.sound("depth_cueing.front")
             && checks.sound("depth_cueing.back")
@@ -135,6 +136,15 @@ impl Scene {
                 checks.found("object.path", text!("problem-path-missing"));
             }
             _ => {}
+        }
+    }
+
+    fn check_law(&self, checks: &mut Checks) {
+        if !checks.sound("reflection.formula") || self.reflection.formula == Reflection::PHONG {
+            return;
+        }
+        if let Err(error) = self.reflection.law() {
+            checks.found("reflection.formula", &error.to_string());
         }
     }
 
@@ -262,6 +272,15 @@ impl Parameter {
                 let sound = text.chars().count() <= longest && !text.chars().any(char::is_control);
                 let found = || format!("{:?}", text.chars().take(20).collect::<String>());
                 (!sound).then(|| (found(), text!("range-text", longest = longest)))
+            }
+            Kind::Lines(at, longest) => {
+                let text = (at.get)(scene, index)?;
+                let sound = text.chars().count() <= longest
+                    && !text
+                        .chars()
+                        .any(|c| c.is_control() && !matches!(c, '\n' | '\r' | '\t'));
+                let found = || format!("{:?}", text.chars().take(20).collect::<String>());
+                (!sound).then(|| (found(), text!("range-lines", longest = longest)))
             }
             Kind::Choice(_) | Kind::Switch(_) | Kind::Other(..) => None,
         }

@@ -36,6 +36,8 @@ fn words(cause: ZeroCause, c: &str) -> (&'static str, String) {
         ZeroCause::OutsideCone => "point-zero-outside-cone",
         ZeroCause::InShadow => "point-zero-in-shadow",
         ZeroCause::MissesViewer => "point-zero-not-to-viewer",
+        ZeroCause::LawIsZero => "point-zero-law",
+        ZeroCause::OneTerm => "point-zero-one-term",
         ZeroCause::TooFaint => "point-zero-too-faint",
     };
     let part = if cause == ZeroCause::NoChannel {
@@ -116,8 +118,9 @@ impl Checker<'_> {
             same(causes.is_empty(), !zero, "a reason without a need, or none")?;
         }
         let [diffuse, specular] = reasons.map(|(causes, c)| clauses(causes, c));
+        let own = terms.law.is_some();
         if zero == [true, true] {
-            let whole = if diffuse == specular {
+            let whole = if own || diffuse == specular {
                 diffuse
             } else {
                 english!("point-zero-both", diffuse = diffuse, specular = specular)
@@ -130,8 +133,8 @@ impl Checker<'_> {
             let LineValue::Words(short) = &line.value else {
                 return Err("a value of nothing".into());
             };
-            let one =
-                terms.diffuse_zero == terms.specular_zero && terms.diffuse_zero.iter().count() == 1;
+            let one = (own || terms.diffuse_zero == terms.specular_zero)
+                && terms.diffuse_zero.iter().count() == 1;
             let cause = terms.diffuse_zero.iter().next().filter(|_| one);
             let expected = cause.map_or(english!("point-zero-nothing"), |cause| words(cause, "").0);
             same(short.as_str(), expected, "the short reason")?;
@@ -150,6 +153,8 @@ impl Checker<'_> {
             let note = english!("point-term-adds-nothing", term = name, why = clause);
             let start = english!("point-term-adds-nothing", term = name, why = "|");
             let start = start.split('|').next().unwrap_or_default();
+            // A law of one's own is one term, and says nothing of two.
+            let zero = zero && !own;
             same(notes.contains(&&note[..]), zero, &note)?;
             let any = notes.iter().any(|text| text.starts_with(start));
             same(any, zero, name)?;
@@ -229,7 +234,9 @@ impl Checker<'_> {
             same(mirrored, lit(hit.normal.dot(terms.l)), "R is built")?;
             let lobe = ReflectionLobe::at(self.scene, hit, light.index).is_some();
             if light.source.kind != LightKind::Area {
-                same(lobe, mirrored, "there is a lobe")?;
+                // A law of one's own does not turn N towards the light.
+                let back = terms.law.is_some() && terms.n_dot_l < 0.0;
+                same(lobe, mirrored && !back, "there is a lobe")?;
             }
             self.meet("the side of the light");
         }
@@ -397,7 +404,9 @@ fn cosine(scene: &Scene, light: LightHere<'_>) -> f64 {
     let flips = scene.reflection.backfacing == Backfacing::Flip && hit.normal.dot(l) < 0.0;
     let n = if flips { -hit.normal } else { hit.normal };
     match scene.reflection.model {
-        ReflectionModel::Phong => (n * (2.0 * n.dot(l)) - l).dot(hit.view),
+        ReflectionModel::Phong | ReflectionModel::Formula => {
+            (n * (2.0 * n.dot(l)) - l).dot(hit.view)
+        }
         ReflectionModel::Blinn => n.dot((l + hit.view).normalize_or_zero()),
         ReflectionModel::CookTorrance => n
             .dot((l + hit.view).normalize_or_zero())

@@ -4,8 +4,8 @@ mod drawn;
 
 use glam::DVec3;
 use shading_lab::analysis::curves::{
-    COURSE, Curves, Distances, attenuation_plot, exponent_plot, lobe_plot, reflectance_plot,
-    shown_kinds,
+    COURSE, Curves, Distances, attenuation_plot, exponent_plot, law_plot, lobe_plot,
+    reflectance_plot, shown_kinds,
 };
 use shading_lab::analysis::lobe::ReflectionLobe;
 use shading_lab::analysis::probe::{Probe, probe};
@@ -13,8 +13,8 @@ use shading_lab::figure::{Curve, Ink, Plot, PlotKind};
 use shading_lab::illumination::{Index, attenuation_at, half_width};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
-    Attenuation, Backfacing, Camera, Distribution, Light, LightKind, Reflectance, ReflectionModel,
-    Rgb, Scene, Viewer, presets,
+    Attenuation, Backfacing, Camera, Distribution, Light, LightKind, Reflectance, Reflection,
+    ReflectionModel, Rgb, Scene, Viewer, presets,
 };
 
 fn preset(name: &str) -> Scene {
@@ -43,7 +43,7 @@ fn value(curve: &Curve, x: f64) -> f64 {
 #[test]
 fn at_its_half_width_every_curve_of_the_family_is_one_half() {
     let scene = preset("sphere");
-    let plot = exponent_plot(&scene, None);
+    let plot = exponent_plot(&scene, None).expect("a power");
     assert_eq!(plot.curves.len(), 1 + COURSE.len());
     for (n, name) in COURSE
         .into_iter()
@@ -84,14 +84,14 @@ fn the_ends_of_the_exponent_have_their_curves() {
         (0.5, 1f64.to_radians().cos().sqrt()),
     ] {
         scene.material.n = n;
-        let plot = exponent_plot(&scene, None);
+        let plot = exponent_plot(&scene, None).expect("a power");
         near(value(&plot.curves[0], 1.0), at_one_degree, 1e-6);
         assert_eq!(value(&plot.curves[0], 0.0), 1.0);
         assert!(plot.curves[0].points.iter().all(|[_, y]| y.is_finite()));
     }
     scene.material.n = 45.0;
     assert_eq!(
-        exponent_plot(&scene, None).curves.len(),
+        exponent_plot(&scene, None).expect("a power").curves.len(),
         4,
         "a curve of the course is not drawn twice"
     );
@@ -103,7 +103,7 @@ fn microfacets_have_the_curve_of_their_distribution() {
     scene.reflection.model = ReflectionModel::CookTorrance;
     for m in [0.05, 0.25, 1.0] {
         scene.material.roughness = m;
-        let plot = exponent_plot(&scene, None);
+        let plot = exponent_plot(&scene, None).expect("a power");
         for degrees in [0.0, 3.0, 20.0, 45.0] {
             let phi = f64::to_radians(degrees);
             let beckmann = (-(phi.tan() / m).powi(2)).exp() / phi.cos().powi(4);
@@ -576,4 +576,78 @@ fn every_law_of_attenuation_and_every_substance_stands_beside_the_present_one() 
     );
     assert!(plot.x.name.contains(english!("unit-degrees")));
     assert!(laws.x.name.contains(english!("unit-world")));
+}
+
+fn with_law(formula: &str) -> Scene {
+    let mut scene = preset("sphere");
+    scene.reflection.model = ReflectionModel::Formula;
+    scene.reflection.formula = formula.to_owned();
+    scene.validate().expect("a law");
+    scene
+}
+
+#[test]
+fn the_lobe_of_a_law_is_that_of_the_same_model() {
+    for n in [3.0, 40.0, 1005.0] {
+        let [mut phong, mut own] = [preset("sphere"), with_law(Reflection::PHONG)];
+        (phong.material.n, own.material.n) = (n, n);
+        let (plot, lobe, probe) = lobe_of(&own);
+        let (_, expected, _) = lobe_of(&phong);
+        let hit = probe.hit.expect("the object");
+        for turn in -90..=90 {
+            let v = lobe.in_plane(f64::from(turn).to_radians());
+            near(lobe.towards(v).total(), expected.towards(v).total(), 1e-9);
+        }
+        near(
+            lobe.towards(hit.view).total(),
+            expected.towards(hit.view).total(),
+            1e-9,
+        );
+        assert_eq!(plot.curves.len(), 1, "it is not split into two terms");
+        let bare = with_law(&Reflection::PHONG.replace("kd", "0 * kd"));
+        let bare = Scene {
+            material: own.material.clone(),
+            ..bare
+        };
+        let width = lobe_of(&bare).1.half_width();
+        assert!((width / half_width(n) - 1.0).abs() < 0.11, "{n}: {width}");
+    }
+}
+
+#[test]
+fn the_curve_of_a_law_is_its_value_whatever_the_light_is() {
+    let value_at = |formula: &str, light: &dyn Fn(&mut Light)| {
+        let mut scene = with_law(formula);
+        light(&mut scene.lights[0]);
+        let (_, probe) = probed(&scene);
+        let hit = probe.hit.expect("the object");
+        let plot = law_plot(&scene, &hit, 0).expect("a lit point");
+        let distance = scene.lights[0].position.distance(hit.position);
+        (plot, distance)
+    };
+    let lamps: [&dyn Fn(&mut Light); 3] = [
+        &|_| {},
+        &|light| light.color = Rgb::new(3.0, 0.0, 0.5),
+        &|light| {
+            (light.attenuation, light.kind) = (Attenuation::InverseSquare, LightKind::Spot);
+        },
+    ];
+    for light in lamps {
+        let (plot, distance) = value_at("(N·V)^2", light);
+        assert_eq!(plot.curves.len(), 1);
+        for degrees in [-80.0, -30.0, 0.0, 45.0, 89.0] {
+            let cosine = f64::to_radians(degrees).cos();
+            near(value(&plot.curves[0], degrees), cosine * cosine, 1e-4);
+        }
+        let (plot, _) = value_at("d", light);
+        near(value(&plot.curves[0], 10.0), distance, 1e-9);
+    }
+    // Below 0, and of several colours.
+    let (plot, _) = value_at("od - 1", &|_| {});
+    let color = preset("sphere").material.color;
+    assert_eq!(plot.curves.len(), 3);
+    for (curve, color) in plot.curves.iter().zip(color.to_array()) {
+        near(value(curve, 0.0), color - 1.0, 1e-9);
+    }
+    assert!(plot.y.low < 0.0);
 }

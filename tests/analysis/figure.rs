@@ -33,7 +33,7 @@ fn terms(scene: &Scene, light: &Light, position: DVec3, n: DVec3, v: DVec3) -> L
     let (r, h) = (2.0 * n.dot(l) * n - l, (l + v).normalize());
     let (phi, alpha) = (r.angle_between(v), n.angle_between(h));
     let lobe = match scene.reflection.model {
-        ReflectionModel::Phong => phi,
+        ReflectionModel::Phong | ReflectionModel::Formula => phi,
         ReflectionModel::Blinn | ReflectionModel::CookTorrance => alpha,
     };
     let lit = if n.dot(l) > 0.0 { 1.0 } else { 0.0 };
@@ -59,6 +59,7 @@ fn terms(scene: &Scene, light: &Light, position: DVec3, n: DVec3, v: DVec3) -> L
         specular,
         diffuse_zero: ZeroCauses::default(),
         specular_zero: ZeroCauses::default(),
+        law: None,
     }
 }
 

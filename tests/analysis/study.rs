@@ -44,6 +44,7 @@ fn request(methods: &[Method], segments: &[u32], repeats: u32) -> StudyQuestion 
         interpolations,
         n: vec![],
         repeats,
+        reference: None,
     }
 }
 
@@ -232,7 +233,7 @@ fn a_study_that_is_cancelled_keeps_what_it_has() {
 }
 
 /// Runs `study` on a built-in scene; returns its exit status and its two outputs.
-fn run(arguments: &[&str]) -> (Option<i32>, String, String) {
+pub fn run(arguments: &[&str]) -> (Option<i32>, String, String) {
     let output = Command::new(env!("CARGO_BIN_EXE_shading-lab"))
         .env_remove("LANGUAGE")
         .env("LC_ALL", "C")
@@ -428,6 +429,7 @@ fn a_setting_is_loaded_into_the_scene_unless_it_is_historic() {
         rings: 7,
         interpolation,
         n: 9.0,
+        law: None,
     };
     assert!(setting.load(&mut scene));
     assert_eq!(

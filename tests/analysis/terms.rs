@@ -62,7 +62,10 @@ fn check(here: Here<'_>, what: &str) {
     assert_makes_its_value(&here.ambient(), &format!("{what} ambient"));
     let mut sum = here.hit.ambient;
     for light in here.lights() {
-        if light.terms.why_nothing().is_none() {
+        if let Some(product) = light.by_law() {
+            assert_makes_its_value(&product, &format!("{what} law"));
+            assert_eq!(light.terms.specular, Rgb::ZERO, "{what}");
+        } else if light.terms.why_nothing().is_none() {
             assert_makes_its_value(&light.diffuse(), &format!("{what} diffuse"));
             assert_makes_its_value(&light.specular(), &format!("{what} specular"));
         }

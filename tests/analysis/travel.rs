@@ -8,7 +8,7 @@ use shading_lab::analysis::study::{Method, StudyQuestion};
 use shading_lab::analysis::{Question, unwatched};
 use shading_lab::geometry::tessellate;
 use shading_lab::jobs::{Request, Work};
-use shading_lab::scene::{Interpolation, Scene, ShadingMode};
+use shading_lab::scene::{Interpolation, ReflectionModel, Scene, ShadingMode};
 use std::fmt::Debug;
 use std::sync::Arc;
 
@@ -59,10 +59,20 @@ fn questions_and_answers_travel_whole() {
     let cases = travels(
         StabilityQuestion {
             cases: vec!["exponent-1e9".to_owned()],
+            law: false,
         },
         &scene,
     );
     assert!(cases.results.iter().all(|case| case.pictures[0].width > 0));
+    let mut own = scene.clone();
+    own.reflection.model = ReflectionModel::Formula;
+    own.reflection.formula = "1/(N·L > 0)".to_owned();
+    let law = StabilityQuestion {
+        law: true,
+        ..StabilityQuestion::default()
+    };
+    let law = travels(law, &own).law.expect("a law");
+    assert!(law.pixels > 0 && law.undefined.len() == 1);
     travels(
         BenchQuestion {
             frames: 1,
@@ -81,6 +91,7 @@ fn a_study_travels_whole() {
         interpolations: vec![Interpolation::Perspective],
         n: vec![5.0],
         repeats: 1,
+        reference: None,
     };
     let mut scene = scene();
     scene.shading.shadows = true;

@@ -1,6 +1,7 @@
 //! The program in scripts: its output, its files and its exit status.
 
 mod analyses;
+mod laws;
 mod memory;
 mod outputs;
 

@@ -1,5 +1,6 @@
 //! Random scenes whose numbers are everyday ones, the ends of their ranges, or ones that no scene may hold.
 
+use super::any_formula::any_formula;
 use super::dice;
 mod model;
 
@@ -451,10 +452,13 @@ impl Author {
 
     fn reflection(&mut self) -> Reflection {
         Reflection {
+            // Without drawing random numbers, which would change all later ones.
+            formula: any_formula(&mut Dice(self.dice.0)),
             model: self.dice.of(&[
                 ReflectionModel::Phong,
                 ReflectionModel::Blinn,
                 ReflectionModel::CookTorrance,
+                ReflectionModel::Formula,
             ]),
             distribution: self.dice.of(&[Distribution::Beckmann, Distribution::Ggx]),
             backfacing: self.dice.of(&[Backfacing::Clamp, Backfacing::Flip]),

@@ -14,6 +14,7 @@ macro_rules! english {
     };
 }
 
+pub mod any_formula;
 pub mod any_scene;
 pub mod dice;
 pub mod fuzz;

@@ -162,6 +162,8 @@ impl<'a> Judge<'a> {
             }
             ZeroCause::InShadow => scene.shading.shadows && self.is_blocked(light, (p, n), point),
             ZeroCause::MissesViewer => specular && self.lobe_cosine((p, n), l) <= blur + 1e-9,
+            ZeroCause::LawIsZero => !specular && scene.reflection.model == ReflectionModel::Formula,
+            ZeroCause::OneTerm => specular && scene.reflection.model == ReflectionModel::Formula,
             ZeroCause::TooFaint => {
                 let strongest = self
                     .coefficients(specular)
@@ -233,7 +235,7 @@ impl<'a> Judge<'a> {
             vec![if flips && n.dot(l) < 0.0 { -n } else { n }]
         };
         let cosine = |n: DVec3| match self.scene.reflection.model {
-            ReflectionModel::Phong => (n * (2.0 * n.dot(l)) - l).dot(v),
+            ReflectionModel::Phong | ReflectionModel::Formula => (n * (2.0 * n.dot(l)) - l).dot(v),
             ReflectionModel::Blinn => n.dot((l + v).normalize_or_zero()),
             ReflectionModel::CookTorrance => {
                 n.dot((l + v).normalize_or_zero()).min(n.dot(v) + 0.25)

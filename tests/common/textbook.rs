@@ -287,6 +287,8 @@ fn specular(scene: &Scene, n: DVec3, l: DVec3, v: DVec3) -> (f64, f64) {
     match scene.reflection.model {
         ReflectionModel::Phong => ((2.0 * n.dot(l) * n - l).dot(v).max(0.0).powf(m.n), n.dot(l)),
         ReflectionModel::Blinn => (n.dot(h).max(0.0).powf(m.n), l.dot(h)),
+        // Whoever compares by this says what the law is.
+        ReflectionModel::Formula => (0.0, n.dot(l)),
         ReflectionModel::CookTorrance => (
             cook_torrance(scene.reflection.distribution, m.roughness, n, l, v),
             l.dot(h),

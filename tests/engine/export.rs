@@ -4,6 +4,7 @@
 //! print a message and are skipped.
 
 mod compiled;
+mod own_law;
 
 use glam::{DMat4, DVec3};
 use shading_lab::export::{Export, ExportError, Limit, glsl_330, opengl_c, opengl_c_snippet};
@@ -118,6 +119,7 @@ fn fixed_function_names_what_it_cannot_say() {
         ("shading.interpolation=scanline", "export-limit-scanline"),
         ("reflection.model=phong", "export-limit-phong-lobe"),
         ("reflection.model=cook-torrance", "export-limit-microfacets"),
+        ("reflection.model=formula", "export-limit-own-law"),
         ("material.n=129", "export-limit-shininess"),
         ("material.reflectance=gold", "export-limit-reflectance"),
         ("reflection.backfacing=flip", "export-limit-two-side"),

@@ -1,8 +1,10 @@
 //! Formulas as people type them: grammar, types, errors, and their values.
 
+use super::common::any_formula::any_formula;
 use super::common::dice::Dice;
 use shading_lab::expression::{Formula, Names};
 use shading_lab::illumination::{Domain, FormulaFunction};
+use shading_lab::scene::Reflection;
 use std::time::{Duration, Instant};
 
 fn names() -> Names {
@@ -350,7 +352,22 @@ fn shared_parts_are_computed_once_and_constants_before() {
     }
 }
 
-const PIECES: [&str; 40] = [
+/// Far more than it takes to refuse any text, 2 ms optimised: on a machine that does something else as well.
+const PATIENCE: Duration = Duration::from_millis(200);
+
+const PIECES: [&str; 52] = [
+    "N·L",
+    "R·V",
+    "a·b",
+    "d",
+    "phi",
+    "eta",
+    "mix(",
+    "clamp(",
+    "smoothstep(",
+    "b = a*a\n",
+    ".x",
+    ";",
     "N",
     "L",
     "V",
@@ -398,6 +415,7 @@ fn no_random_text_is_slow_or_panics() {
     let mut dice = Dice(36);
     let mut longest = Duration::ZERO;
     let mut refused = 0;
+    let names = [names(), Reflection::law_names()];
     for round in 0..2000 {
         let mut text = String::new();
         while text.chars().count() < 2000 {
@@ -412,7 +430,7 @@ fn no_random_text_is_slow_or_panics() {
         }
         let text: String = text.chars().take(2000).collect();
         let began = Instant::now();
-        let read = Formula::read(&text, &names());
+        let read = Formula::read(&text, &names[round / 6 % 2]);
         longest = longest.max(began.elapsed());
         if let Err(error) = read {
             refused += 1;
@@ -422,7 +440,118 @@ fn no_random_text_is_slow_or_panics() {
         }
     }
     assert!(refused > 1500, "{refused}");
-    // Unoptimised; optimised it takes a tenth of it.
     println!("the longest took {longest:?}");
-    assert!(longest < Duration::from_millis(200), "{longest:?}");
+    assert!(longest < PATIENCE, "{longest:?}");
+}
+
+#[test]
+fn a_long_text_that_is_wrong_at_its_end_is_refused_at_once() {
+    let names = Reflection::law_names();
+    let mut longest = Duration::ZERO;
+    for piece in [
+        "(",
+        "-",
+        "not ",
+        "max(",
+        "kd^",
+        "√(",
+        "[",
+        "N·",
+        "N.",
+        "\n",
+        ";",
+        "k",
+        "·",
+        "#\n",
+        "kd,",
+        "a=kd\n",
+        "kd+",
+        "(kd)*",
+        "a=a+kd;",
+        "b=cross(N,L)\n",
+        "c=N\n",
+        "kd*kd+kd^kd+",
+        "max(kd,kd)+",
+        "1e",
+        "kd<",
+        "dot(N,",
+        "a=normalize(H+",
+    ] {
+        let mut text = piece.repeat(2000 / piece.chars().count());
+        text.extend(
+            ["?"; 2]
+                .iter()
+                .take(2000 - text.chars().count().min(2000))
+                .copied(),
+        );
+        let began = Instant::now();
+        let read = Formula::read(&text, &names);
+        longest = longest.max(began.elapsed());
+        let error = read.expect_err(piece);
+        assert!(
+            !error.message.is_empty() && error.message.chars().count() < 300,
+            "{error}"
+        );
+    }
+    println!("the longest took {longest:?}");
+    assert!(longest < PATIENCE, "{longest:?}");
+}
+
+#[test]
+fn random_formulas_are_formulas_and_use_the_whole_grammar() {
+    let mut dice = Dice(3);
+    let mut all = String::new();
+    for _ in 0..2000 {
+        let text = any_formula(&mut dice);
+        let read = Formula::read(&text, &Reflection::law_names());
+        assert!(read.is_ok(), "{text}: {}", read.unwrap_err());
+        all += &format!("{:?}", read.map(|formula| formula.lines().to_vec()));
+    }
+    for operator in [
+        "Negate",
+        "Add",
+        "Subtract",
+        "Multiply",
+        "Divide",
+        "Power",
+        "Min",
+        "Max",
+        "Sum",
+        "Mean",
+        "Abs",
+        "Sqrt",
+        "Exp",
+        "Log",
+        "Floor",
+        "Round",
+        "Sin",
+        "Cos",
+        "Tan",
+        "Asin",
+        "Acos",
+        "Atan",
+        "Clamp",
+        "Mix",
+        "Step",
+        "Smoothstep",
+        "Dot",
+        "Cross",
+        "Length",
+        "Normalize",
+        "Component(2)",
+        "Less",
+        "LessEqual",
+        "Greater",
+        "GreaterEqual",
+        "Equal",
+        "NotEqual",
+        "And",
+        "Or",
+        "Not",
+    ] {
+        assert!(all.contains(&format!("Call({operator}, ")), "{operator}");
+    }
+    for name in 0..Reflection::law_names().len() {
+        assert!(all.contains(&format!("Name({name})")), "{name}");
+    }
 }

@@ -4,13 +4,14 @@ use crate::common::any_scene::{any_scene, everyday_scene};
 use crate::common::dice::Dice;
 use crate::common::program;
 use crate::common::program::Folder;
+use crate::scene_round_trip::LAWS;
 use glam::DVec2;
 use rayon::prelude::*;
 use shading_lab::figure::QrCode;
 use shading_lab::link::{DEFAULTS, Link, Shown, VIEWS, Written, read, write};
 use shading_lab::render::Frame;
 use shading_lab::scene::parameter::Parameter;
-use shading_lab::scene::{Light, ObjectKind, Pane, Scene, ShadingMode, presets};
+use shading_lab::scene::{Light, ObjectKind, Pane, ReflectionModel, Scene, ShadingMode, presets};
 use std::path::Path;
 use std::{env, fs};
 
@@ -94,8 +95,34 @@ fn a_few_settings_of_a_built_in_scene_are_a_short_and_readable_link() {
 }
 
 #[test]
+fn a_law_is_sent_as_it_was_typed() {
+    let mut scene = presets::find("highlight").expect("built in").scene();
+    scene.reflection.model = ReflectionModel::Formula;
+    for law in LAWS {
+        law.clone_into(&mut scene.reflection.formula);
+        let link = round_trip(&scene, Some("highlight"));
+        assert!(link.contains("&set=reflection.formula="), "{law}: {link}");
+        // In a pane, whose settings are separated by semicolons.
+        let setting = format!("reflection.formula={}", toml::Value::from(law));
+        let mut compared = scene.clone();
+        compared.compare.panes = vec![Pane::of(&["shading.mode=exact", &setting])];
+        round_trip(&compared, Some("highlight"));
+        let pane = compared.pane(1).expect("a pane");
+        assert_eq!(pane.reflection.formula, law);
+    }
+    // The longest, of characters that take six bytes each in a link.
+    scene.reflection.formula = format!("kd # {}", "·".repeat(1995));
+    let link = round_trip(&scene, Some("highlight"));
+    assert!(
+        link.contains("#scene=") && link.len() < 2000,
+        "{}",
+        link.len()
+    );
+}
+
+#[test]
 fn every_built_in_scene_is_its_name() {
-    assert_eq!(presets::ALL.len(), 46);
+    assert_eq!(presets::ALL.len(), 54);
     for preset in presets::ALL {
         let scene = preset.scene();
         let link = format!("?scene={}", preset.name);
@@ -148,7 +175,7 @@ fn changed_built_in_scenes_come_back_bit_by_bit() {
         .into_par_iter()
         .filter(|seed| {
             let mut dice = Dice(seed.wrapping_mul(0x9e37_79b9_7f4a_7c15));
-            let preset = &presets::ALL[(dice.unit() * 46.0) as usize];
+            let preset = &presets::ALL[(dice.unit() * 54.0) as usize];
             let (mut scene, other) = (preset.scene(), everyday_scene(*seed).scene);
             if dice.unit() < 0.3 {
                 scene.lights.clone_from(&other.lights);

@@ -167,7 +167,9 @@ fn its_access_reaches_the_field_of_its_key() {
                 (at.get_mut)(&mut other, 0).expect("a value").x += 0.5;
             }
             Kind::Switch(at) => *(at.get_mut)(&mut other, 0).expect("a value") ^= true,
-            Kind::Text(at, _) => (at.get_mut)(&mut other, 0).expect("a value").push('x'),
+            Kind::Text(at, _) | Kind::Lines(at, _) => {
+                (at.get_mut)(&mut other, 0).expect("a value").push('x');
+            }
             Kind::Other(..) => parameter.copy(&plain, &mut other, 0),
             // `--set` accepts every word of a choice, and the word selects its option.
             Kind::Choice(choice) => {

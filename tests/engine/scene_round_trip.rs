@@ -13,6 +13,19 @@ use shading_lab::scene::{
 };
 use std::f64::consts::TAU;
 
+/// Laws with what may be damaged on the way through a file, a setting or a link.
+pub const LAWS: [&str; 9] = [
+    "kd * N·L",
+    "spot = max(R·V, 0)\nkd * N·L + ks * spot^n",
+    "a = 1;\tb = N·L ; (a*b == 1)*kd",
+    "# \"one\" 'two' \"\"\" ''' C:\\new\\table \\\nkd",
+    "kd // the end\r\n + ks\r\n",
+    "\n\n  kd\n\t\n",
+    "0",
+    "α = 0.5\n√(α²) × (1 − α) # 100 % + & ? #=;",
+    "(N·L > 0) * (kd*od/π)",
+];
+
 fn number(least: f64, greatest: f64) -> impl Strategy<Value = f64> {
     prop_oneof![
         least..=greatest,
@@ -138,7 +151,10 @@ prop_compose! {
 
 prop_compose! {
     fn settings()(
-        model in word(&[ReflectionModel::Phong, ReflectionModel::Blinn, ReflectionModel::CookTorrance]),
+        model in word(&[
+            ReflectionModel::Phong, ReflectionModel::Blinn, ReflectionModel::CookTorrance, ReflectionModel::Formula,
+        ]),
+        formula in word(&LAWS),
         distribution in word(&[Distribution::Beckmann, Distribution::Ggx]),
         backfacing in word(&[Backfacing::Clamp, Backfacing::Flip]),
         mode in word(&[
@@ -152,7 +168,7 @@ prop_compose! {
         encoding in word(&[Encoding::Raw, Encoding::Srgb]),
     ) -> (Reflection, Shading, Display) {
         (
-            Reflection { model, distribution, backfacing },
+            Reflection { model, formula: formula.to_owned(), distribution, backfacing },
             Shading { mode, flat_at, interpolation, renormalise, shadows },
             Display { overflow, encoding },
         )

@@ -77,7 +77,11 @@ test("Chinese has its own letters, fetched when that language is chosen", async 
     const { page, problems } = await open(chinese.context, here.server.url);
     await until(() => fetched.includes("/chinese.otf"));
     assert.equal(await page.evaluate(() => document.documentElement.lang), "zh-Hant");
+    assert.ok(await widget(page, "檔案"));
     assert.deepEqual(problems, []);
+    // What is said first is said in Chinese, too.
+    const wrong = await open(chinese.context, `${here.server.url}?sceen=cube`);
+    await until(() => widget(wrong.page, "無法開啟連結"));
   } finally {
     await chinese.close();
   }

@@ -1,5 +1,6 @@
 //! The window's controls: each is found by role and name, changes the picture, and can be undone.
 
+mod law;
 mod lights;
 mod materials;
 mod model;

@@ -1,12 +1,15 @@
 //! The window's tabs of error against run time, and of stiff and extreme cases.
 
-use crate::common::hands::{enter, open_view, press, scene, undo, wait, window};
+use crate::common::hands::{
+    built_in, enter, open_view, press, scene, undo, wait, window, window_of,
+};
 use eframe::egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use shading_lab::analysis::stability::stability_cases;
+use shading_lab::analysis::study::Method;
 use shading_lab::app::App;
-use shading_lab::scene::{ObjectKind, ShadingMode};
+use shading_lab::scene::{Choice, ObjectKind, ReflectionModel, ShadingMode};
 
 #[test]
 fn a_study_runs_stops_and_shows_its_settings_in_the_picture() {
@@ -133,4 +136,56 @@ fn the_catalogue_is_drawn_and_a_case_opens_as_the_scene() {
     );
     undo(&mut harness);
     assert_eq!(*scene(&harness), before, "one step of undo");
+}
+
+#[test]
+fn a_study_of_an_own_law_asks_which_law_stands_beside_it() {
+    let mut loaded = built_in("sphere");
+    loaded.scene.reflection.model = ReflectionModel::Formula;
+    loaded.scene.about.title = "Mine".to_owned();
+    let mut harness = window_of(loaded);
+    open_view(&mut harness, "view-study");
+    for segments in ["16", "32", "64", "128"] {
+        press(&mut harness, segments);
+    }
+    for method in Method::VALUES
+        .iter()
+        .filter(|method| **method != Method::Phong)
+    {
+        press(&mut harness, method.label());
+    }
+    press(&mut harness, "3 ×");
+    press(&mut harness, "choice-reflection-model-blinn");
+    press(&mut harness, "engine-measure");
+    assert!(wait(&mut harness, |harness| harness
+        .query_by_label(english!("report-again"))
+        .is_some()));
+    let row = |law: &str| {
+        let law = if law == "Mine" {
+            law.to_owned()
+        } else {
+            english!("engine-law", name = law)
+        };
+        let method = english!("choice-method-phong");
+        english!("engine-law-method", law = law, method = method) + " 8×4"
+    };
+    let there = |harness: &Harness<'_, App>, law: &str| harness.query_by_label(&row(law)).is_some();
+    assert!(there(&harness, "Mine") && there(&harness, "Blinn") && !there(&harness, "Phong"));
+    press(&mut harness, &row("Blinn"));
+    assert_eq!(scene(&harness).reflection.model, ReflectionModel::Blinn);
+    assert!(
+        harness
+            .query_by_label_contains(english!("report-stale"))
+            .is_none(),
+        "the study is about this law too"
+    );
+    let offered = |harness: &Harness<'_, App>| {
+        harness
+            .query_by_label(english!("engine-study-reference"))
+            .is_some()
+    };
+    assert!(!offered(&harness), "a built-in law stands for itself");
+    undo(&mut harness);
+    assert_eq!(scene(&harness).reflection.model, ReflectionModel::Formula);
+    assert!(offered(&harness));
 }

@@ -183,9 +183,11 @@ cli-help-study-segments = Numbers of segments around the axis, separated by comm
 cli-help-study-n = Exponents of the highlight, separated by commas; the scene's own unless given
 cli-help-study-interpolation = Interpolation between vertices, separated by commas: perspective, affine, scanline
 cli-help-study-repeats = Frames timed for each setting
+cli-help-study-reference = Law from whose exact picture errors are measured, beside the scene's: phong, blinn, cook-torrance, formula; Phong's for a scene with a formula, otherwise the scene's own
 cli-help-study-threads = Number of threads; one per core unless given. With 1, times of the engine and of scalar code differ by the code alone
-cli-help-stability = Draw stiff and extreme cases
-    .long = Where a naive renderer fails, by how much, and that the engine does not. The reference computes with 106 bits. The exit status is 1 if the engine is off by more than half a code value anywhere.
+cli-help-stability = Draw stiff and extreme cases, or examine a scene's own law
+    .long = Where a naive renderer fails, by how much, and that the engine does not. The reference computes with 106 bits. The exit status is 1 if the engine is off by more than half a code value anywhere. With a scene whose law is a formula, that law is evaluated in f32, f64 and 106 bits instead: which operations lose digits or are undefined, at how many pixels, and in the picture where.
+cli-help-stability-source = A scene with reflection.model = "formula", whose law is examined instead of the cases
 cli-help-stability-cases = Only these cases by name, separated by commas; all unless given
 cli-help-code = Write a scene as OpenGL calls or as GLSL shaders, to copy; what they cannot express is printed on stderr
 cli-help-code-target = What to write: c-snippet (camera, lights and material in C), c (a whole program in C that draws the scene off screen with fixed-function OpenGL) or glsl (a vertex and a fragment shader, GLSL 3.30)

@@ -64,6 +64,14 @@ controls-match-exponent = Equivalent exponent for { $model }
     .tip = Switch to the { $model } model with the n that gives a highlight of the same width
 controls-match-roughness = Equivalent roughness
     .tip = Switch to the Cook–Torrance model with the Beckmann roughness m that gives a highlight of the same width
+controls-law-hint = a formula; the last line is its value
+controls-law-kept = The picture shows the last formula that could be read.
+controls-law-beside = Beside Phong
+    .tip = Show how the picture differs from that of Phong's model
+controls-law-product = dot product of { $a } and { $b }: the cosine of the angle between them
+controls-law-distance = distance to the light, in world units
+controls-law-theta = θ, the angle between N and L, in degrees
+controls-law-phi = φ, the angle between R and V, in degrees
 
 ## Shading, surroundings, camera and display
 

@@ -29,6 +29,7 @@ export-limit-hatching = The hatching where I > 1: I is clamped.
 export-limit-srgb = The sRGB encoding: stored values are 255*I.
 export-limit-phong-lobe = Phong's (R.V)^n: fixed-function lighting has Blinn's (N.H)^n (reflection.model = "blinn"); n = { $blinn } gives a highlight as wide as n = { $phong } does for Phong.
 export-limit-microfacets = Cook and Torrance's microfacets: replaced by Blinn's (N.H)^n with n = { $n } from the roughness.
+export-limit-own-law = The scene's own law: fixed-function lighting has no formulas. It draws Kd*Od*(N.L) + Ks*Os*(N.H)^n with the scene's coefficients and n = { $n } in its place.
 export-limit-shininess = n = { $n }: GL_SHININESS goes up to 128.
 export-limit-reflectance = W(theta), the reflectance by angle of incidence: its value at 0 degrees multiplies Ks.
 export-limit-light-area = Light { $light }: an area of { $points } points, drawn as the one at its centre.

@@ -214,6 +214,7 @@ picture-flat-compared = Compared where both pictures show the same: { $inside } 
 # What is wrong with panes, and why a setting has no effect
 picture-idle-one-pane = There is only one pane
 picture-description = A { $surface } { $colour } { $object } in { $mode } shading, { $light }; { $bright }.
+picture-by-formula = formula-lit
 picture-matt = matt
 picture-glossy = glossy
 picture-shiny = shiny

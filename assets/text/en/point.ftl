@@ -60,10 +60,16 @@ point-silver = silver
 point-gold = gold
 point-custom = own index
 point-diffuse = diffuse
+point-own-law = own law
+point-own-law-undefined = An operation has no value here, such as a division by 0: it counts as 0.
 point-both-terms = diffuse + specular
+point-plot-own-law = Own formula by direction of the viewer
+point-axis-factor = value of the formula
 point-note-constant = W = 1: Ks is the same for every angle. Grey: other materials, luminance.
 point-note-fresnel = Fresnel, { $index }. θ is measured between { $vector } and L. Grey: other materials, luminance.
 point-note-lobe = In the plane of N and L, θ = { $theta }. Towards the viewer I = { $intensity }.
+point-note-own-law = In the plane of N and L, without f·Ip, θ = { $theta }. Towards the viewer: { $value }.
+point-note-negative = Negative values are not drawn.
 point-note-out-of-plane = V points { $angle } out of this plane.
 point-note-laws = { $law }. Grey: the other laws.
 point-note-distribution = { $name }: { $formula }. Grey: { $lobe }.
@@ -156,6 +162,7 @@ point-share-tip = { $share } of the pixel’s luminance (Rec. 709)
 point-letter-irefl = Irefl: the reflected light, the sum of the terms
 point-letter-s = s: the spot’s factor in this direction, 0 to 1
 point-letter-lit = lit: the part of the light that is not in shadow, 0 to 1
+point-letter-law = law: the factor that the scene’s own law, a formula, gives for each channel
 point-letter-facets = S: the microfacets that reflect the light to the viewer, π·D·G/(4·(N·V))
 point-letter-idc = Idc: the colour that intensities fade into
 
@@ -179,6 +186,10 @@ point-zero-not-to-viewer = away from the viewer
     .why = the highlight points away from the viewer
 point-zero-too-faint = too faint
     .why = it is so faint that it rounds to 0
+point-zero-law = the law gives 0
+    .why = the scene’s own law gives 0 here
+point-zero-one-term = one term
+    .why = the scene’s own law is one term
 point-zero-nothing = adds nothing
 point-zero-both = { $diffuse }, and { $specular }
 point-zero-in-part = in part { $clause }

@@ -175,9 +175,11 @@ cli-help-study-segments = 繞軸的分段數，以逗號分隔；沿軸的分段
 cli-help-study-n = 高光指數，以逗號分隔；預設為場景的指數
 cli-help-study-interpolation = 頂點之間的內插方法，以逗號分隔：perspective、affine、scanline
 cli-help-study-repeats = 每種設定計時的畫格數
+cli-help-study-reference = 與場景的定律對照，並以其精確圖片計算誤差：phong、blinn、cook-torrance、formula；場景用公式時預設為 phong，否則為場景的定律
 cli-help-study-threads = 執行緒數；預設為每核心一個。設為 1 時，引擎與純量程式碼的時間差只來自程式碼
-cli-help-stability = 繪製病態與極端的情況
-    .long = 比較單純的繪製程式在何處失敗、差多少，以及本引擎不會失敗。參考值以 106 位元計算。若引擎在任何地方誤差超過半個儲存值，結束狀態為 1。
+cli-help-stability = 繪製病態與極端的情況，或檢查場景自訂的定律
+    .long = 比較單純的繪製程式在何處失敗、差多少，以及本引擎不會失敗。參考值以 106 位元計算。若引擎在任何地方誤差超過半個儲存值，結束狀態為 1。若給的場景以公式為定律，則改為以 f32、f64 與 106 位元計算那條定律：哪些運算失去位數或沒有定義、在多少像素，以及在圖片的何處。
+cli-help-stability-source = 定律為公式的場景（reflection.model = "formula"），檢查它而不繪製那些情況
 cli-help-stability-cases = 只執行這些情況，以逗號分隔名稱；預設為全部
 cli-help-code = 將場景寫成 OpenGL 呼叫或 GLSL 著色器，可供複製；無法表達之處輸出到 stderr
 cli-help-code-target = 輸出形式：c-snippet（C 的相機、光源與材質）、c（以固定功能 OpenGL 離螢幕繪製場景的完整 C 程式）或 glsl（頂點與片段著色器，GLSL 3.30）

@@ -64,6 +64,14 @@ controls-match-exponent = { $model } 模型的等效指數
     .tip = 改用 { $model } 模型，並取使高光同寬的 n
 controls-match-roughness = 等效粗糙度
     .tip = 改用 Cook–Torrance 模型，並取使高光同寬的 Beckmann 粗糙度 m
+controls-law-hint = 一個公式，最後一行是它的值
+controls-law-kept = 圖片仍是最後一個可讀取的公式所畫的。
+controls-law-beside = 與 Phong 對照
+    .tip = 顯示此圖片與 Phong 模型的圖片有何差異
+controls-law-product = { $a } 與 { $b } 的內積：兩者夾角的餘弦
+controls-law-distance = 與光源的距離（世界單位）
+controls-law-theta = θ，N 與 L 的夾角（度）
+controls-law-phi = φ，R 與 V 的夾角（度）
 
 ## Shading, surroundings, camera and display
 

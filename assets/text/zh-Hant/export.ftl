@@ -29,6 +29,7 @@ export-limit-hatching = I > 1 處的斜線標示：I 截為 1。
 export-limit-srgb = sRGB 編碼：儲存值為 255*I。
 export-limit-phong-lobe = Phong 的 (R.V)^n：固定功能管線用 Blinn 的 (N.H)^n（reflection.model = "blinn"）；n = { $blinn } 的高光與 Phong 的 n = { $phong } 等寬。
 export-limit-microfacets = Cook 與 Torrance 的微面模型：改用 Blinn 的 (N.H)^n，由粗糙度得 n = { $n }。
+export-limit-own-law = 場景的自訂公式：固定功能管線不能計算公式，改以場景的係數與 n = { $n } 畫 Kd*Od*(N.L) + Ks*Os*(N.H)^n。
 export-limit-shininess = n = { $n }：GL_SHININESS 最大為 128。
 export-limit-reflectance = W(theta)，隨入射角變化的反射率：以 0 度時的值乘 Ks。
 export-limit-light-area = 光源 { $light }：由 { $points } 點構成的分布光源，改為中心一點。

@@ -205,6 +205,7 @@ picture-flat-compared = 比較兩張圖看到同一處的像素：{ $inside } �
 # What is wrong with panes, and why a setting has no effect
 picture-idle-one-pane = 只有一個窗格
 picture-description = { $colour }{ $surface }{ $object }，以{ $mode }著色，{ $light }；{ $bright }。
+picture-by-formula = 依自訂公式反射的
 picture-matt = 無光澤的
 picture-glossy = 有光澤的
 picture-shiny = 光亮的

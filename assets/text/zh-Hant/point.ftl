@@ -60,10 +60,16 @@ point-silver = 銀
 point-gold = 金
 point-custom = 自訂折射率
 point-diffuse = 漫反射
+point-own-law = 自訂定律
+point-own-law-undefined = 此處有一步運算沒有值（例如除以 0），以 0 計。
 point-both-terms = 漫反射 + 鏡面反射
+point-plot-own-law = 自訂公式隨觀察方向的變化
+point-axis-factor = 公式的值
 point-note-constant = W = 1：Ks 不隨角度改變。灰線：其他材質（取輝度）。
 point-note-fresnel = Fresnel，{ $index }。θ 是 { $vector } 與 L 的夾角。灰線：其他材質（取輝度）。
 point-note-lobe = 在 N 與 L 的平面內，θ = { $theta }。朝觀察者的 I = { $intensity }。
+point-note-own-law = 在 N 與 L 的平面內，不含 f·Ip，θ = { $theta }。朝觀察者：{ $value }。
+point-note-negative = 負值不畫出。
 point-note-out-of-plane = V 偏離此平面 { $angle }。
 point-note-laws = { $law }。灰線：其他定律。
 point-note-distribution = { $name }：{ $formula }。灰線：{ $lobe }。
@@ -144,6 +150,7 @@ point-share-tip = { $share }，占像素的輝度（Rec. 709）
 point-letter-irefl = Irefl：反射光，即各項之和
 point-letter-s = s：聚光燈在此方向的係數，0 到 1
 point-letter-lit = lit：光未被遮住的部分，0 到 1
+point-letter-law = law：場景自訂的反射定律（一條公式）在各色版上給出的因數
 point-letter-facets = S：將光反射向觀察者的微平面，π·D·G/(4·(N·V))
 point-letter-idc = Idc：亮度淡入的顏色
 
@@ -167,6 +174,10 @@ point-zero-not-to-viewer = 未朝觀察者
     .why = 高光未朝向觀察者
 point-zero-too-faint = 太弱
     .why = 弱到捨入為 0
+point-zero-law = 定律給出 0
+    .why = 場景自訂的定律在此給出 0
+point-zero-one-term = 只有一項
+    .why = 場景自訂的定律只有一項
 point-zero-nothing = 沒有貢獻
 point-zero-both = { $diffuse }，且 { $specular }
 point-zero-in-part = 部分因為{ $clause }

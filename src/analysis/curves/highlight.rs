@@ -17,14 +17,14 @@ const TAGS: [f64; 4] = [0.44, 0.36, 0.28, 0.05];
 /// Number of even steps in a right angle, half a degree each.
 const EVEN: i32 = 180;
 /// Number of steps per half-width, and of steps sampled on each side: for the lobe, and for the cosine's powers.
-const FINE: [[i32; 2]; 2] = [[16, 80], [12, 60]];
+pub(super) const FINE: [[i32; 2]; 2] = [[16, 80], [12, 60]];
 /// Smallest half-width that is sampled finely; a mirror's is zero.
-const NARROW: f64 = 1e-4;
+pub(super) const NARROW: f64 = 1e-4;
 /// Largest angle between V and the plane at which V counts as lying in it, degrees.
-const IN_PLANE: f64 = 0.5;
+pub(super) const IN_PLANE: f64 = 0.5;
 
 /// Returns even angles from −90° to 90°, radians, and finer ones about some, each given with its half-width.
-fn angles(finer: &[(f64, f64)], [parts, count]: [i32; 2]) -> Vec<f64> {
+pub(super) fn angles(finer: &[(f64, f64)], [parts, count]: [i32; 2]) -> Vec<f64> {
     let mut angles: Vec<f64> = (-EVEN..=EVEN)
         .map(|i| FRAC_PI_2 * f64::from(i) / f64::from(EVEN))
         .collect();
@@ -43,10 +43,8 @@ fn angles(finer: &[(f64, f64)], [parts, count]: [i32; 2]) -> Vec<f64> {
 pub fn lobe_plot(scene: &Scene, hit: &ProbeHit, light: usize) -> Option<Plot> {
     let lobe = ReflectionLobe::at(scene, hit, light)?;
     let mirror = lobe.mirror_angle();
-    let angles = angles(
-        &[(mirror, highlight_half_width(scene).max(NARROW))],
-        FINE[0],
-    );
+    let half_width = lobe_half_width(&lobe, scene).max(NARROW);
+    let angles = angles(&[(mirror, half_width)], FINE[0]);
     let responses = angles.into_iter().map(|angle| {
         // R itself, not R to rounding: a mirror reflects in no other direction.
         let v = if angle == mirror {
@@ -59,21 +57,26 @@ pub fn lobe_plot(scene: &Scene, hit: &ProbeHit, light: usize) -> Option<Plot> {
     let responses: Vec<_> = responses.collect();
     let most = responses
         .iter()
-        .map(|(_, response)| response.total())
+        .map(|(_, response)| response.length())
         .fold(0.0, f64::max);
     let total = responses
         .iter()
-        .map(|(angle, response)| [*angle, response.total()])
+        .map(|(angle, response)| [*angle, response.length()])
         .collect();
     let diffuse = responses
         .iter()
         .map(|(angle, response)| [*angle, response.diffuse])
         .collect();
-    let curves = vec![
+    let (key, name) = if lobe.is_own_law() {
+        ("law", text!("point-own-law"))
+    } else {
+        ("diffuse + specular", text!("point-both-terms"))
+    };
+    let mut curves = vec![
         Curve {
             notes: vec![short(most)],
-            name: text!("point-both-terms").to_owned(),
-            ..Curve::new("diffuse + specular", total, specular_ink(scene))
+            name: name.to_owned(),
+            ..Curve::new(key, total, specular_ink(scene))
         },
         Curve {
             dash: Dash::Dashed,
@@ -83,6 +86,9 @@ pub fn lobe_plot(scene: &Scene, hit: &ProbeHit, light: usize) -> Option<Plot> {
             ..Curve::new("diffuse", diffuse, Ink::L)
         },
     ];
+    if lobe.is_own_law() {
+        curves.truncate(1);
+    }
     let top = if most > 0.0 && most.is_finite() {
         most
     } else {
@@ -99,6 +105,10 @@ pub fn lobe_plot(scene: &Scene, hit: &ProbeHit, light: usize) -> Option<Plot> {
         note += text!("point-sentence-gap");
         note += &text!("point-note-out-of-plane", angle = format!("{out:.0}°"));
     }
+    if responses.iter().any(|(_, response)| response.total() < 0.0) {
+        note += text!("point-sentence-gap");
+        note += text!("point-note-negative");
+    }
     Some(Plot {
         legend: vec![text!("point-legend-greatest").to_owned()],
         directions: directions(&lobe),
@@ -107,7 +117,7 @@ pub fn lobe_plot(scene: &Scene, hit: &ProbeHit, light: usize) -> Option<Plot> {
 }
 
 /// Returns the degrees between `vector` and the plane of incidence.
-fn out_of_plane(lobe: &ReflectionLobe, vector: DVec3) -> f64 {
+pub(super) fn out_of_plane(lobe: &ReflectionLobe, vector: DVec3) -> f64 {
     vector
         .dot(lobe.n.cross(lobe.across))
         .clamp(-1.0, 1.0)
@@ -143,8 +153,9 @@ fn directions(lobe: &ReflectionLobe) -> Vec<Direction> {
 }
 
 /// Plots the falloff of the current highlight with the angle that its model measures, beside the course's exponents;
-/// `angle` is the probe's, radians. Cook and Torrance's model, which has no exponent, has the curve D(α)/D(0).
-pub fn exponent_plot(scene: &Scene, angle: Option<f64>) -> Plot {
+/// `angle` is the probe's, radians. Cook and Torrance's model, which has no exponent, has the curve D(α)/D(0). Returns none for
+/// a law of the scene's own, whose highlight is whatever the formula says.
+pub fn exponent_plot(scene: &Scene, angle: Option<f64>) -> Option<Plot> {
     let (falling, model) = (Falling::new(scene), scene.reflection.model);
     let finer: Vec<_> = COURSE
         .into_iter()
@@ -158,6 +169,7 @@ pub fn exponent_plot(scene: &Scene, angle: Option<f64>) -> Plot {
             .collect::<Vec<_>>()
     };
     let (letter, between) = match model {
+        ReflectionModel::Formula => return None,
         ReflectionModel::Phong => ("φ", ["R", "V"]),
         ReflectionModel::Blinn | ReflectionModel::CookTorrance => ("α", ["N", "H"]),
     };
@@ -212,15 +224,26 @@ pub fn exponent_plot(scene: &Scene, angle: Option<f64>) -> Plot {
         Axis::degrees(abscissa, -90.0, 90.0),
         Axis::new(symbol, 0.0, top),
     ];
-    Plot {
+    Some(Plot {
         legend: vec![text!("point-legend-half-width").to_owned()],
         marks: marks.into_iter().collect(),
         ..Plot::new(PlotKind::Exponent, title, formula, axes, curves)
+    })
+}
+
+/// Returns the angle between V and the middle of the lobe at which it has fallen to about a half, radians: measured on a lobe
+/// of the scene's own law, and else that of the highlight.
+pub fn lobe_half_width(lobe: &ReflectionLobe, scene: &Scene) -> f64 {
+    if lobe.is_own_law() {
+        lobe.half_width()
+    } else {
+        highlight_half_width(scene)
     }
 }
 
 /// Returns the angle between V and the middle of the highlight at which it has fallen to about a half, radians: exact
-/// for Phong's model, and in the plane of incidence for those with N·H, where H turns half as fast as V.
+/// for Phong's model, and in the plane of incidence for those with N·H, where H turns half as fast as V. A law of the scene's
+/// own has no highlight of that form; see [`lobe_half_width`].
 pub fn highlight_half_width(scene: &Scene) -> f64 {
     let own = Falling::new(scene).half_width();
     if scene.reflection.model == ReflectionModel::Phong {

@@ -5,11 +5,12 @@
 
 mod light;
 
-use super::digits::{digits, in_channels};
+use super::digits::{coordinates, digits, in_channels, triple};
 use super::letters::{Tone, specular_vector};
 use super::products::{Here, Product};
 use crate::analysis::perception::luminance;
 use crate::figure::palette::Vector;
+use crate::illumination::{LawLine, LineNumbers};
 use crate::render::srgb;
 use crate::scene::{
     CuedBy, DepthCueing, Encoding, FlatAt, Overflow, Rgb, ShadingMode, Through, View,
@@ -27,6 +28,8 @@ pub enum FilledPart {
     Evaluated(String),
     /// A line of letters.
     Formula(String),
+    /// A line of the scene's own law, with its value.
+    OfLaw(LawLine),
     /// The name of a term, its colour, and its share of the pixel's luminance in percent; none where the pixel is
     /// black.
     Heading {
@@ -86,6 +89,22 @@ impl LineValue {
             Self::Channels([red, green, blue]) => in_channels([red, green, blue]),
             Self::Words(words) => words.clone(),
         }
+    }
+}
+
+/// Returns the value of a line of a law in words.
+pub fn law_words(line: &LawLine) -> String {
+    match line.value {
+        LineNumbers::Value(value) => triple(value),
+        LineNumbers::Vector(v) => coordinates(v),
+    }
+}
+
+/// Returns a line of a law as it is written, in one line.
+pub fn law_text(line: &LawLine) -> String {
+    match &line.name {
+        Some(name) => format!("{name} = {}", line.formula),
+        None => line.formula.clone(),
     }
 }
 
@@ -343,6 +362,11 @@ impl Here<'_> {
             } else {
                 String::new()
             };
+            if light.law.is_some() {
+                let name = text!("point-own-law");
+                parts.push(term(name, &number, Tone::Of(Vector::L), light.diffuse));
+                continue;
+            }
             parts.push(term(
                 text!("point-diffuse"),
                 &number,

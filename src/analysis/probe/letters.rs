@@ -56,7 +56,9 @@ pub fn equation_letters(scene: &Scene) -> Vec<Vec<Letters>> {
         ReflectionModel::Phong => "({R}·{V})^n]",
         ReflectionModel::Blinn => "({N}·{H})^n]",
         ReflectionModel::CookTorrance => " π {D}{G}",
+        ReflectionModel::Formula => "",
     };
+    let own = reflection.model == ReflectionModel::Formula;
     let specular = |formula: &str| {
         let tone = Tone::Of(specular_vector(reflection.model));
         vec![letters(formula, tone, dark || material.ks == Rgb::ZERO)]
@@ -74,15 +76,19 @@ pub fn equation_letters(scene: &Scene) -> Vec<Vec<Letters>> {
             plain("{f}", steady),
             plain(if spot { "{spot}" } else { "" }, dark),
             plain(if scene.shading.shadows { "{lit}" } else { "" }, dark),
-            plain("{Ip} [", dark),
+            plain(if own { "{Ip}" } else { "{Ip} [" }, dark),
         ],
-        vec![letters(
+    ];
+    if own {
+        parts.push(vec![letters("{law}", Tone::Of(Vector::L), dark)]);
+    } else {
+        parts.push(vec![letters(
             "{Kd}{Od}({N}·{L})",
             Tone::Of(Vector::L),
             dark || material.kd == Rgb::ZERO,
-        )],
-        specular(&format!(" + {{Ks}}{os}{w}{lobe}")),
-    ];
+        )]);
+        parts.push(specular(&format!(" + {{Ks}}{os}{w}{lobe}")));
+    }
     if reflection.model == ReflectionModel::CookTorrance {
         parts.push(specular(" / (4 {N}·{V})]"));
     }

@@ -219,7 +219,7 @@ impl LightHere<'_> {
         match self.here.scene.reflection.model {
             ReflectionModel::Phong => "({R}·{V})^n",
             ReflectionModel::Blinn => "({N}·{H})^n",
-            ReflectionModel::CookTorrance => "{S}",
+            ReflectionModel::CookTorrance | ReflectionModel::Formula => "{S}",
         }
     }
 
@@ -239,6 +239,35 @@ impl LightHere<'_> {
             present().map(|(_, letters, _)| *letters).collect(),
             present().map(|(.., value)| value).product(),
         )
+    }
+
+    /// Returns the light's part by the scene's own law, `f·Ip·law`; none where it has no law of its own.
+    pub fn by_law(self) -> Option<Product> {
+        let law = self.terms.law.as_ref()?;
+        let (ip, value) = (self.source.color, self.terms.diffuse);
+        let (mut factors, strength) = self.strength();
+        let mut columns = vec![TermColumn::new("{Ip}", ip)];
+        let mean = !self.is_one_product();
+        if mean {
+            factors.push("{law}");
+            columns.push(TermColumn {
+                factors,
+                values: quotient(value, ip),
+                mean,
+                added: false,
+            });
+        } else {
+            if !factors.is_empty() {
+                columns.push(TermColumn {
+                    factors,
+                    values: Rgb::splat(strength),
+                    mean,
+                    added: false,
+                });
+            }
+            columns.push(TermColumn::new("{law}", law.value()));
+        }
+        Some(Product { columns, value })
     }
 
     /// Returns the diffuse term, `f·Ip·Kd·Od·(N·L)`.

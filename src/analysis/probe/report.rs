@@ -1,7 +1,7 @@
 //! The probe's question and report.
 
 use super::digits::{digits, triple};
-use super::filled::FilledPart;
+use super::filled::{FilledPart, law_text, law_words};
 use super::letters::{attenuation_law, equation_letters, exponent, plain_formula};
 use super::overlay::{VectorsShown, draw_vectors};
 use super::products::{Here, LightHere, Product};
@@ -297,6 +297,9 @@ fn say(section: &mut Section, part: FilledPart) {
         FilledPart::Note(text) => _ = section.note(text),
         FilledPart::Evaluated(over) => _ = section.note(text!("point-evaluated", over = over)),
         FilledPart::Formula(formula) => _ = section.line(format!("  {}", plain_formula(&formula))),
+        FilledPart::OfLaw(line) => {
+            _ = section.line(format!("  {} = {}", law_text(&line), law_words(&line)));
+        }
         FilledPart::Heading { name, share, .. } => {
             section.line(match share {
                 Some(share) => text!("point-report-share", name = name, share = share),

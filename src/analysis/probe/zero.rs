@@ -30,12 +30,16 @@ pub enum ZeroCause {
     InShadow,
     /// R·V ≤ 0 or N·H ≤ 0, or for microfacets N·V ≤ −¼.
     MissesViewer,
+    /// The scene's own law gives 0.
+    LawIsZero,
+    /// The scene's own law is one term.
+    OneTerm,
     /// The product rounds to 0, or the highlight is below 3·10⁻¹⁰ and not evaluated.
     TooFaint,
 }
 
 /// All causes in their order, each with the keys of its name and of its clause.
-const CAUSES: [(ZeroCause, &str, &str); 10] = [
+const CAUSES: [(ZeroCause, &str, &str); 12] = [
     (ZeroCause::Muted, "point-zero-muted", "point-zero-muted.why"),
     (
         ZeroCause::NotSoloed,
@@ -72,6 +76,12 @@ const CAUSES: [(ZeroCause, &str, &str); 10] = [
         ZeroCause::MissesViewer,
         "point-zero-not-to-viewer",
         "point-zero-not-to-viewer.why",
+    ),
+    (ZeroCause::LawIsZero, "point-zero-law", "point-zero-law.why"),
+    (
+        ZeroCause::OneTerm,
+        "point-zero-one-term",
+        "point-zero-one-term.why",
     ),
     (
         ZeroCause::TooFaint,
@@ -224,11 +234,18 @@ fn causes_at(
     let w = equation.reflectance(response.incidence);
     let ip = scene.lights[light].color;
     let mut both = ZeroCauses::NONE;
+    both.take(source.is_outside_cone(response.l), ZeroCause::OutsideCone);
+    both.take(in_shadow, ZeroCause::InShadow);
+    if scene.reflection.model == ReflectionModel::Formula {
+        return [ZeroCause::LawIsZero, ZeroCause::OneTerm].map(|own| {
+            let mut causes = both;
+            causes.take(true, own);
+            causes
+        });
+    }
     let arriving = response.n_dot_l * response.attenuation * response.spot;
     let turned_away = response.n_dot_l <= 0.0 || (response.diffuse == 0.0 && arriving > 0.0);
     both.take(turned_away, ZeroCause::FacesAway);
-    both.take(source.is_outside_cone(response.l), ZeroCause::OutsideCone);
-    both.take(in_shadow, ZeroCause::InShadow);
     let mut specular = both;
     specular.take(
         misses_the_viewer(scene, normal, response.l.into(), site.view.into()),
@@ -270,6 +287,7 @@ fn misses_the_viewer(scene: &Scene, normal: DVec3, l: DVec3, v: DVec3) -> bool {
     match scene.reflection.model {
         ReflectionModel::Phong => power && 2.0 * n.dot(l) * n.dot(v) <= l.dot(v),
         ReflectionModel::Blinn => power && n.dot(l + v) <= 0.0,
+        ReflectionModel::Formula => false,
         ReflectionModel::CookTorrance => n.dot(l + v) <= 0.0 || n.dot(v) <= -0.25,
     }
 }

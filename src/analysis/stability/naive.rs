@@ -3,6 +3,7 @@
 //! intensity times 255 cast to a byte. No line of it is wrong on an ordinary scene, where it agrees with the reference
 //! to about a code value.
 
+use crate::illumination::{Incidence, LawOperations, LawSite, V3};
 use crate::scene::{
     Attenuation, Light, LightKind, NormalSource, ObjectKind, Projection, ReflectionModel, Scene,
     ShadingMode, Viewer,
@@ -19,6 +20,7 @@ pub fn draw(scene: &Scene) -> Vec<[f32; 3]> {
     let background = scene.image.background.as_vec3().to_array();
     let mut pixels = vec![background; width as usize * height as usize];
     let camera = Camera::new(scene);
+    let shaded = Shaded::new(scene);
     if scene.object.kind == ObjectKind::Sphere {
         for (index, pixel) in pixels.iter_mut().enumerate() {
             let place = Vec2::new(
@@ -27,16 +29,29 @@ pub fn draw(scene: &Scene) -> Vec<[f32; 3]> {
             );
             let (origin, direction) = camera.ray(place);
             if let Some(point) = sphere(origin, direction) {
-                *pixel = illuminate(scene, &camera, point, point);
+                *pixel = illuminate(&shaded, &camera, point, point);
             }
         }
         return pixels;
     }
     let mut depths = vec![1.0_f32; pixels.len()];
     for triangle in triangles(scene) {
-        fill(scene, &camera, &triangle, &mut pixels, &mut depths);
+        fill(&shaded, &camera, &triangle, &mut pixels, &mut depths);
     }
     pixels
+}
+
+/// A scene, with the law of its own if it has one.
+struct Shaded<'a> {
+    scene: &'a Scene,
+    law: Option<LawOperations>,
+}
+
+impl<'a> Shaded<'a> {
+    fn new(scene: &'a Scene) -> Self {
+        let law = LawOperations::of_model(scene);
+        Self { scene, law }
+    }
 }
 
 struct Camera {
@@ -170,7 +185,7 @@ fn triangles(scene: &Scene) -> Vec<[NaiveVertex; 3]> {
 }
 
 fn fill(
-    scene: &Scene,
+    shaded: &Shaded<'_>,
     camera: &Camera,
     corners: &[NaiveVertex; 3],
     pixels: &mut [[f32; 3]],
@@ -230,7 +245,7 @@ fn fill(
                 / sum
         };
         let position = mix(|corner| corner.position);
-        pixels[index] = illuminate(scene, camera, position, mix(|corner| corner.normal));
+        pixels[index] = illuminate(shaded, camera, position, mix(|corner| corner.normal));
     }
 }
 
@@ -247,7 +262,8 @@ fn sphere(origin: Vec3, direction: Vec3) -> Option<Vec3> {
 }
 
 /// Evaluates the equation at a point, N of any length.
-fn illuminate(scene: &Scene, camera: &Camera, point: Vec3, normal: Vec3) -> [f32; 3] {
+fn illuminate(shaded: &Shaded<'_>, camera: &Camera, point: Vec3, normal: Vec3) -> [f32; 3] {
+    let Shaded { scene, law } = shaded;
     let material = &scene.material;
     let n = unit(normal);
     let v = if scene.camera.viewer == Viewer::Infinite {
@@ -267,7 +283,12 @@ fn illuminate(scene: &Scene, camera: &Camera, point: Vec3, normal: Vec3) -> [f32
         } else {
             unit(to_light)
         };
-        let f = attenuation(light, length(to_light)) * spot(light, l);
+        let d = length(to_light);
+        let f = attenuation(light, d) * spot(light, l);
+        if let Some(law) = law {
+            sum += light.color.as_vec3() * f * typed(law, n, v, (l, d));
+            continue;
+        }
         let reflected = factor(scene, n, l, v);
         sum += light.color.as_vec3() * f * (diffuse * positive(n.dot(l)) + specular * reflected);
     }
@@ -303,6 +324,21 @@ fn spot(light: &Light, l: Vec3) -> f32 {
     }
 }
 
+/// Returns the factors of the scene's own law, as typed.
+fn typed(law: &LawOperations, n: Vec3, v: Vec3, (l, distance): (Vec3, f32)) -> Vec3 {
+    let vector = |v: Vec3| V3::new(v.x, v.y, v.z);
+    let site = LawSite {
+        normal: vector(n),
+        view: vector(v),
+        color: None,
+        incidence: Incidence {
+            l: vector(l),
+            distance,
+        },
+    };
+    Vec3::from_array(law.factors_at(&site))
+}
+
 /// Returns S, whether or not the surface faces the light.
 fn factor(scene: &Scene, n: Vec3, l: Vec3, v: Vec3) -> f32 {
     let exponent = scene.material.n as f32;
@@ -318,5 +354,7 @@ fn factor(scene: &Scene, n: Vec3, l: Vec3, v: Vec3) -> f32 {
             let masking = 1.0_f32.min(of(n.dot(v))).min(of(n.dot(l)));
             spread * masking / (4.0 * n.dot(v))
         }
+        // Its own law stands for both terms.
+        ReflectionModel::Formula => 0.0,
     }
 }

@@ -1,9 +1,13 @@
 //! Double-double numbers, 106 bits as the unevaluated sum of two `f64`, and vectors of them.
 //!
+//! They are [`Real`](crate::illumination::Real) numbers, so that whatever is written over these is evaluated in 106 bits as well.
+//!
 //! The algorithms are those of T. J. Dekker (*A Floating-Point Technique for Extending the Available Precision*, 1971)
 //! and of Y. Hida, X. S. Li and D. H. Bailey (*Algorithms for Quad-Double Precision Floating Point Arithmetic*, 2001).
 //! Relative errors are a few 10⁻³² for the operations and below 10⁻²⁹ for the functions, in the range of exponents of
 //! an `f64`.
+
+mod real;
 
 use crate::analysis::operators::operators;
 use glam::DVec3;
@@ -23,29 +27,26 @@ pub const fn precise(value: f64) -> Precise {
 /// Returns the sum of two numbers with its rounding error; the first must be the larger in magnitude.
 fn quick_sum(a: f64, b: f64) -> Precise {
     let hi = a + b;
-    Precise {
-        hi,
-        lo: b - (hi - a),
-    }
+    with_error(hi, b - (hi - a))
+}
+
+/// Returns the sum of a number and its rounding error; what is infinite or not a number has none.
+fn with_error(hi: f64, lo: f64) -> Precise {
+    let lo = if hi.is_finite() { lo } else { 0.0 };
+    Precise { hi, lo }
 }
 
 /// Returns the sum of two numbers with its rounding error.
 fn sum(a: f64, b: f64) -> Precise {
     let hi = a + b;
     let part = hi - a;
-    Precise {
-        hi,
-        lo: (a - (hi - part)) + (b - part),
-    }
+    with_error(hi, (a - (hi - part)) + (b - part))
 }
 
 /// Returns the product of two numbers with its rounding error.
 fn product(a: f64, b: f64) -> Precise {
     let hi = a * b;
-    Precise {
-        hi,
-        lo: a.mul_add(b, -hi),
-    }
+    with_error(hi, a.mul_add(b, -hi))
 }
 
 impl Precise {
@@ -81,6 +82,9 @@ impl Precise {
         let power = (self.hi / Self::LN_2.hi).round();
         if power < -1000.0 {
             return precise(0.0);
+        }
+        if power > 1023.0 {
+            return precise(f64::INFINITY);
         }
         let rest = (self - Self::LN_2 * power) * 0.5_f64.powi(SQUARINGS);
         // eʳ − 1, so that squaring loses nothing: (1 + s)² − 1 = 2s + s².
@@ -118,9 +122,31 @@ impl Precise {
         (sine, cosine)
     }
 
+    /// Returns the largest whole number that is not larger.
+    pub fn floor(self) -> Self {
+        let whole = self.hi.floor();
+        if whole == self.hi {
+            quick_sum(whole, self.lo.floor())
+        } else {
+            precise(whole)
+        }
+    }
+
+    /// Computes the angle of the direction (`x`, `y`) of unit length, radians: that of `f64`, and the sine of what it lacks.
+    pub fn angle(y: Self, x: Self) -> Self {
+        let near = precise(y.hi.atan2(x.hi));
+        let (sine, cosine) = near.sin_cos();
+        near + (y * cosine - x * sine)
+    }
+
     /// Converts degrees to radians.
     pub fn to_radians(self) -> Self {
         self * Self::PI / precise(180.0)
+    }
+
+    /// Converts radians to degrees.
+    pub fn to_degrees(self) -> Self {
+        self * precise(180.0) / Self::PI
     }
 }
 
@@ -145,6 +171,9 @@ operators! {
     Mul::mul for Precise: |a, factor: f64| a * precise(factor);
     Div::div for Precise: |a, b: Precise| {
         let first = a.hi / b.hi;
+        if !first.is_finite() || !b.hi.is_finite() {
+            return precise(first);
+        }
         let rest = a - b * first;
         let second = rest.hi / b.hi;
         let third = (rest - b * second).hi / b.hi;

@@ -1,10 +1,11 @@
 //! The reference: a ray through each pixel's centre and the equation's own formulas, in double-double arithmetic.
 //!
-//! It shares no code with the engine. Cosines and powers are computed as the textbook writes them, for which 106 bits
+//! It shares no code with the engine but the operations of a typed law. Cosines and powers are computed as the textbook writes them, for which 106 bits
 //! suffice: the power's error at n = 10¹² is below 10⁻¹⁸. Where a formula has no value, the limit is used: a vector
 //! of length zero has no direction and is lit by nothing, and light that grazes the surface counts as none.
 
 use super::precise::{Precise, Precise3, precise};
+use crate::illumination::{Incidence, LawOperations, LawSite, V3};
 use crate::scene::{
     Attenuation, Light, LightKind, NormalSource, ObjectKind, Projection, ReflectionModel, Rgb,
     Scene, ShadingMode, Viewer,
@@ -60,6 +61,8 @@ struct ReferenceScene<'a> {
     distance: Precise,
     /// Pixels per unit of the picture's plane.
     scale: Precise,
+    /// The law of the scene's own, if it has one.
+    law: Option<LawOperations>,
 }
 
 struct Triangle {
@@ -103,6 +106,7 @@ impl<'a> ReferenceScene<'a> {
             forward,
             distance: ahead.length(),
             scale,
+            law: LawOperations::of_model(scene),
         }
     }
 
@@ -164,6 +168,16 @@ impl<'a> ReferenceScene<'a> {
             let travel = Precise3::new(light.direction).unit();
             let parallel = light.kind == LightKind::Directional;
             let l = if parallel { -travel } else { to_light.unit() };
+            let d = to_light.length();
+            let strength = || attenuation(light, d) * spot(light, -l.dot(travel));
+            if let Some(law) = &self.law {
+                let factors = typed(law, normal, view, (l, d));
+                let ip = light.color.to_array();
+                for ((channel, ip), factor) in sum.iter_mut().zip(ip).zip(factors) {
+                    *channel = *channel + strength() * ip * factor;
+                }
+                continue;
+            }
             let n_dot_l = normal.dot(l);
             let height = if parallel {
                 n_dot_l
@@ -173,7 +187,7 @@ impl<'a> ReferenceScene<'a> {
             if height <= precise(ROUNDING) {
                 continue;
             }
-            let strength = attenuation(light, to_light.length()) * spot(light, -l.dot(travel));
+            let strength = strength();
             let specular = self.specular(normal, l, view, n_dot_l);
             let colors = [
                 light.color,
@@ -206,8 +220,29 @@ impl<'a> ReferenceScene<'a> {
                 let masking = precise(1.0).min(of(n_dot_v)).min(of(n_dot_l));
                 spread * masking / (n_dot_v * 4.0)
             }
+            // Its own law stands for both terms.
+            ReflectionModel::Formula => precise(0.0),
         }
     }
+}
+
+/// Returns the factors of the scene's own law, as typed.
+fn typed(
+    law: &LawOperations,
+    n: Precise3,
+    v: Precise3,
+    (l, distance): (Precise3, Precise),
+) -> [Precise; 3] {
+    let vector = |Precise3([x, y, z]): Precise3| V3::new(x, y, z);
+    law.factors_at(&LawSite {
+        normal: vector(n),
+        view: vector(v),
+        color: None,
+        incidence: Incidence {
+            l: vector(l),
+            distance,
+        },
+    })
 }
 
 /// Computes `max(c, 0)^n` with 0⁰ = 1; at n = ∞ only the axis itself remains.

@@ -1,6 +1,9 @@
 //! The question for the catalogue of cases, and its report.
 
-use super::{CaseResult, HALF_A_CODE_VALUE, Verdict, case_pictures, stability, stability_cases};
+use super::{
+    CaseResult, HALF_A_CODE_VALUE, LawStability, Verdict, case_pictures, law_stability, stability,
+    stability_cases,
+};
 use crate::analysis::codec::Codec;
 use crate::analysis::report::{
     Answer, Column, Figure, Part, Report, ReportContext, Section, Table, as_it_is,
@@ -15,16 +18,20 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Value, json};
 use std::sync::Arc;
 
-/// The question for the stiff and extreme cases.
+/// The question for the stiff and extreme cases, or for the scene's own law.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct StabilityQuestion {
     /// Names of the cases to run; empty for all.
     pub cases: Vec<String>,
+    /// True to examine the scene's own law in place of the cases.
+    pub law: bool,
 }
 
-/// The results of the cases.
+/// The results of the cases, or of the examination of the scene's own law.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Catalogue {
+    /// The stability of the scene's own law, if that was the question.
+    pub law: Option<LawStability>,
     /// One result for each case that has been run, in the catalogue's order.
     #[serde(serialize_with = "each", deserialize_with = "shared")]
     pub results: Vec<Arc<CaseResult>>,
@@ -45,6 +52,14 @@ impl Question for StabilityQuestion {
     const CODEC: Option<Codec<Catalogue>> = Some(Codec::plain());
 
     fn answer(&self, subject: &Subject, watch: &dyn Watch<Catalogue>) -> Result<Catalogue, String> {
+        if self.law {
+            let goes_on = |share: f32| watch.progress(share);
+            let law = law_stability(&mut subject.renderer(), &subject.scene, &goes_on)?;
+            return Ok(Catalogue {
+                law: Some(law),
+                ..Catalogue::default()
+            });
+        }
         let wanted =
             |name: &str| self.cases.is_empty() || self.cases.iter().any(|case| case == name);
         let cases: Vec<_> = stability_cases().filter(|case| wanted(case.name)).collect();
@@ -98,7 +113,7 @@ impl CaseResult {
 }
 
 /// Formats an error in code values: two decimals, since rounding to a stored pixel makes more meaningless.
-fn error(value: f64) -> String {
+pub(super) fn error(value: f64) -> String {
     format!("{value:.2}")
 }
 
@@ -142,7 +157,10 @@ fn rows(results: &[Arc<CaseResult>]) -> Table {
 }
 
 impl Answer for Catalogue {
-    fn report(&self, _: &ReportContext<'_>) -> Report {
+    fn report(&self, about: &ReportContext<'_>) -> Report {
+        if let Some(law) = &self.law {
+            return law.report(about);
+        }
         let mut report = Report::new(text!("engine-stability-title"));
         for results in self.results.chunk_by(|a, b| a.case.topic == b.case.topic) {
             report
@@ -164,10 +182,19 @@ impl Answer for Catalogue {
     }
 
     fn table(&self) -> Option<Table> {
-        Some(rows(&self.results))
+        Some(match &self.law {
+            Some(law) => law.table(),
+            None => rows(&self.results),
+        })
     }
 
-    fn figure(&self, _: &ReportContext<'_>, _: Option<[u32; 2]>, _: Paper) -> Option<Figure> {
+    fn figure(&self, about: &ReportContext<'_>, _: Option<[u32; 2]>, _: Paper) -> Option<Figure> {
+        if let Some(law) = &self.law {
+            return Some(Figure::Picture {
+                frame: law.picture.clone(),
+                scene: Some(Box::new(about.scene.clone())),
+            });
+        }
         let scene = if let [one] = &self.results[..] {
             one.scene.clone().map(Box::new)
         } else {
@@ -180,7 +207,13 @@ impl Answer for Catalogue {
     }
 
     fn value(&self, _: &ReportContext<'_>) -> Value {
-        json!({ "cases": self.results.iter().map(|result| result.value()).collect::<Vec<_>>() })
+        let mut value = json!({
+            "cases": self.results.iter().map(|result| result.value()).collect::<Vec<_>>(),
+        });
+        if let Some(law) = &self.law {
+            value["law"] = law.value();
+        }
+        value
     }
 }
 

@@ -47,7 +47,8 @@ pub fn cannot_draw(method: Method, scene: &Scene, model: Option<&Mesh>) -> Optio
             own.reflectance
                 .is_some_and(|law| law != Reflectance::Constant)
         });
-    let two_cosines = scene.reflection.model != ReflectionModel::CookTorrance && !by_angle;
+    let powers = [ReflectionModel::Phong, ReflectionModel::Blinn];
+    let two_cosines = powers.contains(&scene.reflection.model) && !by_angle;
     let tinted = scene.material.source == MaterialSource::Model
         && model.is_some_and(|mesh| !mesh.corner_colors.is_empty());
     match method {

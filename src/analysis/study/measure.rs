@@ -1,13 +1,17 @@
 //! The settings of a study, and their measurement by the exact picture and the clock.
 
 use super::historic::{Historic, cannot_draw};
-use super::{Method, Omission, Setting, Study, StudyQuestion, StudyRow, median_and_spread};
+use super::{
+    Method, Omission, Setting, Study, StudyQuestion, StudyRow, law_cost, median_and_spread, own_law,
+};
 use crate::analysis::comparison::{LinearPicture, region_errors};
 use crate::analysis::{Subject, Watch};
 use crate::geometry::{Mesh, VertexMesh, tessellate};
 use crate::illumination::Equation;
 use crate::render::{Renderer, Stage};
-use crate::scene::{Interpolation, Object, ObjectKind, Projection, Scene, ShadingMode, View};
+use crate::scene::{
+    Interpolation, Object, ObjectKind, Projection, ReflectionModel, Scene, ShadingMode, View,
+};
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -20,10 +24,14 @@ pub fn study(subject: &Subject, request: &StudyQuestion, watch: &dyn Watch<Study
     let (settings, omitted) = settings(request, &subject.scene, model);
     let repeats = request.repeats.max(1);
     let total = settings.len() as u64 * u64::from(repeats);
-    let mut measure = Measure::new(subject);
+    let reference = request.reference(&subject.scene);
+    let mut measure = Measure::new(subject, reference);
+    let compares = reference != subject.scene.reflection.model;
     let mut study = Study {
         omitted,
         threads: rayon::current_num_threads(),
+        reference: compares.then_some(reference),
+        own_law: own_law(&subject.scene),
         ..Study::default()
     };
     let mut samples: Vec<Vec<u64>> = vec![Vec::new(); settings.len()];
@@ -64,11 +72,16 @@ fn settings(
     } else {
         unique(request.n.iter().copied())
     };
-    for n in exponents {
+    let laws = request.laws(scene);
+    for (n, law) in exponents
+        .iter()
+        .flat_map(|n| laws.iter().map(|law| (*n, *law)))
+    {
         for method in unique(request.methods.iter().copied()) {
             for interpolation in interpolations(method, request, scene) {
                 let mut drawn = scene.clone();
                 drawn.shading.interpolation = interpolation.unwrap_or(scene.shading.interpolation);
+                drawn.reflection.model = law.unwrap_or(scene.reflection.model);
                 if let Some(reason) = method
                     .is_scalar()
                     .then(|| cannot_draw(method, &drawn, model))
@@ -77,6 +90,7 @@ fn settings(
                     let omission = Omission {
                         method,
                         interpolation,
+                        law,
                         reason,
                     };
                     if !omissions.contains(&omission) {
@@ -90,6 +104,7 @@ fn settings(
                     rings,
                     interpolation,
                     n,
+                    law,
                 };
                 settings.extend(divisions.iter().map(setting));
             }
@@ -162,6 +177,8 @@ fn unique<T: PartialEq>(values: impl Iterator<Item = T>) -> Vec<T> {
 
 struct Measure<'a> {
     subject: &'a Subject,
+    /// The law whose exact picture errors are measured against.
+    reference: ReflectionModel,
     renderer: Renderer,
     historic: Historic,
     /// The mesh last requested.
@@ -177,10 +194,11 @@ struct Exact {
 }
 
 impl<'a> Measure<'a> {
-    fn new(subject: &'a Subject) -> Self {
+    fn new(subject: &'a Subject, reference: ReflectionModel) -> Self {
         let (renderer, historic, exact) = (subject.renderer(), Historic::default(), HashMap::new());
         Self {
             subject,
+            reference,
             renderer,
             historic,
             mesh: None,
@@ -194,34 +212,46 @@ impl<'a> Measure<'a> {
         scene
     }
 
+    /// Draws a setting; returns its linear picture.
+    fn draw(&mut self, setting: &Setting) -> &[[f32; 4]] {
+        let scene = self.scene(setting);
+        if setting.method.is_scalar() {
+            let mesh = mesh_of(&mut self.mesh, self.subject.model.as_ref(), &scene);
+            self.historic.draw(setting.method, &scene, mesh);
+            return &self.historic.linear;
+        }
+        self.renderer.keep_linear(true);
+        self.renderer.render(&scene);
+        self.renderer.linear()
+    }
+
     /// Returns the row of a setting with its errors and the spacing of its vertices, not yet timed.
     fn errors(&mut self, setting: &Setting) -> StudyRow {
         let scene = self.scene(setting);
+        let pixels = self.draw(setting).to_vec();
+        let with_reference = setting.law.filter(|law| *law != self.reference).map(|_| {
+            let law = Some(self.reference);
+            self.draw(&Setting { law, ..*setting }).to_vec()
+        });
         // The true surface does not depend on the tessellation, and only n differs.
         let renderer = &mut self.renderer;
         let exact = self.exact.entry(setting.n.to_bits()).or_insert_with(|| {
             let mut whole = self.subject.scene.clone();
             (whole.material.n, whole.shading.mode) = (setting.n, ShadingMode::Exact);
+            whole.reflection.model = self.reference;
             Exact::new(renderer, &whole)
         });
-        let mesh = mesh_of(&mut self.mesh, self.subject.model.as_ref(), &scene);
-        self.renderer.keep_linear(true);
-        let scalar = setting.method.is_scalar();
-        let pixels = if scalar {
-            self.historic.draw(setting.method, &scene, mesh);
-            &self.historic.linear
-        } else {
-            self.renderer.render(&scene);
-            self.renderer.linear()
-        };
-        let [errors, shown] = [false, scene.clamps()].map(|clamps| {
+        let apart = |other: &[[f32; 4]], clamps: bool| {
             let picture = |pixels| LinearPicture {
                 width: scene.image.size[0],
                 pixels,
                 clamps,
             };
-            region_errors(picture(pixels), picture(&exact.pixels), &exact.inside)
-        });
+            region_errors(picture(&pixels), picture(other), &exact.inside)
+        };
+        let [errors, shown] = [false, scene.clamps()].map(|clamps| apart(&exact.pixels, clamps));
+        let law_rms = with_reference.map(|other| apart(&other, false).interior.rms);
+        let mesh = mesh_of(&mut self.mesh, self.subject.model.as_ref(), &scene);
         StudyRow {
             setting: *setting,
             spacing: longest_edge(mesh),
@@ -238,7 +268,9 @@ impl<'a> Measure<'a> {
             samples: 0,
             evaluations: 0,
             pareto: false,
-            scalar,
+            scalar: setting.method.is_scalar(),
+            law_rms,
+            operations: law_cost(&scene).map(|law| setting.method.pixel_cost_of(law)),
         }
     }
 

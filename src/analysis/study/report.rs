@@ -1,13 +1,13 @@
 //! A study as a plot of error over time, as tables with the orders of convergence, and as JSON.
 
-use super::{Fit, Method, Series, Setting, Study, StudyQuestion, StudyRow, study, title};
+use super::{Fit, Method, Series, Setting, Study, StudyQuestion, StudyRow, study};
 use crate::analysis::codec::Codec;
 use crate::analysis::report::{
     Answer, Column, Figure, Part, Report, ReportContext, Table, as_it_is, fixed,
 };
 use crate::analysis::{Question, Subject, Watch};
 use crate::figure::{Axis, Curve, Dash, Ink, Paper, Plot, PlotKind, PlotStyle, Point, lay_out};
-use crate::scene::{Choice, Interpolation, ShadingMode};
+use crate::scene::{Choice, Interpolation, ReflectionModel, ShadingMode};
 use crate::text::text;
 use glam::DVec2;
 use serde_json::{Map, Value, json};
@@ -47,8 +47,15 @@ fn row_object(row: &StudyRow) -> Value {
     let mut object = json!(row.setting);
     if let (Value::Object(all), Value::Object(own)) = (&mut object, json!(row)) {
         all.extend(own.into_iter().filter(|(key, _)| key != "setting"));
+        all.insert("operations".into(), row.operations.map(counts).into());
     }
     object
+}
+
+/// Returns counts of operations as an object.
+fn counts(counts: [u32; 4]) -> Value {
+    let names = ["additions", "multiplications", "divisions", "powers"].map(str::to_owned);
+    Value::Object(names.into_iter().zip(counts.map(Value::from)).collect())
 }
 
 impl Answer for Study {
@@ -64,6 +71,10 @@ impl Answer for Study {
             .extend(study_plot(self).map(|plot| Part::Plot(plot.into())));
         section.push(Part::Table(rows(self).to_choose()));
         section.note(text!("engine-study-note"));
+        if let Some(reference) = self.reference {
+            let reference = self.law_name(reference);
+            section.note(text!("engine-study-law-note", reference = reference));
+        }
         if self.series.iter().any(|series| series.order.is_some()) {
             let section = report.section(text!("engine-order"));
             section.push(Part::Table(orders(self)));
@@ -75,7 +86,7 @@ impl Answer for Study {
         }
         let section = report.section(text!("engine-study-remarks"));
         for omitted in &self.omitted {
-            let method = title(omitted.method, omitted.interpolation);
+            let method = self.method_title(omitted.method, omitted.interpolation, omitted.law);
             section.note(text!(
                 "engine-study-omitted",
                 method = method,
@@ -118,15 +129,13 @@ impl Answer for Study {
                 };
                 Method::VALUES.iter().filter_map(one).collect()
             };
-        let cost = |method: &Method| {
-            let names = ["additions", "multiplications", "divisions", "powers"].map(str::to_owned);
-            let counts = names.into_iter().zip(method.pixel_cost().map(Value::from));
-            (method.word().to_owned(), Value::Object(counts.collect()))
-        };
+        let cost = |method: &Method| (method.word().to_owned(), counts(method.pixel_cost()));
         json!({
             "scene": about.name,
             "size": about.scene.image.size,
             "threads": self.threads,
+            "reference": self.reference,
+            "own_law": self.own_law,
             "rows": self.rows.iter().map(row_object).collect::<Vec<_>>(),
             "orders": orders(|series| series.order, |fit| fit.slope),
             "order_confidence": orders(|series| series.order, |fit| fit.confidence),
@@ -145,69 +154,107 @@ fn codes(error: f64) -> String {
 }
 
 fn rows(study: &Study) -> Table {
+    let titled: Vec<(String, &StudyRow)> = study
+        .rows
+        .iter()
+        .map(|row| (study.title(&row.setting), row))
+        .collect();
+    // Where one law is measured, columns about laws are for files alone.
+    let of_law = |key, head: &'static str, show| match study.reference {
+        Some(_) => Column::both(key, head, show).extra(),
+        None => Column::key(key),
+    };
     Table::from_rows(
-        &study.rows,
+        &titled,
         [
-            (Column::shown("", as_it_is), |row| {
-                row.setting.title().into()
+            (Column::shown("", as_it_is), |(title, _)| {
+                title.as_str().into()
             }),
-            (Column::key("method"), |row| {
+            (Column::key("method"), |(_, row)| {
                 row.setting.method.word().into()
             }),
-            (Column::key("segments"), |row| row.setting.segments.into()),
-            (Column::key("rings"), |row| row.setting.rings.into()),
-            (Column::key("interpolation"), |row| {
+            (Column::key("segments"), |(_, row)| {
+                row.setting.segments.into()
+            }),
+            (Column::key("rings"), |(_, row)| row.setting.rings.into()),
+            (Column::key("interpolation"), |(_, row)| {
                 row.setting
                     .interpolation
                     .map_or("none", Choice::word)
                     .into()
             }),
-            (Column::both("n", "n", as_it_is).extra(), |row| {
+            (Column::both("n", "n", as_it_is).extra(), |(_, row)| {
                 row.setting.n.into()
             }),
-            (Column::key("spacing"), |row| row.spacing.into()),
+            (Column::key("spacing"), |(_, row)| row.spacing.into()),
             (
                 Column::both("error_rms", text!("engine-rms"), codes),
-                |row| row.error_rms.into(),
+                |(_, row)| row.error_rms.into(),
             ),
             (
                 Column::both("error_max", text!("engine-greatest"), codes).extra(),
-                |row| row.error_max.into(),
+                |(_, row)| row.error_max.into(),
             ),
-            (Column::both("error_p99", "99 %", codes).extra(), |row| {
-                row.error_p99.into()
-            }),
-            (Column::key("interior_pixels"), |row| {
+            (
+                Column::both("error_p99", "99 %", codes).extra(),
+                |(_, row)| row.error_p99.into(),
+            ),
+            (Column::key("interior_pixels"), |(_, row)| {
                 row.interior_pixels.into()
             }),
             (
                 Column::both("outline_pixels", text!("engine-outline"), as_it_is).extra(),
-                |row| row.outline_pixels.into(),
+                |(_, row)| row.outline_pixels.into(),
             ),
-            (Column::key("outline_rms"), |row| row.outline_rms.into()),
+            (Column::key("outline_rms"), |(_, row)| {
+                row.outline_rms.into()
+            }),
             (
                 Column::both("time_ms", text!("engine-time-ms"), fixed::<3>),
-                |row| row.time_ms.into(),
+                |(_, row)| row.time_ms.into(),
             ),
             (
                 Column::both("spread_ms", text!("engine-spread"), fixed::<3>).extra(),
-                |row| row.spread_ms.into(),
+                |(_, row)| row.spread_ms.into(),
             ),
-            (Column::key("samples"), |row| row.samples.into()),
+            (Column::key("samples"), |(_, row)| row.samples.into()),
             (
                 Column::both("evaluations", text!("engine-evaluations"), as_it_is).extra(),
-                |row| row.evaluations.into(),
+                |(_, row)| row.evaluations.into(),
             ),
-            (Column::key("pareto"), |row| row.pareto.to_string().into()),
-            (Column::key("scalar"), |row| row.scalar.to_string().into()),
+            (Column::key("pareto"), |(_, row)| {
+                row.pareto.to_string().into()
+            }),
+            (Column::key("scalar"), |(_, row)| {
+                row.scalar.to_string().into()
+            }),
             (
                 Column::both("error_rms_shown", text!("engine-rms-shown"), codes).extra(),
-                |row| row.error_rms_shown.into(),
+                |(_, row)| row.error_rms_shown.into(),
             ),
-            (Column::key("error_max_shown"), |row| {
+            (Column::key("error_max_shown"), |(_, row)| {
                 row.error_max_shown.into()
             }),
-            (Column::shown("", as_it_is), |row| {
+            (Column::key("law"), |(_, row)| {
+                row.setting.law.map(Choice::word).into()
+            }),
+            (
+                of_law("law_rms", text!("engine-law-rms"), codes),
+                |(_, row)| row.law_rms.into(),
+            ),
+            (of_law("additions", "+", as_it_is), |(_, row)| {
+                row.operations.map(|[count, ..]| count).into()
+            }),
+            (of_law("multiplications", "×", as_it_is), |(_, row)| {
+                row.operations.map(|[_, count, ..]| count).into()
+            }),
+            (of_law("divisions", "÷ √", as_it_is), |(_, row)| {
+                row.operations.map(|[.., count, _]| count).into()
+            }),
+            (of_law("powers", "x^n", as_it_is), |(_, row)| {
+                row.operations.map(|[.., count]| count).into()
+            }),
+            (Column::shown("", as_it_is), |(_, row)| {
                 if row.pareto { "*" } else { "" }.into()
             }),
         ],
@@ -218,20 +265,26 @@ fn orders(study: &Study) -> Table {
     fn text(fit: Option<Fit>) -> Option<String> {
         fit.map(|fit| format!("{:.2} ± {:.2}", fit.slope, fit.confidence))
     }
+    let title = |own: &Series| study.method_title(own.method, own.interpolation, own.law);
+    let titled: Vec<(String, &Series)> = study
+        .series
+        .iter()
+        .map(|series| (title(series), series))
+        .collect();
     Table::from_rows(
-        &study.series,
+        &titled,
         [
-            (Column::shown("", as_it_is), |series| {
-                title(series.method, series.interpolation).into()
+            (Column::shown("", as_it_is), |(title, _)| {
+                title.as_str().into()
             }),
-            (Column::shown("n", as_it_is), |series| series.n.into()),
+            (Column::shown("n", as_it_is), |(_, series)| series.n.into()),
             (
                 Column::shown(text!("engine-order-greatest"), as_it_is),
-                |series| text(series.order).into(),
+                |(_, series)| text(series.order).into(),
             ),
             (
                 Column::shown(text!("engine-order-rms"), as_it_is),
-                |series| text(series.order_rms).into(),
+                |(_, series)| text(series.order_rms).into(),
             ),
         ],
     )
@@ -254,7 +307,16 @@ pub fn study_plot(study: &Study) -> Option<Plot> {
         .map(|(_, at)| *at)
         .collect();
     front.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    let front = Curve::new(text!("engine-front"), front, Ink::Reference);
+    let own = known
+        .iter()
+        .any(|(row, _)| row.pareto && row.setting.law == Some(ReflectionModel::Formula));
+    let name = if own {
+        let law = study.law_name(ReflectionModel::Formula);
+        text!("engine-front-law", law = law)
+    } else {
+        text!("engine-front").to_owned()
+    };
+    let front = Curve::new(&name, front, Ink::Reference);
     let mut curves = vec![Curve {
         dash: Dash::Long,
         emphasised: false,
@@ -266,6 +328,7 @@ pub fn study_plot(study: &Study) -> Option<Plot> {
             method,
             interpolation,
             n,
+            law,
             ..
         } = series[0].0.setting;
         let n = if several_n {
@@ -273,9 +336,10 @@ pub fn study_plot(study: &Study) -> Option<Plot> {
         } else {
             String::new()
         };
-        let name = title(method, interpolation) + &n;
+        let name = study.method_title(method, interpolation, law) + &n;
         let (ink, dash) = look(method);
-        let emphasised = interpolation != Some(Interpolation::Affine);
+        let affine = interpolation == Some(Interpolation::Affine);
+        let emphasised = !affine && (law.is_none() || law != study.reference);
         let line = series.iter().map(|(_, at)| *at).collect();
         curves.push(Curve {
             dash,
@@ -295,7 +359,7 @@ pub fn study_plot(study: &Study) -> Option<Plot> {
                 ink,
                 hollow: row.scalar,
                 strong,
-                about: about_row(row),
+                about: about_row(study, row),
             }
         }));
     }
@@ -318,27 +382,45 @@ pub fn study_plot(study: &Study) -> Option<Plot> {
     })
 }
 
-fn about_row(row: &StudyRow) -> Vec<String> {
+fn about_row(study: &Study, row: &StudyRow) -> Vec<String> {
     let setting = &row.setting;
-    vec![
-        format!("{}, n = {}", setting.title(), setting.n),
+    let mut lines = vec![
+        format!("{}, n = {}", study.title(setting), setting.n),
         text!(
             "engine-study-point-error",
             rms = codes(row.error_rms),
             greatest = codes(row.error_max)
         ),
-        text!(
-            "engine-study-point-time",
-            time = format!("{:.3}", row.time_ms),
-            spread = format!("{:.3}", row.spread_ms)
-        ),
-        text!(if row.scalar {
-            "engine-study-point-historic"
-        } else {
-            "engine-study-point-show"
-        })
-        .to_owned(),
-    ]
+    ];
+    if let (Some(rms), Some(reference)) = (row.law_rms, study.reference) {
+        let reference = study.law_name(reference);
+        lines.push(text!(
+            "engine-study-point-law",
+            reference = reference,
+            rms = codes(rms)
+        ));
+    }
+    lines.push(text!(
+        "engine-study-point-time",
+        time = format!("{:.3}", row.time_ms),
+        spread = format!("{:.3}", row.spread_ms)
+    ));
+    if let Some([additions, multiplications, divisions, powers]) = row.operations {
+        lines.push(text!(
+            "engine-study-point-operations",
+            additions = additions,
+            multiplications = multiplications,
+            divisions = divisions,
+            powers = powers
+        ));
+    }
+    let show = if row.scalar {
+        text!("engine-study-point-historic")
+    } else {
+        text!("engine-study-point-show")
+    };
+    lines.push(show.to_owned());
+    lines
 }
 
 /// Returns the position of a row in the plot: the logarithms to base 10 of its time in milliseconds and of its error.

@@ -247,12 +247,14 @@ fn matches(scene: &Scene) -> Vec<(ReflectionModel, f64)> {
         ReflectionModel::Blinn => n,
         // The inverse of m = √(2/(n + 2)).
         ReflectionModel::CookTorrance => 2.0 / (m * m) - 2.0,
+        ReflectionModel::Formula => return vec![],
     };
     let exists = |(other, number): &(ReflectionModel, f64)| match other {
         _ if *other == model => false,
         ReflectionModel::Phong => *number > 0.0,
         ReflectionModel::Blinn => *number >= 0.0,
         ReflectionModel::CookTorrance => Material::ROUGHNESS.contains(number),
+        ReflectionModel::Formula => false,
     };
     let all = [
         (ReflectionModel::Phong, phong_from_blinn(blinn)),

@@ -1,8 +1,10 @@
 //! Controls found by name, for figures on other pages and for steps of lessons.
 
+use super::law::law_ui;
 use super::row::{View, parameter_with};
 use crate::app::session::Session;
-use crate::scene::parameter::Parameter;
+use crate::scene::material::FORMULA;
+use crate::scene::parameter::{Kind, Parameter};
 use crate::scene::{LightKind, light};
 use crate::text::text;
 use eframe::egui::{RichText, Ui};
@@ -58,6 +60,16 @@ pub fn rows_ui(ui: &mut Ui, session: &mut Session, controls: &[Named], wide: boo
 }
 
 fn row_ui(ui: &mut Ui, session: &mut Session, control: Named, wide: bool) {
+    if let Named::Row(
+        Parameter {
+            kind: Kind::Lines(..),
+            ..
+        },
+        _,
+    ) = control
+    {
+        return formula_ui(ui, session);
+    }
     let Session {
         initial,
         shown,
@@ -87,6 +99,19 @@ fn row_ui(ui: &mut Ui, session: &mut Session, control: Named, wide: bool) {
     ui.add_enabled_ui(free, |ui| {
         parameter_with(ui, initial, &mut shown.scene, parameter, &view);
     });
+    waits_ui(ui, free);
+}
+
+/// Shows the editor of the scene's own law.
+fn formula_ui(ui: &mut Ui, session: &mut Session) {
+    let free = session.lock.as_ref();
+    let free = free.is_none_or(|lock| lock.frees(&FORMULA, 0));
+    ui.add_enabled_ui(free, |ui| law_ui(ui, session));
+    waits_ui(ui, free);
+}
+
+/// Says that a row waits for the answer to the open question, if it is not `free`.
+fn waits_ui(ui: &mut Ui, free: bool) {
     if !free {
         ui.label(RichText::new(text!("course-after-answer")).weak().small());
     }

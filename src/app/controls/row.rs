@@ -170,7 +170,8 @@ pub fn parameter_with(
         }
         Kind::Switch(at) => row.edit(at, |ui, value, _| toggle(ui, name, value)),
         Kind::Text(at, longest) => row.edit(at, |ui, value, _| text(ui, &about, longest, value)),
-        Kind::Other(..) => {}
+        // A formula has an editor, see `law_ui`.
+        Kind::Lines(..) | Kind::Other(..) => {}
     }
 }
 

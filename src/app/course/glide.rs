@@ -25,7 +25,11 @@ impl Glide {
         let moves = |(parameter, _): (&Parameter, usize)| {
             !matches!(
                 parameter.kind,
-                Kind::Choice(_) | Kind::Switch(_) | Kind::Text(..) | Kind::Other(..)
+                Kind::Choice(_)
+                    | Kind::Switch(_)
+                    | Kind::Text(..)
+                    | Kind::Lines(..)
+                    | Kind::Other(..)
             )
         };
         (same && from.differences(to).any(moves)).then(|| Self {

@@ -1,26 +1,13 @@
 //! The text of lessons: CommonMark, with formulas set as in the equation.
 
-use super::formula::pieces;
 use crate::app::system;
 use crate::app::widgets::focus::one_stop;
-use crate::app::widgets::theme::TEXT;
-use crate::app::widgets::typeset::{Place, Run, spoken};
+use crate::app::widgets::formula::formula_ui;
 use crate::lesson::{blocks, for_fingers, without_closed_links};
-use crate::text::text;
 use eframe::egui::accesskit::{self, Role};
-use eframe::egui::{Response, Sense, TextStyle, Ui, UiBuilder, WidgetInfo, vec2};
+use eframe::egui::{Response, TextStyle, Ui, UiBuilder};
 use egui_commonmark::{CommonMarkCache, CommonMarkViewer};
 use std::cell::Cell;
-
-/// The size of formulas: a little larger than the text, for the sake of their small letters.
-const FORMULA: f32 = TEXT + 1.0;
-/// The maximum number of characters of a formula that stays on one line.
-const WHOLE: usize = 18;
-/// The upward shift that brings a formula's baseline to that of the text, in points.
-const RAISED: f32 = 1.0;
-
-/// The overhang of slanted letters at the end of a formula, in points.
-const SLANT: f32 = 1.5;
 
 /// A mark at the end of a formula that a space follows; a space itself would not close a formula.
 const SPACED: char = '\u{200b}';
@@ -57,7 +44,7 @@ pub fn caption_ui(ui: &mut Ui, cache: &mut CommonMarkCache, words: &str) {
 
 fn shown_ui(ui: &mut Ui, cache: &mut CommonMarkCache, words: &str, live: bool) {
     let count = Cell::new(0);
-    let math = move |ui: &mut Ui, formula: &str, _: bool| formula_ui(ui, formula, &count, live);
+    let math = move |ui: &mut Ui, formula: &str, _: bool| spaced_ui(ui, formula, &count, live);
     // The lines of a list are spaced like those of a paragraph, not like rows of controls.
     let line = ui.text_style_height(&TextStyle::Body);
     let row = std::mem::replace(&mut ui.spacing_mut().interact_size.y, line);
@@ -116,8 +103,8 @@ fn next_mark(words: &str) -> Option<(&'static str, usize)> {
     found.min_by_key(|(mark, at)| (*at, usize::MAX - mark.len()))
 }
 
-fn formula_ui(ui: &mut Ui, formula: &str, count: &Cell<usize>, live: bool) {
-    let spacing = std::mem::replace(&mut ui.spacing_mut().item_spacing.x, 0.0);
+/// Shows a formula with the space that follows it.
+fn spaced_ui(ui: &mut Ui, formula: &str, count: &Cell<usize>, live: bool) {
     let (formula, space) = match formula.strip_suffix(SPACED) {
         Some(formula) => (
             formula,
@@ -125,36 +112,7 @@ fn formula_ui(ui: &mut Ui, formula: &str, count: &Cell<usize>, live: bool) {
         ),
         None => (formula, 0.0),
     };
-    let mut runs = pieces(ui.visuals(), formula);
-    if formula.chars().count() <= WHOLE {
-        runs = vec![runs.concat()];
-    }
-    let mut runs = runs.into_iter().peekable();
-    while let Some(mut run) = runs.next() {
-        if !live {
-            run.iter_mut().for_each(|piece| piece.symbol = None);
-        }
-        count.set(count.get() + 1);
-        let place = Place {
-            id: ui.scope_id().with(("formula", count.get())),
-            name: text!("course-in-text"),
-        };
-        let laid = Run::new(ui, &run, FORMULA);
-        // As high as a line of text, so that lines stay evenly spaced.
-        let slanted = run.last().is_some_and(|last| last.low.is_empty());
-        let last = runs.peek().is_none();
-        let beyond = if last && slanted { SLANT } else { 0.0 };
-        let beyond = if last { beyond + space } else { beyond };
-        let size = vec2(
-            laid.width() + beyond,
-            ui.text_style_height(&TextStyle::Body),
-        );
-        let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
-        laid.paint(ui, rect.left_center() - vec2(0.0, RAISED), place);
-        let words = spoken(&run);
-        response.widget_info(|| WidgetInfo::labeled(Role::Label, true, words.trim()));
-    }
-    ui.spacing_mut().item_spacing.x = spacing;
+    formula_ui(ui, formula, space, count, live);
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ use crate::app::engine::Engine;
 use crate::app::session::Session;
 use crate::app::session::window::WindowState;
 use crate::render::Frame;
-use crate::scene::{Choice as _, Light, LightKind, Scene, View};
+use crate::scene::{Choice as _, Light, LightKind, ReflectionModel, Scene, View};
 use crate::text::{Language, language, text};
 use glam::DVec3;
 
@@ -91,7 +91,9 @@ fn describe(scene: &Scene, frame: &Frame) -> String {
 
 fn surface(scene: &Scene) -> &'static str {
     let material = &scene.material;
-    if material.ks.max_element() < MATT {
+    if scene.reflection.model == ReflectionModel::Formula {
+        text!("picture-by-formula")
+    } else if material.ks.max_element() < MATT {
         text!("picture-matt")
     } else if material.n < SHINY {
         text!("picture-glossy")
@@ -242,6 +244,9 @@ mod tests {
         ] {
             assert!(words.contains(part), "{words}: {part}");
         }
+        scene.reflection.model = ReflectionModel::Formula;
+        let words = describe(&scene, renderer.render(&scene));
+        assert!(words.contains("formula-lit red sphere"), "{words}");
         scene.lights[0].direction = DVec3::new(0.0, 0.0, -1.0);
         let words = describe(&scene, renderer.render(&scene));
         assert!(words.contains("brightest at the middle"), "{words}");

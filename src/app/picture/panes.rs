@@ -364,7 +364,8 @@ fn name_ui(
 /// Lays out the parts of a caption on one line, or, if that is too wide, on a line each, in smaller type if
 /// necessary.
 fn fitting(painter: &Painter, parts: &[String], font: &FontId, room: f32) -> Arc<Galley> {
-    let lay = |text: String, font: FontId| painter.layout_no_wrap(text, font, Color32::WHITE);
+    // As in a pane's name, the n of a power is raised.
+    let lay = |text: String, font: FontId| painter.layout_job(set(&text, font, Color32::WHITE));
     let line = lay(parts.join("   "), font.clone());
     if line.size().x <= room {
         return line;
@@ -374,7 +375,9 @@ fn fitting(painter: &Painter, parts: &[String], font: &FontId, room: f32) -> Arc
         return lines;
     }
     let font = smaller(font, room / lines.size().x);
-    painter.layout(parts.join("\n"), font, Color32::WHITE, room.max(1.0))
+    let mut job = set(&parts.join("\n"), font, Color32::WHITE);
+    job.wrap.max_width = room.max(1.0);
+    painter.layout_job(job)
 }
 
 /// Returns the caption of a pane. If it is too wide even in small type, leaves out the reference's value,

@@ -19,7 +19,7 @@ use crate::jobs::{Request, Served, serve, served};
 use crate::link;
 use crate::render::check_mesh_memory;
 use crate::scene::presets;
-use crate::text::text;
+use crate::text::{Language, language, set_language, text};
 use eframe::egui::Context;
 use std::panic;
 use std::path::Path;
@@ -48,6 +48,11 @@ pub fn run() {
 }
 
 async fn start(canvas: HtmlCanvasElement) {
+    // Before the first sentence; the window then follows the choice of an earlier run.
+    set_language(Language::of_system());
+    if language() == Language::TraditionalChinese {
+        let _ = system::fetch_chinese_text().await;
+    }
     let open = |cc: &eframe::CreationContext<'_>| -> Box<dyn eframe::App> {
         let (page, link) = address();
         let open = |link: &str| -> Result<Loaded, String> {

@@ -1,11 +1,14 @@
 //! The view of stiff and extreme cases: the results of a naive renderer, of the engine and of a reference for each, and their
-//! differences.
+//! differences; above them the stability of the scene's own law.
+
+mod law;
 
 use super::report::{Offer, Pending, Picked, WIDE, export_ui, words_ui};
 use crate::analysis::report::Section;
 use crate::analysis::stability::{
     CaseResult, HALF_A_CODE_VALUE, StabilityQuestion, case_pictures, stability_cases,
 };
+use crate::app::engine::Engine;
 use crate::app::session::Session;
 use crate::app::session::action::Requests;
 use crate::app::session::window::WindowState;
@@ -17,6 +20,7 @@ use eframe::egui::{
     Align, Button, ColorImage, Context, Image, Label, Layout, RichText, ScrollArea, TextureHandle,
     TextureOptions, Ui, Vec2, vec2,
 };
+use law::{LawView, law_ui};
 use std::fmt;
 use std::sync::Arc;
 
@@ -24,6 +28,7 @@ use std::sync::Arc;
 #[derive(Default)]
 pub struct StabilityView {
     asking: Pending<StabilityQuestion>,
+    law: LawView,
     /// Index of the case that is shown.
     chosen: usize,
     /// True if the case was chosen in the previous frame, so that it has to be scrolled into view.
@@ -74,7 +79,9 @@ pub fn stability_ui(
     session: &mut Session,
     window: &mut WindowState,
     requests: &mut Requests,
+    engine: &Engine,
 ) {
+    law_ui(ui, &mut view.law, session, window, requests, engine);
     let work = &view.asking.work;
     if work.known().is_none() && work.progress().is_none() {
         view.start(ui.ctx());

@@ -7,7 +7,7 @@ use crate::app::session::Session;
 use crate::app::session::action::Requests;
 use crate::app::session::window::WindowState;
 use crate::app::widgets::theme::text_field;
-use crate::scene::{Choice, Interpolation, Scene};
+use crate::scene::{Choice, Interpolation, ReflectionModel, Scene};
 use crate::text::text;
 use eframe::egui::{CollapsingHeader, Response, RichText, Ui};
 
@@ -72,6 +72,7 @@ impl Choices {
     fn request(&self, scene: &Scene) -> Result<StudyQuestion, String> {
         let mut question = StudyQuestion {
             n: exponents(&self.n, scene)?,
+            reference: self.question.reference.filter(|_| has_own_law(scene)),
             ..self.question.clone()
         };
         if question.methods.is_empty() || question.segments.is_empty() {
@@ -98,6 +99,10 @@ fn switch_ui<T: PartialEq>(
             chosen.push(value);
         }
     }
+}
+
+fn has_own_law(scene: &Scene) -> bool {
+    scene.reflection.model == ReflectionModel::Formula
 }
 
 /// Parses the typed exponents.
@@ -137,7 +142,12 @@ pub fn study_ui(
     CollapsingHeader::new(text!("engine-study-choices"))
         .default_open(true)
         .show(ui, |ui| {
-            ui.add_enabled_ui(!running, |ui| choices_ui(ui, &mut view.choices));
+            ui.add_enabled_ui(!running, |ui| {
+                choices_ui(ui, &mut view.choices);
+                if has_own_law(&session.shown.scene) {
+                    reference_ui(ui, &mut view.choices.question, &session.shown.scene);
+                }
+            });
         });
     ui.add_space(4.0);
     start_ui(ui, view, session, engine);
@@ -152,14 +162,15 @@ pub fn study_ui(
     });
     ui.add_space(6.0);
     let picked = view.asking.view.picked_ui(ui, None);
-    if let Some(setting) = picked.and_then(|picked| view.setting(picked)) {
-        view.message = Some(load(session, &setting));
+    let setting = picked.and_then(|picked| view.setting(picked));
+    if let (Some(setting), Some(study)) = (setting, view.study()) {
+        view.message = Some(load(session, study, &setting));
     }
 }
 
 /// Shows a setting in the picture. Returns a sentence that says so, or why it cannot be shown.
-fn load(session: &mut Session, setting: &Setting) -> String {
-    let words = setting.title();
+fn load(session: &mut Session, study: &Study, setting: &Setting) -> String {
+    let words = study.title(setting);
     if setting.load(&mut session.shown.scene) {
         text!("engine-study-shown", setting = words)
     } else {
@@ -211,6 +222,20 @@ fn choices_ui(ui: &mut Ui, Choices { question, n }: &mut Choices) {
     });
 }
 
+/// Shows the choice of the law beside the scene's own.
+fn reference_ui(ui: &mut Ui, question: &mut StudyQuestion, scene: &Scene) {
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing = [4.0, 4.0].into();
+        ui.label(text!("engine-study-reference"));
+        let mut chosen = question.reference(scene);
+        for law in ReflectionModel::VALUES {
+            ui.selectable_value(&mut chosen, *law, law.label())
+                .on_hover_text(text!("engine-study-reference.tip"));
+        }
+        question.reference = Some(chosen);
+    });
+}
+
 /// Shows the progress of the study, and the button that starts it.
 fn start_ui(ui: &mut Ui, view: &mut StudyView, session: &Session, engine: &Engine) {
     let request = view.choices.request(&session.shown.scene);
@@ -222,7 +247,7 @@ fn start_ui(ui: &mut Ui, view: &mut StudyView, session: &Session, engine: &Engin
     let about = request.as_ref().map_or_else(
         |_| String::new(),
         |question| {
-            let frames = frames(question);
+            let frames = frames(question, &session.shown.scene);
             let time = duration(engine.nanoseconds() as f64 * 1e-9 * frames as f64);
             text!("engine-study-about", frames = frames, time = time)
         },
@@ -243,7 +268,7 @@ fn start_ui(ui: &mut Ui, view: &mut StudyView, session: &Session, engine: &Engin
 }
 
 /// Returns about how many frames a study draws. The first of each setting is not timed.
-fn frames(question: &StudyQuestion) -> usize {
+fn frames(question: &StudyQuestion, scene: &Scene) -> usize {
     let carried = |method: &Method| !matches!(method, Method::Flat | Method::FlatVertexMean);
     let drawn = |method: &Method| {
         if carried(method) {
@@ -253,7 +278,13 @@ fn frames(question: &StudyQuestion) -> usize {
         }
     };
     let settings: usize = question.methods.iter().map(drawn).sum();
-    settings * question.segments.len() * question.n.len().max(1) * (question.repeats as usize + 1)
+    let laws = if question.reference(scene) == scene.reflection.model {
+        1
+    } else {
+        2
+    };
+    let exponents = question.n.len().max(1);
+    laws * settings * question.segments.len() * exponents * (question.repeats as usize + 1)
 }
 
 /// Formats an approximate time in words.

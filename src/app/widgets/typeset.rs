@@ -29,7 +29,7 @@ type Letter = (
 );
 /// The exponent alone, in its place above the line.
 const RAISED_EXPONENT: Letter = ("n", "", "", Symbol::Exponent, "");
-const LETTERS: [Letter; 27] = [
+const LETTERS: [Letter; 28] = [
     ("I", "I", "", Symbol::Intensity, ""),
     (
         "Irefl",
@@ -45,6 +45,7 @@ const LETTERS: [Letter; 27] = [
     ("f", "f ", "", Symbol::Attenuation, ""),
     ("spot", "s ", "", Symbol::Light, "point-letter-s"),
     ("lit", "lit ", "", Symbol::Shadows, "point-letter-lit"),
+    ("law", " law", "", Symbol::Reflected, "point-letter-law"),
     ("Ip", "I", "p", Symbol::Ip, ""),
     ("Kd", "K", "d", Symbol::Kd, ""),
     ("Ks", "K", "s", Symbol::Ks, ""),

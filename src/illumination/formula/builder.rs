@@ -236,6 +236,10 @@ impl Builder {
         if b.is(0.0) {
             return a;
         }
+        // Of a product, multiplying and subtracting at once would leave the product's rounding error.
+        if a == b {
+            return self.without_effect(Value::ZERO);
+        }
         if a.is(0.0) {
             return self.negate(b);
         }

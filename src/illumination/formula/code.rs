@@ -166,7 +166,7 @@ impl Code {
 
     /// Returns 1 where the operation is undefined for its operands, otherwise 0.
     #[inline(always)]
-    pub(super) fn undefined<R: Real>(self, a: R, b: R) -> R {
+    pub fn undefined<R: Real>(self, a: R, b: R) -> R {
         let (zero, one) = (a.number(0.0), a.number(1.0));
         let is_zero = |x: R| R::select(x.abs().greater_than(zero), zero, one);
         let is_negative = |x: R| R::select(zero.greater_than(x), one, zero);

@@ -65,7 +65,7 @@ impl FormulaFunction {
             .last()
             .and_then(Lowered::number)
             .unwrap_or(Value::ZERO);
-        let mut program = schedule(&builder, &[vec![value]], &|_| 0);
+        let mut program = schedule(&builder, &[vec![value]], &|_| Some(0));
         for (index, _) in &mut program.inputs {
             let own = |value: &Option<Value>| *value == Some(Value::Varying(*index));
             *index = inputs.values.iter().position(own).unwrap_or(0) as u32;
@@ -104,7 +104,7 @@ impl FormulaFunction {
                     registers.set(*register, block, value.unwrap_or(0.0));
                 }
             }
-            registers.run(&self.program.sections[0], points.len(), true);
+            registers.run_noting(&self.program.sections[0], points.len());
             let slot = self.program.results[0][0];
             all.extend((0..points.len()).map(|block| {
                 let value = registers.get(slot, block);

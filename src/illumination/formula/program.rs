@@ -39,26 +39,27 @@ pub struct Program {
     pub sources: Vec<Vec<u32>>,
 }
 
-/// Makes code of the operations that `results` need, in sections; `section` gives the section of an operation.
+/// Makes code of the operations that `results` need, in sections; `section` gives the section of an operation, none where its
+/// result is an input.
 pub fn schedule(
     builder: &Builder,
     results: &[Vec<Value>],
-    section: &dyn Fn(&Operation) -> usize,
+    section: &dyn Fn(&Operation) -> Option<usize>,
 ) -> Program {
-    let needed = needed(builder, results);
+    let section = |operation: &Operation| operation.code.and_then(|_| section(operation));
+    let needed = needed(builder, results, &section);
     let mut program = Program::default();
     let sources: Vec<Vec<u32>> = (0..results.len())
         .map(|own| {
             let all = (0..builder.operations.len()).filter(|index| {
-                let operation = &builder.operations[*index];
-                needed[*index] && operation.code.is_some() && section(operation) == own
+                needed[*index] && section(&builder.operations[*index]) == Some(own)
             });
             all.map(|index| index as u32).collect()
         })
         .collect();
     let mut allocation = Allocation::new(builder, &sources, results);
     for (index, operation) in builder.operations.iter().enumerate() {
-        if needed[index] && operation.code.is_none() {
+        if needed[index] && section(operation).is_none() {
             let register = allocation.allocate(index as u32);
             program.inputs.push((index as u32, register));
         }
@@ -99,7 +100,11 @@ pub fn schedule(
 }
 
 /// Returns which operations and inputs the results depend on.
-fn needed(builder: &Builder, results: &[Vec<Value>]) -> Vec<bool> {
+pub(super) fn needed(
+    builder: &Builder,
+    results: &[Vec<Value>],
+    section: &dyn Fn(&Operation) -> Option<usize>,
+) -> Vec<bool> {
     let mut needed = vec![false; builder.operations.len()];
     let mark = |needed: &mut Vec<bool>, value: &Value| {
         if let Value::Varying(index) = value {
@@ -112,7 +117,7 @@ fn needed(builder: &Builder, results: &[Vec<Value>]) -> Vec<bool> {
     for index in (0..builder.operations.len()).rev() {
         let operation = &builder.operations[index];
         let used = operation.code.map_or(0, Code::operands);
-        if needed[index] {
+        if needed[index] && section(operation).is_some() {
             for value in &operation.operands[..used] {
                 mark(&mut needed, value);
             }
@@ -237,26 +242,26 @@ impl<R: Real> Registers<R> {
         }
     }
 
-    /// Returns where a slot begins, and the distance of its numbers.
+    /// Returns where a slot begins, and the distance of its numbers, of which a register has `blocks`.
     #[inline(always)]
-    fn place(&self, slot: Slot) -> (usize, usize) {
+    fn place(&self, slot: Slot, blocks: usize) -> (usize, usize) {
         match slot {
             Slot::Constant(index) => (usize::from(index), 0),
-            Slot::Register(index) => (self.constants + usize::from(index) * self.blocks, 1),
+            Slot::Register(index) => (self.constants + usize::from(index) * blocks, 1),
         }
     }
 
     /// Returns a slot's number for one group of points.
     #[inline(always)]
     pub fn get(&self, slot: Slot, block: usize) -> R {
-        let (place, step) = self.place(slot);
+        let (place, step) = self.place(slot, self.blocks);
         self.numbers[place + block * step]
     }
 
     /// Sets a register's number for one group of points.
     #[inline(always)]
     pub fn set(&mut self, register: u16, block: usize, value: R) {
-        let (place, _) = self.place(Slot::Register(register));
+        let (place, _) = self.place(Slot::Register(register), self.blocks);
         self.numbers[place + block] = value;
     }
 
@@ -275,21 +280,48 @@ impl<R: Real> Registers<R> {
         }
     }
 
-    /// Runs a section's steps for the first `blocks` groups of points.
-    #[inline(always)]
-    pub fn run(&mut self, steps: &[Step], blocks: usize, counts: bool) {
+    /// Runs a section's steps where a register has one number.
+    // In one copy for all callers: it has the code of all operations.
+    #[inline(never)]
+    pub fn run(&mut self, steps: &[Step]) {
+        let Some(like) = self.numbers.first().copied() else {
+            return;
+        };
+        like.vectorize(
+            #[inline(always)]
+            || {
+                for step in steps {
+                    self.run_step(step, [1, 1]);
+                }
+            },
+        );
+    }
+
+    /// Runs a section's steps for the first `count` groups of points, and notes where operations are undefined.
+    pub fn run_noting(&mut self, steps: &[Step], count: usize) {
+        let blocks = [self.blocks, count];
+        let undefined = self.numbers.len() - self.blocks;
         for step in steps {
-            let [a, b, c] = step.operands.map(|slot| self.place(slot));
-            let result = self.place(Slot::Register(step.result)).0;
-            let places = ([a, b, c], result);
-            let undefined = self.numbers.len() - self.blocks;
-            if counts && step.counts {
-                for_code!(step.code, CODE => each(&mut self.numbers, ([a, b, (undefined, 1)], undefined), blocks,
-                    #[inline(always)] |a, b, before: R| CODE.undefined(a, b).max(before)));
+            if step.counts {
+                let [a, b, _] = step.operands.map(|slot| self.place(slot, self.blocks));
+                each(
+                    &mut self.numbers,
+                    ([a, b, (undefined, 1)], undefined),
+                    count,
+                    |a, b, before: R| step.code.undefined(a, b).max(before),
+                );
             }
-            for_code!(step.code, CODE => each(&mut self.numbers, places, blocks,
-                #[inline(always)] |a, b, c| CODE.apply(a, b, c)));
+            self.run_step(step, blocks);
         }
+    }
+
+    /// Runs a step for the first of the `blocks` numbers that a register has.
+    #[inline(always)]
+    fn run_step(&mut self, step: &Step, [blocks, count]: [usize; 2]) {
+        let operands = step.operands.map(|slot| self.place(slot, blocks));
+        let (result, _) = self.place(Slot::Register(step.result), blocks);
+        for_code!(step.code, CODE => each(&mut self.numbers, (operands, result), count,
+            #[inline(always)] |a, b, c| CODE.apply(a, b, c)));
     }
 }
 

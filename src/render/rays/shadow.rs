@@ -8,7 +8,7 @@ use super::proof::{AreaLight, Balls, Points, Target};
 use super::solid::{PrimaryHit, PrimaryHits, Solid};
 use crate::illumination::Equation;
 use crate::render::raster::{Coverage, ROWS};
-use crate::scene::{Backfacing, LightKind, Scene};
+use crate::scene::{LightKind, Scene};
 use fearless_simd::{Simd, dispatch};
 use glam::DVec3;
 use rayon::prelude::*;
@@ -120,7 +120,7 @@ impl<'a> ShadowCaster<'a> {
                 outer: radius as f32,
                 inner: solid.inner_radius() as f32,
             },
-            flip: scene.reflection.backfacing == Backfacing::Flip,
+            flip: scene.reflection.lights_backs(),
             ground,
             middle,
             solid,

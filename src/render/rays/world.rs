@@ -7,7 +7,8 @@ use super::solid::{PrimaryHits, Solid};
 use crate::illumination::{BRIGHTEST, Equation, Fields, LANES, Lanes, Reached, V3};
 use crate::render::lens::{FARTHEST, Lens};
 use crate::scene::{
-    Backfacing, FaceMaterial, Ground, Material, Pattern, PatternKind, Reflectance, Rgb, Scene,
+    Backfacing, FaceMaterial, Ground, Material, Pattern, PatternKind, Reflectance, Reflection,
+    ReflectionModel, Rgb, Scene,
 };
 use fearless_simd::{dispatch, f64x8, prelude::*};
 use glam::{DVec2, DVec3, Vec3};
@@ -195,9 +196,14 @@ pub fn matt_scene(scene: &Scene, [ka, kd, color]: [Rgb; 3], pattern: Pattern) ->
         reflectance: Reflectance::Constant,
         ..scene.material.clone()
     };
+    let reflection = Reflection {
+        model: ReflectionModel::Phong,
+        ..scene.reflection.clone()
+    };
     Scene {
         material,
         pattern,
+        reflection,
         ..scene.clone()
     }
 }

@@ -4,12 +4,12 @@
 
 use super::frame::{FrameReport, Stage};
 use super::plan::{Cued, NO_LIGHT, Per, Plan, casts_shadows, not_cued, silences, stiff};
-use crate::illumination::{Equation, SpecularForm};
+use crate::illumination::{Equation, LawPart, SpecularForm, Unneeded};
 use crate::render::face_materials::{any_transmits, for_each_material};
 use crate::render::model::Model;
 use crate::scene::{
     AmbientSource, Backfacing, Encoding, FaceMaterial, LightKind, Material, ObjectKind, Overflow,
-    PatternKind, Reflectance, Rgb, Scene, Viewer,
+    PatternKind, Reflectance, Reflection, ReflectionModel, Rgb, Scene, Viewer,
 };
 use crate::text::{Message, text};
 use serde::{Serialize, Serializer};
@@ -42,25 +42,33 @@ impl Term {
 }
 
 /// The name of a term: a step of a stage, or a part of the equation, of one light if it has a number.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TermName {
-    /// A letter of the equation, or a message of the catalogue.
-    word: &'static str,
+    word: Word,
     light: Option<usize>,
+}
+
+/// What a term is called.
+#[derive(Clone, Debug, PartialEq, Eq)]
+enum Word {
+    /// A letter of the equation, or a message of the catalogue.
+    Known(&'static str),
+    /// A part of the scene's own law.
+    OfLaw(String),
 }
 
 impl TermName {
     /// Returns the light that it belongs to, counted from 0.
-    pub fn light(self) -> Option<usize> {
+    pub fn light(&self) -> Option<usize> {
         self.light
     }
 
     /// Returns its name among the parts of its light.
-    pub fn part(self) -> &'static str {
-        if self.word.starts_with("render-") {
-            text!(self.word)
-        } else {
-            self.word
+    pub fn part(&self) -> &str {
+        match &self.word {
+            Word::Known(message) if message.starts_with("render-") => text!(message),
+            Word::Known(letter) => letter,
+            Word::OfLaw(text) => text,
         }
     }
 }
@@ -111,6 +119,9 @@ fn no_specular(material: &Material) -> Message {
     }
 }
 
+/// The reason why the terms of the models that are built in are left out.
+const OWN_LAW: Message = Message("render-why-own-law");
+
 const SURFACE: Message = Message("render-why-true-surface");
 
 impl Account<'_> {
@@ -144,7 +155,10 @@ impl Account<'_> {
         };
         Term {
             stage,
-            name: TermName { word, light: None },
+            name: TermName {
+                word: Word::Known(word),
+                light: None,
+            },
             per,
             evaluations,
             omitted,
@@ -278,8 +292,17 @@ impl Account<'_> {
         let infinite = scene.camera.viewer == Viewer::Infinite;
         let constant =
             (scene.pattern.kind == PatternKind::None).then_some(Message("render-why-no-pattern"));
-        let clamped = (scene.reflection.backfacing == Backfacing::Clamp)
-            .then_some(Message("render-why-back-clamped"));
+        let clamped = match scene.reflection {
+            Reflection {
+                model: ReflectionModel::Formula,
+                ..
+            } => Some(OWN_LAW),
+            Reflection {
+                backfacing: Backfacing::Clamp,
+                ..
+            } => Some(Message("render-why-back-clamped")),
+            _ => None,
+        };
         let unit =
             (self.plan.per != Per::Pixel).then_some(Message("render-why-unit-by-construction"));
         let short = (!self.plan.renormalise).then_some(Message("render-why-switched-off"));
@@ -342,6 +365,53 @@ impl Account<'_> {
         for light in 0..scene.lights.len() {
             terms.extend(self.light(light, &equations, no_specular));
         }
+        terms.extend(self.law(&equations));
+        terms
+    }
+
+    /// Returns the operations of the scene's own law, by the parts of its text, of all lights together.
+    fn law(&self, equations: &[Equation<f64>]) -> Vec<Term> {
+        let (per, _) = self.shading_points();
+        let mut parts: Vec<(&LawPart, [u64; 4])> = vec![];
+        for (material, equation) in equations.iter().enumerate() {
+            let (_, points) = self.points_of(|own| own == material);
+            let sources = equation.sources.len() as u64;
+            let times = [1, sources, points, points * sources];
+            for part in equation.law_parts().unwrap_or_default() {
+                let own = std::array::from_fn(|rate| u64::from(part.counts[rate]) * times[rate]);
+                match parts.iter_mut().find(|(known, _)| known.text == part.text) {
+                    Some((_, counts)) => counts
+                        .iter_mut()
+                        .zip(own)
+                        .for_each(|(all, own)| *all += own),
+                    None => parts.push((part, own)),
+                }
+            }
+        }
+        let mut terms = vec![];
+        for (part, counts) in parts {
+            let mut term = |count, omitted| {
+                terms.push(Term {
+                    name: TermName {
+                        word: Word::OfLaw(part.text.clone()),
+                        light: None,
+                    },
+                    ..self.term(self.stage(), "", count, omitted)
+                });
+            };
+            match part.unneeded {
+                Some(Unneeded::WithoutEffect) => {
+                    term((per, 0), Some(Message("render-why-changes-nothing")));
+                }
+                Some(Unneeded::Unused) => term((per, 0), Some(Message("render-why-unused"))),
+                None => {
+                    let rates = [Per::Frame, Per::Light, per, per].into_iter().zip(counts);
+                    rates
+                        .filter(|(_, count)| *count > 0)
+                        .for_each(|count| term(count, None));
+                }
+            }
+        }
         terms
     }
 
@@ -360,7 +430,7 @@ impl Account<'_> {
         let each = (per, points * times);
         let term = |word, count, omitted: Option<Message>| Term {
             name: TermName {
-                word,
+                word: Word::Known(word),
                 light: Some(index),
             },
             ..self.term(self.stage(), word, count, silent.or(omitted))
@@ -393,6 +463,8 @@ impl Account<'_> {
                 Message("render-why-kd-od-zero")
             },
         );
+        let own = (scene.reflection.model == ReflectionModel::Formula).then_some(OWN_LAW);
+        let (matt, no_specular) = (own.or(matt), own.or(no_specular));
         let spot = (light.kind != LightKind::Spot).then_some(Message("render-why-no-spotlight"));
         let law = materials
             .iter()
@@ -406,7 +478,7 @@ impl Account<'_> {
                 (!attenuates).then_some(Message("render-why-constant-attenuation")),
             ),
             term("render-term-cone", each, spot),
-            term("N·L", each, None).noted(Message("render-why-sign-of-n-l")),
+            term("N·L", each, own).noted(Message("render-why-sign-of-n-l")),
             term("render-term-diffuse", times_points(&diffuses), matt),
             term("render-term-specular", times_points(&shines), no_specular)
                 .noted(Message("render-why-specular-skipped")),

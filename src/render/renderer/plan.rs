@@ -12,8 +12,8 @@ use crate::render::model::Model;
 use crate::render::raster::Triangles;
 use crate::render::rays::{Visibility, World};
 use crate::scene::{
-    AmbientSource, Backfacing, Camera, CuedBy, FaceMaterial, FlatAt, Interpolation, Light,
-    LightKind, NormalSource, Overflow, PatternKind, Projection, Rgb, Scene, ShadingMode,
+    AmbientSource, Camera, CuedBy, FaceMaterial, FlatAt, Interpolation, Light, LightKind,
+    NormalSource, Overflow, PatternKind, Projection, ReflectionModel, Rgb, Scene, ShadingMode,
 };
 use crate::text::Message;
 use fearless_simd::Level;
@@ -26,6 +26,8 @@ use serde::Serialize;
 pub enum Per {
     /// Once for each picture.
     Frame,
+    /// Once for each light.
+    Light,
     /// Once for each face.
     Face,
     /// Once for each vertex.
@@ -279,7 +281,8 @@ pub fn stiff(scene: &Scene, model: &Model) -> Option<Message> {
                 | SpecularForm::BlinnCosine
                 | SpecularForm::BlinnChord
         );
-        powers && scene.material.n > STIFF_FROM
+        let own = scene.reflection.model == ReflectionModel::Formula;
+        (powers || own) && scene.material.n > STIFF_FROM
     });
     if too_large.contains(&true) {
         return Some(Message("render-why-n-too-large"));
@@ -308,6 +311,10 @@ pub fn silences(scene: &Scene, model: &Model) -> Vec<Option<Message>> {
         .materials(scene)
         .iter()
         .map(|FaceMaterial { material: own, .. }| {
+            if scene.reflection.model == ReflectionModel::Formula {
+                // A law of one's own may reflect light whatever these numbers are.
+                return Rgb::ONE;
+            }
             own.kd * (own.color + other) + own.ks * own.specular_color
         })
         .fold(Rgb::ZERO, Rgb::max);
@@ -357,7 +364,7 @@ pub fn casts_shadows(scene: &Scene, model: &Model, lights: &[bool]) -> Option<Me
         return Some(NO_LIGHT);
     }
     // Where surfaces turned away are lit all the same, the solid stands between them and the light.
-    let clamped = scene.reflection.backfacing == Backfacing::Clamp;
+    let clamped = !scene.reflection.lights_backs();
     let alone = model.convex && model.closed && !scene.ground.visible && clamped;
     alone.then_some(Message("render-why-convex-no-shadow"))
 }

@@ -13,8 +13,8 @@ use crate::render::rays::{
     Transmission, Visibility, World, light_buffers, matt_scene,
 };
 use crate::scene::{
-    Ambient, AmbientSource, Backfacing, FaceMaterial, Light, Material, Pattern, PatternKind,
-    Reflection, Rgb, Scene, ShadingMode, Through,
+    Ambient, AmbientSource, FaceMaterial, Light, Material, Pattern, PatternKind, Reflection, Rgb,
+    Scene, ShadingMode, Through,
 };
 use glam::Vec3;
 
@@ -100,7 +100,7 @@ impl<'a> Inputs<'a> {
         } = self.scene;
         let (ground, flip) = (
             ground.visible.then_some(ground.height),
-            reflection.backfacing == Backfacing::Flip,
+            reflection.lights_backs(),
         );
         (
             self.plan.per,

@@ -55,11 +55,7 @@ impl WeightedPoint<'_> {
     /// # Panics
     /// If there is no such light.
     pub fn respond(&self, equation: &Equation<f64>, light: usize) -> LightAt {
-        let response = equation.respond_world(light, self.point, self.normal, self.reached);
-        LightAt {
-            diffuse: response.diffuse * self.tint,
-            ..response
-        }
+        equation.respond_tinted(light, (self.point, self.normal), self.tint, self.reached)
     }
 }
 

@@ -38,7 +38,7 @@ fn run(program: &Path) -> Command {
 }
 
 /// Returns whether pictures can be drawn on this machine; prints a message if not.
-fn mesa() -> bool {
+pub fn mesa() -> bool {
     static FOUND: OnceLock<bool> = OnceLock::new();
     let found = *FOUND.get_or_init(|| {
         let (source, program) = (
@@ -61,6 +61,17 @@ fn succeeded(output: std::io::Result<Output>, what: &str) {
     assert!(output.status.success() && said.is_empty(), "{what}: {said}");
 }
 
+/// Returns the program that draws by a pair of shaders.
+fn host() -> &'static Path {
+    static BUILT: OnceLock<PathBuf> = OnceLock::new();
+    BUILT.get_or_init(|| {
+        let host = folder().join("host");
+        let source = Path::new("tests/engine/export/host.c");
+        succeeded(compile(source, &host), "host");
+        host
+    })
+}
+
 /// Reads the pixels of a binary PPM picture of `frame`'s size.
 fn read_ppm(path: &Path, frame: &Frame) -> Vec<[u8; 3]> {
     let bytes = fs::read(path).expect("a picture");
@@ -75,7 +86,7 @@ fn read_ppm(path: &Path, frame: &Frame) -> Vec<[u8; 3]> {
 const BACKGROUND: [u8; 3] = [32, 40, 48];
 
 /// Returns a scene for a small picture on [`BACKGROUND`].
-fn small(name: &str, overrides: &[&str]) -> Scene {
+pub fn small(name: &str, overrides: &[&str]) -> Scene {
     let mut scene = scene(name, overrides);
     scene.image.size = [144, 128];
     // The linear values that the display encodes as these code values.
@@ -93,10 +104,10 @@ fn small(name: &str, overrides: &[&str]) -> Scene {
 const EDGE: f64 = 2.0 * std::f64::consts::SQRT_2 / 512.0;
 
 /// The edges of a model's triangles in the picture of a scene.
-struct Edges(Vec<[DVec2; 2]>);
+pub struct Edges(Vec<[DVec2; 2]>);
 
 impl Edges {
-    fn of(scene: &Scene, mesh: &Mesh) -> Self {
+    pub fn of(scene: &Scene, mesh: &Mesh) -> Self {
         let view = View::new(&scene.camera, scene.image.size);
         let place = |corner: Corner| {
             let point = mesh.positions[corner.position as usize].as_dvec3();
@@ -119,6 +130,11 @@ impl Edges {
             (from - along * share.clamp(0.0, 1.0)).length()
         };
         self.0.iter().map(distance).fold(f64::INFINITY, f64::min)
+    }
+
+    /// Returns whether an edge touches the centre of a pixel.
+    pub fn touch(&self, x: usize, y: usize) -> bool {
+        self.distance(x, y) <= EDGE
     }
 }
 
@@ -294,7 +310,7 @@ fn the_program_in_c_draws_the_same_picture() {
 }
 
 /// Returns a scene of a model for a small picture on [`BACKGROUND`].
-fn small_model(set: &[&str]) -> Scene {
+pub fn small_model(set: &[&str]) -> Scene {
     let mut scene = small("sphere", &[]);
     let model = model_materials::scene(set);
     scene.image.size = [144, 128];
@@ -343,9 +359,6 @@ fn a_model_of_six_materials_is_drawn_by_the_shaders() {
     if !mesa() {
         return;
     }
-    let host = folder().join("host-of-models");
-    let source = Path::new("tests/engine/export/host.c");
-    succeeded(compile(source, &host), "host");
     let scattered = model_materials::model(ObjectKind::Torus, 24, |face| (face % 7) as u16);
     for (name, mesh) in [("cube", &model_materials::cube()), ("torus", &scattered)] {
         for (mode, set) in [
@@ -371,12 +384,8 @@ fn a_model_of_six_materials_is_drawn_by_the_shaders() {
             ),
             ("scene", &["material.source=scene"]),
         ] {
-            compare_glsl(
-                &host,
-                &format!("{name}-{mode}"),
-                &small_model(set),
-                Some(mesh),
-            );
+            let name = format!("{name}-{mode}");
+            compare_glsl(&name, &small_model(set), Some(mesh));
         }
     }
 }
@@ -476,9 +485,8 @@ fn bytes(mesh: &VertexMesh, flat: bool) -> Vec<u8> {
     bytes
 }
 
-/// Draws `scene` with its shaders and compares the picture with ours.
-#[track_caller]
-fn compare_glsl(host: &Path, name: &str, scene: &Scene, model: Option<&Arc<Mesh>>) {
+/// Draws `scene` with its shaders; returns the picture's file.
+fn draw(name: &str, scene: &Scene, model: Option<&Arc<Mesh>>) -> PathBuf {
     let path = |ending: &str| folder().join(format!("glsl-{name}.{ending}"));
     let mesh = match model {
         Some(mesh) => export_mesh(scene, mesh),
@@ -490,12 +498,23 @@ fn compare_glsl(host: &Path, name: &str, scene: &Scene, model: Option<&Arc<Mesh>
     for part in &export.parts {
         fs::write(path(part.ending), &part.text).expect("a file");
     }
-    let mut command = run(host);
+    let mut command = run(host());
     command.args([path("vert"), path("frag"), path("mesh")]);
     command.args(scene.image.size.map(|side| side.to_string()));
     command.args(BACKGROUND.map(|code| (f64::from(code) / 255.0).to_string()));
     succeeded(command.arg(path("ppm")).output(), name);
-    agree(name, scene, model, &path("ppm"));
+    path("ppm")
+}
+
+/// Draws `scene` with its shaders; returns the pixels of a picture of `frame`'s size.
+pub fn draw_glsl(name: &str, scene: &Scene, frame: &Frame) -> Vec<[u8; 3]> {
+    read_ppm(&draw(name, scene, None), frame)
+}
+
+/// Draws `scene` with its shaders and compares the picture with ours.
+#[track_caller]
+pub fn compare_glsl(name: &str, scene: &Scene, model: Option<&Arc<Mesh>>) {
+    agree(name, scene, model, &draw(name, scene, model));
 }
 
 /// A prism over a U, none of whose corners sees all of it, and a comb behind it.
@@ -514,11 +533,6 @@ fn the_shaders_draw_the_same_picture() {
     if !mesa() {
         return;
     }
-    let host = folder().join("host");
-    succeeded(
-        compile(Path::new("tests/engine/export/host.c"), &host),
-        "host",
-    );
     let spot = "light=[{kind=\"spot\", position=[1,2,3], direction=[-1,-2,-3], cone=14, exponent=8, softness=0.4}]";
     let area = "light=[{kind=\"area\", samples=25, attenuation=\"inverse-square\", color=[9,9,9]}]";
     let viewer = "light=[{attenuation=\"viewer\", k=-0.0, color=[3,3,3]}, {attenuation=\"light\", k=0.5, position=[-2,1,1]}]";
@@ -696,6 +710,6 @@ fn the_shaders_draw_the_same_picture() {
             [] as [Limit; 0],
             "{name}"
         );
-        compare_glsl(&host, name, &scene, None);
+        compare_glsl(name, &scene, None);
     }
 }

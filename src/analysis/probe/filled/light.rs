@@ -66,6 +66,25 @@ impl LightHere<'_> {
             parts.push(FilledPart::Evaluated(over.join(text!("point-and"))));
         }
         let told_by_cosine = terms.specular_zero == ZeroCause::MissesViewer.into();
+        if let (Some(law), Some(product)) = (&terms.law, self.by_law()) {
+            let weight = shares.get(1 + self.index).map_or(0.0, |share| share.weight);
+            let (name, tone) = (text!("point-own-law"), Tone::Of(Vector::L));
+            let share = percent(weight, whole);
+            parts.push(FilledPart::Heading { name, tone, share });
+            if law.undefined {
+                parts.push(FilledPart::Note(
+                    text!("point-own-law-undefined").to_owned(),
+                ));
+            }
+            parts.extend(law.lines.iter().cloned().map(FilledPart::OfLaw));
+            parts.push(FilledPart::Product {
+                name: format!("{name} {}", self.index + 1),
+                product,
+                letters: tone,
+                value: tone,
+            });
+            return parts;
+        }
         let diffuse = (
             text!("point-diffuse"),
             Tone::Of(Vector::L),

@@ -4,7 +4,7 @@
 //! The pole of its net is R, where the highlight is: meridians run from R to the horizon, and parallels about R
 //! become the horizon. The largest reflection is a little longer than a unit vector, so that R does not cover it.
 
-use crate::analysis::curves::highlight_half_width;
+use crate::analysis::curves::lobe_half_width;
 use crate::analysis::lobe::ReflectionLobe;
 use crate::analysis::overlay::Sketch;
 use crate::figure::Shape;
@@ -42,7 +42,7 @@ pub(super) fn draw(sketch: &Sketch, lobe: &ReflectionLobe, scene: &Scene) -> Vec
         sketch,
         lobe,
         unit: peak / LENGTH,
-        skirt: SKIRT * highlight_half_width(scene),
+        skirt: SKIRT * lobe_half_width(lobe, scene),
     };
     let specular = if scene.reflection.model == ReflectionModel::Phong {
         Vector::R.colour()
@@ -107,7 +107,7 @@ pub(super) fn draw_section(sketch: &Sketch, lobe: &ReflectionLobe, scene: &Scene
         .collect();
     angles.sort_by(f64::total_cmp);
     let directions = angles.into_iter().map(|angle| lobe.in_plane(angle));
-    let Some(outline) = sketch.ends(directions.map(|v| v * (lobe.towards(v).total() / unit)))
+    let Some(outline) = sketch.ends(directions.map(|v| v * (lobe.towards(v).length() / unit)))
     else {
         return vec![];
     };
@@ -128,7 +128,7 @@ fn peak_of(lobe: &ReflectionLobe, scene: &Scene) -> f64 {
 
 /// Returns angles from N in the plane of incidence, radians: every degree, and finer ones about the highlight.
 fn angles(lobe: &ReflectionLobe, scene: &Scene) -> impl Iterator<Item = f64> {
-    let (fine, mirror) = (highlight_half_width(scene) / 8.0, lobe.mirror_angle());
+    let (fine, mirror) = (lobe_half_width(lobe, scene) / 8.0, lobe.mirror_angle());
     let even = (-90..=90).map(|i| f64::from(i).to_radians());
     even.chain((-16..=16).map(move |i| mirror + fine * f64::from(i)))
 }
@@ -181,13 +181,13 @@ impl Surface<'_> {
 
     /// Returns the distance of the surface in a direction, in unit vectors.
     fn reach(&self, direction: DVec3) -> f64 {
-        self.lobe.towards(direction).total() / self.unit
+        self.lobe.towards(direction).length() / self.unit
     }
 
     fn knot(&self, i: u32, j: u32) -> Knot {
         let direction = self.direction(i, j);
         let response = self.lobe.towards(direction);
-        let point = direction * (response.total() / self.unit);
+        let point = direction * (response.length() / self.unit);
         let bright = response.specular > response.diffuse;
         Knot {
             place: self.sketch.end(point),

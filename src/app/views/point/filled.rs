@@ -2,7 +2,7 @@
 
 use crate::analysis::probe::{
     FilledLine, FilledPart, Here, LineValue, Product, Share, channels, digits, digits_below,
-    percent,
+    law_text, law_words, percent,
 };
 use crate::app::session::Session;
 use crate::app::widgets::letter::set;
@@ -83,6 +83,12 @@ fn part_ui(ui: &mut Ui, part: &FilledPart, values: &Values, id: Id) {
             ui.label(RichText::new(text!("point-evaluated-mean", over = &over[..])).weak());
         }
         FilledPart::Formula(formula) => formula_ui(ui, formula, values, id),
+        FilledPart::OfLaw(line) => {
+            ui.horizontal_wrapped(|ui| {
+                ui.label(RichText::new(law_text(line)).monospace());
+                ui.label(RichText::new(format!("= {}", law_words(line))).strong());
+            });
+        }
         FilledPart::Heading { name, tone, share } => {
             ui.horizontal(|ui| {
                 ui.label(RichText::new(*name).color(colour(ui.visuals(), *tone)));

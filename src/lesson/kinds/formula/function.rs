@@ -69,16 +69,8 @@ impl Function {
 
     /// Returns whether the name at a place of the question appears in it.
     pub fn uses(&self, place: usize) -> bool {
-        fn any(part: &Typed, holds: &dyn Fn(usize) -> bool) -> bool {
-            match &part.term {
-                Term::Name(index) => holds(*index),
-                Term::Call(_, parts) => parts.iter().any(|part| any(part, holds)),
-                _ => false,
-            }
-        }
-        let holds = |index: usize| self.places.get(index) == Some(&place);
-        let mut lines = self.formula.lines().iter();
-        lines.any(|line| any(&line.value, &holds))
+        self.formula
+            .names_any(&|index| self.places.get(index) == Some(&place))
     }
 
     /// Returns the number of its names, numbers and operations.

@@ -1,14 +1,84 @@
-//! Formulas in the text of lessons: `K_a·I_a`, `(R·V)^n`, `cos θ`. Letters that the window knows are set as
+//! Formulas in the notation of textbooks: `K_a·I_a`, `(R·V)^n`, `cos θ`. Letters that the window knows are set as
 //! in the equation.
 
-use crate::app::widgets::typeset::{Piece, letter};
+use super::theme::TEXT;
+use super::typeset::{Piece, Place, Run, letter, spoken};
 use crate::figure::{Base, Formula, Item};
-use eframe::egui::Visuals;
+use crate::text::text;
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Sense, TextStyle, Ui, Visuals, WidgetInfo, vec2};
+use std::cell::Cell;
+
+/// The size of formulas: a little larger than the text, for the sake of their small letters.
+const FORMULA: f32 = TEXT + 1.0;
+/// The maximum number of characters of a formula that stays on one line.
+const WHOLE: usize = 18;
+/// The upward shift that brings a formula's baseline to that of the text, in points.
+const RAISED: f32 = 1.0;
+/// The overhang of slanted letters at the end of a formula, in points.
+const SLANT: f32 = 1.5;
 
 /// Letters whose meaning in the window's formulas differs from that in textbooks.
 const AMBIGUOUS: [&str; 2] = ["S", "T"];
 /// Signs before which a long formula may break.
 const BREAKS: [&str; 7] = ["=", "+", "−", "≈", "<", ">", "/"];
+
+/// Shows a formula as a part of a line of text, with `space` points after it. Its letters react to the pointer if they are
+/// `live`; `count` numbers the runs of one text.
+pub fn formula_ui(ui: &mut Ui, formula: &str, space: f32, count: &Cell<usize>, live: bool) {
+    let spacing = std::mem::replace(&mut ui.spacing_mut().item_spacing.x, 0.0);
+    let mut runs = pieces(ui.visuals(), formula);
+    if formula.chars().count() <= WHOLE {
+        runs = vec![runs.concat()];
+    }
+    let runs = runs.into_iter().flat_map(|run| parts(ui, run));
+    let runs: Vec<Vec<Piece>> = runs.collect();
+    let mut runs = runs.into_iter().peekable();
+    while let Some(mut run) = runs.next() {
+        if !live {
+            run.iter_mut().for_each(|piece| piece.symbol = None);
+        }
+        count.set(count.get() + 1);
+        let place = Place {
+            id: ui.scope_id().with(("formula", count.get())),
+            name: text!("course-in-text"),
+        };
+        let laid = Run::new(ui, &run, FORMULA);
+        // As high as a line of text, so that lines stay evenly spaced.
+        let slanted = run.last().is_some_and(|last| last.low.is_empty());
+        let last = runs.peek().is_none();
+        let beyond = if last && slanted { SLANT } else { 0.0 };
+        let beyond = if last { beyond + space } else { beyond };
+        let width = (laid.width() + beyond).min(ui.max_rect().width());
+        let size = vec2(width, ui.text_style_height(&TextStyle::Body));
+        let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
+        laid.paint(ui, rect.left_center() - vec2(0.0, RAISED), place);
+        let words = spoken(&run);
+        response.widget_info(|| WidgetInfo::labeled(Role::Label, true, words.trim()));
+    }
+    ui.spacing_mut().item_spacing.x = spacing;
+}
+
+/// Splits a run that is wider than a line between its pieces.
+fn parts(ui: &Ui, run: Vec<Piece>) -> Vec<Vec<Piece>> {
+    let room = ui.max_rect().width() - SLANT;
+    let (mut parts, mut left) = (vec![Vec::new()], room);
+    for piece in run {
+        let width = Run::new(ui, std::slice::from_ref(&piece), FORMULA).width();
+        if width > left {
+            parts.push(Vec::new());
+            left = room;
+        }
+        left -= width;
+        parts
+            .last_mut()
+            .into_iter()
+            .for_each(|part| part.push(piece.clone()));
+    }
+    parts.retain(|part| !part.is_empty());
+    parts
+}
+
 /// Splits a formula into pieces, in runs that each stay on one line.
 pub fn pieces(visuals: &Visuals, formula: &str) -> Vec<Vec<Piece>> {
     let mut runs: Vec<Vec<Piece>> = vec![Vec::new()];

@@ -1,0 +1,331 @@
+//! The scene's own law, typed as a formula, beside the laws that are built in.
+
+mod counted;
+
+use counted::{Counted, counted};
+use shading_lab::analysis::probe::probe;
+use shading_lab::illumination::{Equation, V3};
+use shading_lab::render::{Frame, Per, Renderer};
+use shading_lab::scene::{
+    Backfacing, Encoding, Reflectance, Reflection, ReflectionModel, Scene, ShadingMode, presets,
+};
+
+const PHONG: &str = Reflection::PHONG;
+/// Blinn's law as a textbook writes it; the built-in one has no highlight behind the surface.
+const BLINN: &str =
+    "h = normalize(L + V)\nkd * od * max(N·L, 0) + ks * os * max(dot(N, h), 0)^n * (N·L > 0)";
+
+/// The scenes of Phong's and Blinn's models whose law is a formula of that text.
+fn typed() -> impl Iterator<Item = (&'static str, Scene, Scene)> {
+    presets::ALL.iter().filter_map(|preset| {
+        let mut built_in = preset.scene();
+        built_in.image.size = [96, 96];
+        let formula = match built_in.reflection.model {
+            ReflectionModel::Phong => PHONG,
+            ReflectionModel::Blinn => BLINN,
+            _ => return None,
+        };
+        // A law has no W, and says itself what happens behind the surface.
+        if built_in.reflection.backfacing == Backfacing::Flip
+            || built_in.material.reflectance != Reflectance::Constant
+        {
+            return None;
+        }
+        let mut own = built_in.clone();
+        own.reflection.model = ReflectionModel::Formula;
+        own.reflection.formula = formula.to_owned();
+        own.validate().expect("a law");
+        Some((preset.name, built_in, own))
+    })
+}
+
+/// Returns the number of pixels that differ by more than one code value, and the largest difference.
+fn difference(a: &Frame, b: &Frame) -> (usize, u8) {
+    let apart = |(a, b): (&[u8; 4], &[u8; 4])| {
+        let channels = a.iter().zip(b).map(|(a, b)| a.abs_diff(*b));
+        channels.max().unwrap_or(0)
+    };
+    let all: Vec<u8> = a.pixels.iter().zip(&b.pixels).map(apart).collect();
+    let wrong = all.iter().filter(|apart| **apart > 1).count();
+    (wrong, all.into_iter().max().unwrap_or(0))
+}
+
+#[test]
+fn a_typed_law_draws_what_the_built_in_one_draws() {
+    let mut renderer = Renderer::default();
+    let mut wrong = vec![];
+    let mut count = 0;
+    for (name, built_in, own) in typed() {
+        for mode in [
+            ShadingMode::Flat,
+            ShadingMode::Interpolated,
+            ShadingMode::Gouraud,
+            ShadingMode::Phong,
+            ShadingMode::Exact,
+        ] {
+            let draw = |renderer: &mut Renderer, scene: &Scene| {
+                let mut scene = scene.clone();
+                scene.shading.mode = mode;
+                renderer.render(&scene).clone()
+            };
+            let (a, b) = (draw(&mut renderer, &built_in), draw(&mut renderer, &own));
+            let (pixels, most) = difference(&a, &b);
+            count += 1;
+            if pixels > 0 {
+                wrong.push(format!("{name} {mode:?}: {pixels} pixels, up to {most}"));
+            }
+        }
+    }
+    assert!(count > 100, "{count}");
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+#[test]
+fn a_law_of_nothing_and_one_without_a_value_draw_the_ambient_term() {
+    let mut renderer = Renderer::default();
+    let (_, mut scene, mut own) = typed().next().expect("a scene");
+    scene.lights.clear();
+    let dark = renderer.render(&scene).clone();
+    for formula in ["0", "1/0", "log(-1)", "(N·L - N·L)/0"] {
+        own.reflection.formula = formula.to_owned();
+        assert!(renderer.render(&own).pixels == dark.pixels, "{formula}");
+    }
+    own.reflection.formula = "N·L".to_owned();
+    assert!(renderer.render(&own).pixels != dark.pixels);
+}
+
+/// Returns the code value of an intensity.
+fn code(scene: &Scene, linear: f64) -> f64 {
+    let v = linear.clamp(0.0, 1.0);
+    let encoded = match scene.display.encoding {
+        Encoding::Raw => v,
+        _ if v <= 0.003_130_8 => 12.92 * v,
+        _ => 1.055 * v.powf(1.0 / 2.4) - 0.055,
+    };
+    255.0 * encoded
+}
+
+#[test]
+fn the_probe_has_the_numbers_of_the_picture() {
+    let mut renderer = Renderer::default();
+    let mut compared = 0;
+    for (name, _, own) in typed().step_by(3) {
+        for [x, y] in [[48, 48], [40, 30], [60, 50]] {
+            let Some(hit) = probe(&mut renderer, &own, x, y).hit else {
+                continue;
+            };
+            let encoded = (hit.sum / hit.divisor)
+                .to_array()
+                .map(|linear| code(&own, linear));
+            compared += 1;
+            for (channel, stored) in encoded.into_iter().zip(hit.stored) {
+                assert!(
+                    (channel - f64::from(stored)).abs() <= 1.5,
+                    "{name} {x} {y}: {channel} {stored}"
+                );
+            }
+        }
+    }
+    assert!(compared > 10);
+}
+
+/// Returns the operations of the law in the plan of a picture: once, for each light, and at its points.
+fn planned(scene: &Scene) -> [u64; 3] {
+    let mut renderer = Renderer::default();
+    renderer.render(scene);
+    let mut plain = scene.clone();
+    plain.reflection.formula = "0".to_owned();
+    let terms = renderer.terms();
+    renderer.render(&plain);
+    let others: Vec<String> = renderer
+        .terms()
+        .iter()
+        .map(|term| term.name.to_string())
+        .collect();
+    let own = terms
+        .iter()
+        .filter(|term| !others.contains(&term.name.to_string()));
+    own.fold([0; 3], |[once, light, point], term| match term.per {
+        Per::Frame => [once + term.evaluations, light, point],
+        Per::Light => [once, light + term.evaluations, point],
+        _ => [once, light, point + term.evaluations],
+    })
+}
+
+/// Returns the operations of the law at one point, for all lights, as a number that counts finds them: what is done besides is
+/// done for a law of nothing as well.
+fn done_at_a_point(scene: &Scene) -> u64 {
+    let count = |formula: &str| {
+        let mut scene = scene.clone();
+        scene.reflection.formula = formula.to_owned();
+        let equation = Equation::<f64>::new(&scene);
+        let number = |[x, y, z]: [f64; 3]| V3::new(Counted(x), Counted(y), Counted(z));
+        let site = equation.site(number([0.1, 0.05, -0.8]), number([0.0, 0.6, 0.8]));
+        counted(|| equation.illuminate(&site, None))
+    };
+    (count(&scene.reflection.formula) - count("0")) as u64
+}
+
+#[test]
+fn the_plan_lists_the_operations_that_a_number_counts() {
+    let mut scene = presets::find("three-lights").expect("a scene").scene();
+    scene.reflection.model = ReflectionModel::Formula;
+    scene.image.size = [64, 64];
+    let lights = scene.lights.len() as u64;
+    for mode in [ShadingMode::Phong, ShadingMode::Gouraud, ShadingMode::Flat] {
+        scene.shading.mode = mode;
+        for formula in [PHONG, BLINN, "max(N·L, 0)", "d * phi + theta", "ks^2 * N·V"] {
+            scene.reflection.formula = formula.to_owned();
+            let mut renderer = Renderer::default();
+            renderer.render(&scene);
+            let report = renderer.report();
+            let points = match mode {
+                ShadingMode::Phong => report.covered,
+                _ => report.points,
+            };
+            let [_, _, planned] = planned(&scene);
+            let done = done_at_a_point(&scene);
+            assert!(done > 0, "{formula}");
+            assert_eq!(planned, points * done, "{mode:?} {formula}");
+        }
+    }
+    // Cosines of one point are not computed again for each light.
+    scene.shading.mode = ShadingMode::Phong;
+    let at_a_point = |scene: &mut Scene, formula: &str| {
+        scene.reflection.formula = formula.to_owned();
+        done_at_a_point(scene)
+    };
+    assert_eq!(at_a_point(&mut scene, "N·V"), 3);
+    assert_eq!(at_a_point(&mut scene, "N·L"), 3 * lights);
+    assert_eq!(at_a_point(&mut scene, "N·L + N·V"), 3 + 4 * lights);
+}
+
+#[test]
+fn what_is_the_same_everywhere_is_computed_once_for_a_light() {
+    let mut scene = presets::find("infinite").expect("a scene").scene();
+    scene.reflection.model = ReflectionModel::Formula;
+    scene.reflection.formula = BLINN.to_owned();
+    scene.camera.eye = glam::DVec3::new(1.0, 1.5, 4.0);
+    let lights = scene.lights.len() as u64;
+    assert!(lights > 0 && scene.lights.iter().all(|light| !light.kind.has_position()));
+    // L + V, its length and three quotients.
+    let [_, once, pixel] = planned(&scene);
+    assert_eq!(once, (3 + 3 + 1 + 3) * lights);
+    let mut near = scene.clone();
+    near.camera.viewer = shading_lab::scene::Viewer::Local;
+    let [_, none, more] = planned(&near);
+    assert!(none == 0 && more > pixel, "{none} {more} {pixel}");
+    // The picture is that of the model that is built in.
+    let mut built_in = scene.clone();
+    built_in.reflection.model = ReflectionModel::Blinn;
+    let mut renderer = Renderer::default();
+    let (a, b) = (
+        renderer.render(&built_in).clone(),
+        renderer.render(&scene).clone(),
+    );
+    assert_eq!(difference(&a, &b).0, 0);
+}
+
+#[test]
+fn parts_without_effect_are_left_out_and_say_why() {
+    let mut scene = presets::find("sphere").expect("a scene").scene();
+    scene.reflection.model = ReflectionModel::Formula;
+    scene.reflection.formula = PHONG.to_owned();
+    scene.material.ks = shading_lab::scene::Rgb::ZERO;
+    scene.image.size = [32, 32];
+    let mut renderer = Renderer::default();
+    renderer.render(&scene);
+    let terms = renderer.terms();
+    let find = |name: &str| {
+        let found = terms.iter().find(|term| term.name.to_string() == name);
+        found.unwrap_or_else(|| {
+            panic!(
+                "{name} in {:?}",
+                terms
+                    .iter()
+                    .map(|term| term.name.to_string())
+                    .collect::<Vec<_>>()
+            )
+        })
+    };
+    for (name, why) in [
+        ("ks * os * spot^n", "render-why-changes-nothing"),
+        ("spot^n", "render-why-unused"),
+        ("max(R·V, 0)", "render-why-unused"),
+    ] {
+        assert_eq!(find(name).omitted.map(|why| why.0), Some(why), "{name}");
+        assert_eq!(
+            (find(name).per, find(name).evaluations),
+            (Per::None, 0),
+            "{name}"
+        );
+    }
+    assert!(find("max(N·L, 0)").omitted.is_none() && find("max(N·L, 0)").evaluations > 0);
+}
+
+#[test]
+fn a_light_is_kept_whatever_the_coefficients_are_and_shines_on_backs() {
+    let mut scene = presets::find("sphere").expect("a scene").scene();
+    scene.reflection.model = ReflectionModel::Formula;
+    (scene.material.kd, scene.material.ks) = Default::default();
+    scene.image.size = [64, 64];
+    let mut renderer = Renderer::default();
+    let mut lit = |scene: &Scene, formula: &str| {
+        let mut scene = scene.clone();
+        scene.reflection.formula = formula.to_owned();
+        let ambient = renderer
+            .render(&Scene {
+                lights: vec![],
+                ..scene.clone()
+            })
+            .clone();
+        let frame = renderer.render(&scene);
+        let differ = |(a, b): &(&[u8; 4], &[u8; 4])| a != b;
+        frame
+            .pixels
+            .iter()
+            .zip(&ambient.pixels)
+            .filter(differ)
+            .count()
+    };
+    assert!(lit(&scene, "max(N·L, 0)") > 100);
+    let back = "max(-(N·L), 0)";
+    assert!(lit(&scene, back) > 20);
+    // The solid stands between its own back and the light; on polygons, N is turned away a little before the polygon is.
+    scene.shading.shadows = true;
+    scene.shading.mode = ShadingMode::Exact;
+    assert_eq!(lit(&scene, back), 0);
+    assert!(lit(&scene, "max(N·L, 0)") > 100);
+}
+
+#[test]
+fn colours_of_a_pattern_are_od_in_the_law() {
+    let mut scene = presets::find("checker").expect("a scene").scene();
+    scene.image.size = [64, 64];
+    let mut own = scene.clone();
+    own.reflection.model = ReflectionModel::Formula;
+    own.reflection.formula = "max(N·L, 0) * (0.25 + od*od)".to_owned();
+    // The same law with Kd in place of Od, for a surface without a pattern of one colour, then of the other.
+    let mut renderer = Renderer::default();
+    let patterned = renderer.render(&own).clone();
+    let plain: Vec<_> = [scene.material.color, scene.pattern.color]
+        .map(|color| {
+            let mut plain = own.clone();
+            plain.pattern.kind = shading_lab::scene::PatternKind::None;
+            plain.material.color = color;
+            renderer.render(&plain).clone()
+        })
+        .into();
+    let same = |index: usize, frame: &Frame| {
+        let pair = frame.pixels[index].iter().zip(&patterned.pixels[index]);
+        pair.map(|(a, b)| a.abs_diff(*b)).max().unwrap_or(0) <= 1
+    };
+    let count = patterned.pixels.len();
+    let one = (0..count)
+        .filter(|index| plain.iter().any(|frame| same(*index, frame)))
+        .count();
+    assert_eq!(one, count);
+    for frame in &plain {
+        assert!((0..count).filter(|index| same(*index, frame)).count() < count);
+    }
+}
