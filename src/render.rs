@@ -19,8 +19,8 @@ pub(crate) use face_materials::{FaceMaterials, any_transmits, for_each_material,
 pub use node::Memory;
 pub use rays::Transmission;
 pub use renderer::{
-    Cued, Frame, FrameReport, Per, Plan, Renderer, Stage, StageRun, Term, TermName, TooLarge,
-    check_memory, check_memory_for, check_mesh_memory, coarseness, coarser_size, srgb,
+    Cued, DrawTime, Frame, FrameReport, Per, Plan, Renderer, Stage, StageRun, Term, TermName,
+    TooLarge, check_memory, check_memory_for, check_mesh_memory, coarser_size, srgb,
 };
 pub(crate) use renderer::{Evaluation, Piece, WeightedPoint, can_be_had, displayed, stored_pixel};
 pub use simd::SimdLevel;

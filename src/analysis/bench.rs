@@ -14,7 +14,7 @@ use super::report::{
 };
 use super::study::median_and_spread;
 use super::{Question, Subject, Watch};
-use crate::render::{FrameReport, Memory, Renderer, SimdLevel, Stage, coarseness, coarser_size};
+use crate::render::{DrawTime, FrameReport, Memory, Renderer, SimdLevel, Stage, coarser_size};
 use crate::scene::{LightKind, Object, ObjectKind, Rgb, Scene};
 use crate::text::text;
 use fearless_simd::Level;
@@ -286,10 +286,15 @@ fn dragged(run: Run<'_>, change: Change, whole: f64) -> (u32, f64) {
         count: &|| (),
         ..run
     };
+    let nanoseconds = |ms: f64| (ms * 1e6) as u64;
+    let mut time = DrawTime {
+        whole: nanoseconds(whole),
+        fixed: 0,
+    };
     let (mut coarser, mut ms) = (1, whole);
-    // Not every stage scales with the picture: a frame that is still too slow is drawn coarser.
+    // What does not depend on the resolution is known once a coarser picture has been drawn.
     loop {
-        let next = coarseness((ms * 1e6) as u64 * u64::from(coarser * coarser));
+        let next = time.coarseness();
         if next <= coarser {
             return (coarser, ms);
         }
@@ -297,6 +302,7 @@ fn dragged(run: Run<'_>, change: Change, whole: f64) -> (u32, f64) {
         ms = Panes::new(run)
             .measure_change(change, coarser)
             .unwrap_or(ms);
+        time = time.after(coarser, nanoseconds(ms));
     }
 }
 

@@ -20,7 +20,7 @@ use crate::app::session::place::ProbePoint;
 use crate::app::session::window::WindowState;
 use crate::figure::Area;
 use crate::geometry::Mesh;
-use crate::render::{Frame, FrameReport, Term, coarseness, transmits};
+use crate::render::{DrawTime, Frame, FrameReport, Term, transmits};
 use crate::scene::{AmbientSource, CompareView, DifferenceKind, Image, Scene};
 use crate::text;
 use crate::text::Language;
@@ -126,14 +126,14 @@ impl Engine {
             .collect();
         // While something is dragged, the pictures keep up with the pointer, at a lower resolution if necessary.
         let held = ctx.input(|input| input.pointer.any_down());
-        let expected: u64 = wanted
+        let expected = wanted
             .iter()
             .map(|(pane, wanted)| self.panes[*pane].expected(wanted))
-            .sum();
-        let coarser = if held { coarseness(expected) } else { 1 };
+            .fold(DrawTime::default(), |all, time| all + time);
+        let coarser = if held { expected.coarseness() } else { 1 };
         // A click is answered first: what is clicked is seen before a picture that takes long is drawn.
         let is_long = |(pane, wanted): &(usize, Wanted<'_>)| {
-            let cost = self.panes[*pane].expected(wanted);
+            let cost = self.panes[*pane].expected(wanted).whole;
             cost > LONG || (cost > 0 && takes_rays(wanted.scene, model.map(|model| &**model)))
         };
         let defers = !held && !self.deferred && wanted.iter().any(is_long);

@@ -21,7 +21,7 @@ pub use display::srgb;
 pub(crate) use display::stored_pixel;
 pub(crate) use estimate::can_be_had;
 pub use estimate::{TooLarge, check_memory, check_memory_for, check_mesh_memory};
-pub use frame::{Frame, FrameReport, Stage, StageRun, coarseness, coarser_size};
+pub use frame::{DrawTime, Frame, FrameReport, Stage, StageRun, coarser_size};
 pub use pipeline::Renderer;
 pub use plan::{Cued, Per, Plan};
 pub(crate) use reference::{Evaluation, WeightedPoint};

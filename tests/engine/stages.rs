@@ -2,7 +2,7 @@
 //! renderer.
 
 use crate::common::dice::Dice;
-use shading_lab::render::{Renderer, Stage, coarseness, coarser_size};
+use shading_lab::render::{DrawTime, Renderer, Stage, coarser_size};
 use shading_lab::scene::{Interpolation, ObjectKind, ReflectionModel, Scene, ShadingMode, Viewer};
 
 const MODES: [ShadingMode; 5] = [
@@ -268,11 +268,38 @@ fn an_infinite_viewer_and_far_lights_change_the_picture() {
 /// recognised.
 #[test]
 fn a_picture_that_keeps_up_is_drawn_whole() {
-    let in_ms = |ms: u64| coarseness(ms * 1_000_000);
+    let factors = |fixed: u64, whole: &[u64]| -> Vec<u32> {
+        let ms = |ms: u64| ms * 1_000_000;
+        let time = |whole: &u64| DrawTime {
+            whole: ms(*whole),
+            fixed: ms(fixed),
+        };
+        whole.iter().map(|whole| time(whole).coarseness()).collect()
+    };
     assert_eq!(
-        [0, 5, 26, 27, 104, 105, 700, 100_000].map(in_ms),
+        factors(0, &[0, 5, 12, 13, 48, 49, 400, 100_000]),
         [1, 1, 1, 2, 2, 3, 6, 8]
     );
+    // Of 10 ms that stay, 2 are left for the pixels. Of 16 there is no time, and a quarter more is little beside them.
+    assert_eq!(factors(10, &[10, 12, 13, 20, 21]), [1, 1, 2, 2, 3]);
+    assert_eq!(factors(16, &[16, 20, 21, 32, 33, 1000]), [1, 1, 2, 2, 3, 8]);
     assert_eq!(coarser_size([641, 480], 2), [321, 240]);
     assert_eq!(coarser_size([3, 1], 8), [1, 1]);
+}
+
+#[test]
+fn a_coarser_picture_tells_what_does_not_depend_on_the_resolution() {
+    let whole = 60_000_000;
+    let time = DrawTime { whole, fixed: 0 };
+    for (fixed, coarser) in [(0, 2), (15_000_000, 2), (15_000_000, 3), (60_000_000, 8)] {
+        let pixels = u64::from(coarser * coarser);
+        let learned = time.after(coarser, fixed + (whole - fixed) / pixels);
+        assert!(learned.fixed.abs_diff(fixed) < 100, "{learned:?}");
+        assert_eq!(learned.whole, whole);
+    }
+    // Faster than its pixels alone, and slower than the whole picture: both are noise.
+    assert_eq!(time.after(2, 1_000_000).fixed, 0);
+    let slower = time.after(2, 70_000_000);
+    assert_eq!((slower.whole, slower.fixed), (70_000_000, 70_000_000));
+    assert_eq!(slower.coarseness(), 1);
 }

@@ -11,7 +11,7 @@ use crate::app::session::document::same_model;
 use crate::app::widgets::theme::TEXT;
 use crate::geometry::Mesh;
 use crate::jobs::nanoseconds;
-use crate::render::{Frame, FrameReport, Renderer, coarseness, coarser_size};
+use crate::render::{DrawTime, Frame, FrameReport, Renderer, coarser_size};
 use crate::scene::{Rgb, Scene};
 use eframe::egui::{ColorImage, Context, ImageData, TextureHandle, TextureOptions};
 use std::sync::Arc;
@@ -107,8 +107,8 @@ pub struct PaneEngine {
     draft: Option<Drawing>,
     /// The downscale factor of the picture shown; 0 before anything is drawn.
     pub coarser: u32,
-    /// The time that a picture at full resolution took after a change of these parts, nanoseconds.
-    costs: Vec<(Vec<&'static str>, u64)>,
+    /// The time of a picture after a change of these parts.
+    costs: Vec<(Vec<&'static str>, DrawTime)>,
     pub picture: Option<TextureHandle>,
     /// The images of the pictures, at most [`IMAGES`].
     images: Vec<Arc<ColorImage>>,
@@ -116,24 +116,28 @@ pub struct PaneEngine {
 }
 
 impl PaneEngine {
-    /// Returns the expected time to draw `wanted` at full resolution, nanoseconds: the time after the last change of
-    /// the same parts; 0 if it is already drawn.
-    pub fn expected(&self, wanted: &Wanted<'_>) -> u64 {
+    /// Returns the expected time to draw `wanted`: that after the last change of the same parts, or else the longest; 0 if it is
+    /// already drawn.
+    pub fn expected(&self, wanted: &Wanted<'_>) -> DrawTime {
         let parts = self.whole.changed_parts(wanted.scene);
         if parts.is_empty() {
-            return 0;
+            return DrawTime::default();
         }
-        let known = self
-            .costs
-            .iter()
-            .find(|(known, _)| *known == parts)
-            .map(|(_, cost)| *cost);
-        known.unwrap_or_else(|| self.greatest_cost())
+        self.time_of(&parts)
+    }
+
+    fn time_of(&self, parts: &[&'static str]) -> DrawTime {
+        let known = self.costs.iter().find(|(known, _)| known == parts);
+        let longest = || self.costs.iter().max_by_key(|(_, time)| time.whole);
+        known
+            .or_else(longest)
+            .map_or_else(DrawTime::default, |(_, time)| *time)
     }
 
     /// Returns the maximum time that a picture at full resolution took, nanoseconds.
     pub fn greatest_cost(&self) -> u64 {
-        self.costs.iter().map(|(_, cost)| *cost).max().unwrap_or(0)
+        let all = self.costs.iter().map(|(_, time)| time.whole);
+        all.max().unwrap_or(0)
     }
 
     /// Updates the picture, downscaled by the factor `coarser`; returns whether the picture shown has changed.
@@ -145,12 +149,15 @@ impl PaneEngine {
         self.coarser = coarser;
         if coarser > 1 {
             let draft = self.draft.get_or_insert_default();
+            // The first picture of a size prepares more than those after it.
+            let first = draft.drawn.as_ref().map(|drawn| drawn.image.size) != Some(size);
             draft.draw(wanted, size);
+            let took = draft.report.nanoseconds;
+            let parts = self.whole.changed_parts(wanted.scene);
+            let time = self.time_of(&parts).after(coarser, took);
             // Not every stage scales with the picture: if it is still too slow, the next one is drawn coarser.
-            let spread = draft.report.nanoseconds * u64::from(coarser * coarser);
-            if coarseness(spread) > coarser {
-                let parts = self.whole.changed_parts(wanted.scene);
-                self.remember(parts, spread);
+            if !first && time.coarseness() > coarser {
+                self.remember(parts, time);
             }
         } else if !self.whole.shows(wanted, size) {
             let parts = self.whole.changed_parts(wanted.scene);
@@ -159,7 +166,8 @@ impl PaneEngine {
                 self.draft = None;
             }
             self.whole.draw(wanted, size);
-            self.remember(parts, self.whole.report.nanoseconds);
+            let whole = self.whole.report.nanoseconds;
+            self.remember(parts, DrawTime { whole, fixed: 0 });
         }
         // A downscaled picture is magnified smoothly.
         let options = if coarser > 1 {
@@ -193,9 +201,9 @@ impl PaneEngine {
         image
     }
 
-    fn remember(&mut self, parts: Vec<&'static str>, cost: u64) {
+    fn remember(&mut self, parts: Vec<&'static str>, time: DrawTime) {
         self.costs.retain(|(known, _)| *known != parts);
-        self.costs.push((parts, cost));
+        self.costs.push((parts, time));
     }
 
     fn in_sight(&self) -> &Drawing {

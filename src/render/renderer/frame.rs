@@ -141,16 +141,53 @@ impl FrameReport {
     }
 }
 
-/// The longest time of a frame, nanoseconds: thirty of them in a second, with time for the rest of the window.
-const BUDGET: u64 = 26_000_000;
+/// The time of a picture while something is dragged, nanoseconds: what the rest of the window leaves of a sixtieth of a second.
+const BUDGET: u64 = 12_000_000;
 /// The largest downscale factor: a dragged object must remain recognisable.
 pub const COARSEST: u32 = 8;
 
-/// Returns the downscale factor that keeps a frame of this cost within the budget; 1 for none.
-pub fn coarseness(nanoseconds: u64) -> u32 {
-    (1..COARSEST)
-        .find(|coarser| nanoseconds / u64::from(coarser * coarser) <= BUDGET)
-        .unwrap_or(COARSEST)
+/// The time to draw a picture, nanoseconds.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct DrawTime {
+    /// At full resolution.
+    pub whole: u64,
+    /// The part of it that does not depend on the resolution.
+    pub fixed: u64,
+}
+
+impl DrawTime {
+    /// Learns from a picture drawn coarser by a factor, at least 2, in that many nanoseconds.
+    #[must_use]
+    pub fn after(self, coarser: u32, nanoseconds: u64) -> Self {
+        let pixels = u64::from(coarser * coarser);
+        let fixed = (pixels * nanoseconds).saturating_sub(self.whole) / (pixels - 1);
+        let whole = self.whole.max(nanoseconds);
+        Self {
+            whole,
+            fixed: fixed.min(whole),
+        }
+    }
+
+    /// Returns the downscale factor that keeps a picture within the time that there is; 1 for none. Where no factor does, a
+    /// picture is drawn no coarser than helps.
+    pub fn coarseness(self) -> u32 {
+        let enough = |coarser: &u32| {
+            let scaled = (self.whole - self.fixed) / u64::from(coarser * coarser);
+            self.fixed + scaled <= BUDGET || scaled <= self.fixed / 4
+        };
+        (1..COARSEST).find(enough).unwrap_or(COARSEST)
+    }
+}
+
+impl std::ops::Add for DrawTime {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            whole: self.whole + other.whole,
+            fixed: self.fixed + other.fixed,
+        }
+    }
 }
 
 /// Returns a picture's size when drawn coarser.
