@@ -18,7 +18,7 @@ pub struct Stored {
 }
 
 /// The form in which [`Stored`] goes through the storage's text. The types of which it consists are read and
-/// written as JSON elsewhere too; a second format's code for each would make the page 5 % larger.
+/// written as JSON elsewhere too; a second format's code for each would make the page 21 KB larger.
 ///
 /// Untagged, since RON then gives the names of variants to a type that it does not know: so it reads the text
 /// that [`Stored`] itself would be.

@@ -1,5 +1,6 @@
 //! Where a scene's own law loses digits: the operation that a textbook names, and no other.
 
+use crate::stability::program;
 use glam::{DVec3, Vec3};
 use shading_lab::analysis::stability::{HALF_A_CODE_VALUE, LawStability, law_stability};
 use shading_lab::analysis::unwatched;
@@ -9,7 +10,6 @@ use shading_lab::scene::{
     Light, LightKind, ObjectKind, PatternKind, Projection, ReflectionModel, Rgb, Scene,
     ShadingMode, Viewer, presets,
 };
-use std::process::Command;
 use std::sync::Arc;
 
 /// Side of the pictures, pixels.
@@ -282,21 +282,6 @@ fn every_pixel_that_is_off_has_an_operation_in_any_scene() {
         lost += law.single.off;
     }
     assert!(lost > 0);
-}
-
-fn program(words: &[&str]) -> (Option<i32>, String, String) {
-    let output = Command::new(env!("CARGO_BIN_EXE_shading-lab"))
-        .env_remove("LANGUAGE")
-        .env("LC_ALL", "C")
-        .args(words)
-        .output()
-        .expect("the program runs");
-    let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
-    (
-        output.status.code(),
-        text(&output.stdout),
-        text(&output.stderr),
-    )
 }
 
 #[test]

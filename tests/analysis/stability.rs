@@ -66,7 +66,8 @@ fn every_case_has_a_name_of_its_own_and_is_a_sound_scene() {
     }
 }
 
-fn program(words: &[&str]) -> (Option<i32>, String, String) {
+/// Runs the program; returns its exit code, and what it writes to stdout and to stderr.
+pub fn program(words: &[&str]) -> (Option<i32>, String, String) {
     let output = Command::new(env!("CARGO_BIN_EXE_shading-lab"))
         .env_remove("LANGUAGE")
         .env("LC_ALL", "C")
