@@ -13,7 +13,7 @@ use crate::app::widgets::focus::live;
 use crate::app::widgets::symbol::{self, Symbol};
 use crate::lesson::Term;
 use crate::text::text;
-use eframe::egui::{Align, Button, Frame, Label, Margin, RichText, Stroke, Ui};
+use eframe::egui::{Align, Button, Frame, Id, Label, Margin, RichText, Stroke, Ui, UiBuilder};
 
 /// Shows the step's question with its current answer, and the right one once it may be seen.
 pub fn question_ui(
@@ -147,18 +147,22 @@ fn check_ui(
     let mut check = false;
     let mut show = false;
     let mut typed = entered;
-    ui.horizontal_wrapped(|ui| {
-        let button = Button::new(RichText::new(text!("course-check")).strong());
-        let button = ui.add_enabled(ready, button);
-        check = button.clicked() || (entered && ready);
-        typed |= button.has_focus();
-        if given {
-            let button = ui.button(text!("course-show-answer"));
+    // The buttons stay the same ones between press and release, whatever appears above them.
+    let own = UiBuilder::new().scope_id(Id::unique("course-check"));
+    ui.scope_builder(own, |ui| {
+        ui.horizontal_wrapped(|ui| {
+            let button = Button::new(RichText::new(text!("course-check")).strong());
+            let button = ui.add_enabled(ready, button);
+            check = button.clicked() || (entered && ready);
             typed |= button.has_focus();
-            show = button
-                .on_hover_text(text!("course-show-answer.tip"))
-                .clicked();
-        }
+            if given {
+                let button = ui.button(text!("course-show-answer"));
+                typed |= button.has_focus();
+                show = button
+                    .on_hover_text(text!("course-show-answer.tip"))
+                    .clicked();
+            }
+        });
     });
     if answer.is_some() && open.solution().is_none() {
         waiting_ui(ui, text!("course-solving"));

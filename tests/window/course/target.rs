@@ -1,11 +1,14 @@
 //! A scene that becomes the target of a match.
 
-use super::{go, ready, revealed};
-use crate::common::hands::{self, press, scene};
+use super::{answered, go, ready, revealed};
+use crate::common::hands::{self, named, press, scene};
+use eframe::egui::accesskit::Role;
 use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT, Queryable};
 use shading_lab::app::App;
 use shading_lab::document::{load_scene, save_scene};
 use std::path::Path;
+use std::time::Duration;
 
 /// Makes a scene of Kd 0.9 the target of a match, and meets it.
 fn meet_target(harness: &mut Harness<'_, App>) {
@@ -27,6 +30,30 @@ fn the_scene_in_view_becomes_the_target_of_a_match() {
     go(&mut harness, 3);
     let open = harness.state().state().course.open.as_ref();
     assert_eq!(open.expect("a lesson").lesson.steps.len(), 4);
+}
+
+#[test]
+fn a_click_on_check_counts_whatever_appears_in_the_same_frame() {
+    let mut harness = hands::window("sphere");
+    hands::enter(&mut harness, "material.kd", 0.9);
+    press(&mut harness, "controls-group-file");
+    harness
+        .get_by_role_and_label(Role::Button, named("controls-command-set-target"))
+        .click_accesskit();
+    // The distance is measured from the first frame in which the button can be pressed; it becomes known in the next one.
+    let check = named("course-check");
+    while harness
+        .query_by_role_and_label(Role::Button, check)
+        .is_none_or(|button| button.accesskit_node().is_disabled())
+    {
+        harness.step();
+    }
+    std::thread::sleep(Duration::from_secs(1));
+    harness
+        .get_by_role_and_label(Role::Button, check)
+        .click_accesskit();
+    harness.step();
+    assert!(answered(&harness).is_some());
 }
 
 #[test]

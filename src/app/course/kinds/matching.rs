@@ -214,9 +214,7 @@ fn match_ui(ui: &mut Ui, asked: &mut WidgetContext<'_>, kind: &Match) {
     ui.label(RichText::new(text!("course-target")).weak());
     picture_ui(ui, &own, size);
     ui.add_space(4.0);
-    if let Some(distance) = own.distances[2] {
-        meter_ui(ui, &own, distance, kind.tolerance);
-    }
+    meter_ui(ui, &own, kind.tolerance);
     if !asked.revealed {
         let seconds = (now - own.began).max(0.0) as u64;
         let time = format!("{}:{:02}", seconds / 60, seconds % 60);
@@ -247,23 +245,22 @@ fn picture_ui(ui: &mut Ui, own: &Matching, [width, height]: [u32; 2]) {
     }
 }
 
-/// Shows the distance on a logarithmic scale from its value at first to the tolerance.
-fn meter_ui(ui: &mut Ui, own: &Matching, distance: f64, tolerance: f64) {
-    let [first, before, _] = own.distances;
-    let start = first.unwrap_or(distance).max(4.0 * tolerance);
-    let share = |distance: f64| {
+/// Shows the distance on a logarithmic scale from its value at first to the tolerance. The meter is empty until the distance is
+/// known, so that nothing below it moves then.
+fn meter_ui(ui: &mut Ui, own: &Matching, tolerance: f64) {
+    let [first, before, distance] = own.distances;
+    let start = first.unwrap_or(tolerance).max(4.0 * tolerance);
+    let share = distance.map_or(0.0, |distance| {
         let near = (start / distance.max(1e-9)).ln() / (start / tolerance).ln();
         near.clamp(0.0, 1.0) as f32
+    });
+    let words = match (distance, before) {
+        (Some(distance), _) if distance <= tolerance => text!("course-match-same"),
+        (Some(distance), Some(before)) if distance < before => text!("course-warmer"),
+        (Some(distance), Some(before)) if distance > before => text!("course-colder"),
+        _ => "",
     };
-    let words = if distance <= tolerance {
-        text!("course-match-same")
-    } else {
-        match before {
-            Some(before) if distance < before => text!("course-warmer"),
-            Some(before) if distance > before => text!("course-colder"),
-            _ => "",
-        }
-    };
+    let rms = distance.map_or_else(|| "…".to_owned(), |distance| format!("{distance:.4}"));
     let (rect, response) =
         ui.allocate_exact_size(vec2(ui.available_width(), METER), Sense::hover());
     let name = text!("course-match-meter");
@@ -271,17 +268,14 @@ fn meter_ui(ui: &mut Ui, own: &Matching, distance: f64, tolerance: f64) {
     let visuals = ui.visuals();
     ui.painter()
         .rect_filled(rect, 4.0, visuals.extreme_bg_color);
-    let filled = rect.with_max_x(rect.min.x + rect.width() * share(distance));
+    let filled = rect.with_max_x(rect.min.x + rect.width() * share);
     ui.painter()
         .rect_filled(filled, 4.0, vector_text(visuals, Vector::L));
     let line = Stroke::new(1.0, visuals.widgets.noninteractive.bg_stroke.color);
     ui.painter()
         .rect_stroke(rect, 4.0, line, StrokeKind::Inside);
     ui.horizontal(|ui| {
-        ui.label(text!(
-            "course-match-distance",
-            rms = format!("{distance:.4}")
-        ));
+        ui.label(text!("course-match-distance", rms = rms));
         ui.label(RichText::new(words).strong());
     });
 }
