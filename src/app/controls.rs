@@ -305,7 +305,7 @@ static SECTIONS: [Section; 8] = [
         tables: &[],
         items: &[
             Rows(&[&camera::OVERFLOW]),
-            Own(|ui, _, _, _, engine| overflow_ui(ui, engine)),
+            Own(|ui, session, _, _, engine| overflow_ui(ui, &session.shown.scene, engine)),
             Rows(&[&camera::ENCODING, &camera::BACKGROUND]),
         ],
     },
@@ -570,13 +570,18 @@ fn mode_ui(ui: &mut Ui, scene: &Scene) {
 }
 
 /// Shows the number of pixels that the overflow policy affects.
-fn overflow_ui(ui: &mut Ui, engine: &Engine) {
+fn overflow_ui(ui: &mut Ui, scene: &Scene, engine: &Engine) {
     let count = engine.report().overflowing;
-    let text = text!(
-        "controls-overflowing",
-        count = count,
-        number = grouped(count)
-    );
+    let number = grouped(count);
+    let text = if scene.reflection.model == ReflectionModel::Formula {
+        text!(
+            "controls-overflowing-or-undefined",
+            count = count,
+            number = number
+        )
+    } else {
+        text!("controls-overflowing", count = count, number = number)
+    };
     ui.label(RichText::new(text).weak());
 }
 

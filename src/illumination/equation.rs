@@ -4,7 +4,7 @@ mod own_law;
 
 pub(crate) use own_law::SourcePart;
 
-use super::formula::Law;
+use super::formula::{Law, LawScratch};
 use super::fresnel::{Fresnel, Index};
 use super::pattern::Fields;
 use super::source::{BRIGHTEST, Share};
@@ -368,19 +368,22 @@ impl<T: Scalar> Equation<T> {
         site: &ShadingPoint<R>,
         reached: Option<Reached<'_>>,
     ) -> [R; 3] {
-        self.illuminate_by(self.form, site, reached, None)
+        self.illuminate_by(self.form, site, reached, None, &mut None)
+            .0
     }
 
     /// Returns I as [`Self::illuminate`] does, by a given form of the specular factor: where it is a constant, the other
-    /// forms are not compiled in. `tint` multiplies Od.
+    /// forms are not compiled in. `tint` multiplies Od. The second value is 1 where the scene's own law is undefined, otherwise 0;
+    /// `scratch` is that of this equation's points before, or none.
     #[inline(always)]
-    pub fn illuminate_by<R: Real<Scalar = T>>(
+    pub(crate) fn illuminate_by<R: Real<Scalar = T>>(
         &self,
         form: SpecularForm,
         site: &ShadingPoint<R>,
         reached: Option<Reached<'_>>,
         tint: Option<[R; 3]>,
-    ) -> [R; 3] {
+        scratch: &mut LawScratch<R>,
+    ) -> ([R; 3], R) {
         let like = site.inverse_distance;
         let V3 { x: r, y: g, z: b } = V3::constant(like, self.ambient);
         let mut sum = [r, g, b];
@@ -396,7 +399,7 @@ impl<T: Scalar> Equation<T> {
             sum = [sum[0] * color[0], sum[1] * color[1], sum[2] * color[2]];
         }
         if let (SpecularForm::Formula, Some(law)) = (form, &self.law) {
-            return self.add_law(law, site, reached, color, sum);
+            return self.add_law(law, site, reached, color, sum, scratch);
         }
         for (index, source) in self.sources.iter().enumerate() {
             if reached.is_some_and(|reached| like.holds_none(reached.bits(index))) {
@@ -424,7 +427,7 @@ impl<T: Scalar> Equation<T> {
                 add(&mut sum, response.specular, specular);
             }
         }
-        sum
+        (sum, like.number(0.0))
     }
 }
 
@@ -558,12 +561,28 @@ impl Equation<f64> {
             site.view = V3::from(v);
         }
         let tint = Some(tint.to_array());
-        Rgb::from_array(self.illuminate_by(self.form, &site, reached, tint))
+        let (color, _) = self.illuminate_by(self.form, &site, reached, tint, &mut None);
+        Rgb::from_array(color)
     }
 
     /// Evaluates one source as [`Self::respond`] does, with the scene's specular form.
     pub fn respond_to(&self, source: &Source<f64>, site: &ShadingPoint<f64>) -> LightResponse<f64> {
         self.respond(self.form, source, site)
+    }
+
+    /// Returns whether the scene's own law is undefined at a point of the world with normal `n`; `tint` multiplies Od.
+    pub(crate) fn is_undefined(
+        &self,
+        (point, n): (DVec3, DVec3),
+        tint: Rgb,
+        reached: Option<Reached<'_>>,
+    ) -> bool {
+        let site = self.site_at(point, n);
+        let may = self.law.as_ref().is_some_and(|law| law.may_be_undefined());
+        may && self
+            .illuminate_by(self.form, &site, reached, Some(tint.to_array()), &mut None)
+            .1
+            > 0.0
     }
 
     /// Returns the contribution of the light of index `light` at a point of the world with normal `n`.
@@ -596,7 +615,11 @@ impl Equation<f64> {
         let range = self.sources_of(light);
         let share = 1.0 / range.len().max(1) as f64;
         let law = self.law.as_deref();
-        let mut law = law.map(|law| law.at(site.normal, site.view, Some(color.to_array())));
+        let mut scratch = None;
+        let mut law = law.map(|law| {
+            let color = Some(color.to_array());
+            law.at(site.normal, site.view, color, (&mut scratch, 1))
+        });
         let mut sum = LightAt {
             v: site.view.into(),
             ..LightAt::default()

@@ -164,7 +164,7 @@ choices! {
         Clamp = "clamp";
         /// The whole picture is divided by its largest value.
         Scale = "scale";
-        /// Pixels with a channel above 1 are hatched.
+        /// Pixels with a channel above 1, or without a value of the scene's own law, are hatched.
         Mark = "mark";
     }
 }

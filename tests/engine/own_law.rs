@@ -7,7 +7,8 @@ use shading_lab::analysis::probe::probe;
 use shading_lab::illumination::{Equation, V3};
 use shading_lab::render::{Frame, Per, Renderer};
 use shading_lab::scene::{
-    Backfacing, Encoding, Reflectance, Reflection, ReflectionModel, Scene, ShadingMode, presets,
+    Backfacing, Encoding, Overflow, Reflectance, Reflection, ReflectionModel, Rgb, Scene,
+    ShadingMode, presets,
 };
 
 const PHONG: &str = Reflection::PHONG;
@@ -231,7 +232,7 @@ fn parts_without_effect_are_left_out_and_say_why() {
     let mut scene = presets::find("sphere").expect("a scene").scene();
     scene.reflection.model = ReflectionModel::Formula;
     scene.reflection.formula = PHONG.to_owned();
-    scene.material.ks = shading_lab::scene::Rgb::ZERO;
+    scene.material.ks = Rgb::ZERO;
     scene.image.size = [32, 32];
     let mut renderer = Renderer::default();
     renderer.render(&scene);
@@ -327,5 +328,78 @@ fn colours_of_a_pattern_are_od_in_the_law() {
     assert_eq!(one, count);
     for frame in &plain {
         assert!((0..count).filter(|index| same(*index, frame)).count() < count);
+    }
+}
+
+/// Returns a law that is undefined where N·L is below ½, with values between 0.4 and 0.8 for a light of Ip = 1, and one that is ½
+/// there and 0 elsewhere.
+const UNDEFINED: [&str; 2] = ["0.4 + 0.5 * sqrt(N·L - 0.5)", "0.5 * (0.5 > N·L)"];
+
+#[test]
+fn pixels_where_a_law_is_undefined_are_counted_and_hatched() {
+    let mut renderer = Renderer::default();
+    for (name, mode) in [
+        ("sphere", ShadingMode::Phong),
+        ("sphere", ShadingMode::Exact),
+        ("infinite", ShadingMode::Phong),
+        ("torus", ShadingMode::Phong),
+        ("balls", ShadingMode::Phong),
+        ("vertex-normals", ShadingMode::Exact),
+    ] {
+        let mut scene = presets::find(name).expect("a scene").scene();
+        scene.image.size = [97, 80];
+        (scene.shading.mode, scene.shading.shadows) = (mode, true);
+        scene.ground.visible = false;
+        (scene.material.ka, scene.image.background) = (Rgb::ZERO, Rgb::ZERO);
+        scene.display.encoding = Encoding::Raw;
+        scene.lights.truncate(1);
+        scene.lights[0].color = Rgb::ONE;
+        scene.reflection.model = ReflectionModel::Formula;
+        let mut draw = |law: &str, overflow: Overflow| {
+            let mut scene = scene.clone();
+            scene.reflection.formula = law.to_owned();
+            scene.display.overflow = overflow;
+            scene.validate().expect("a scene");
+            let frame = renderer.render(&scene).clone();
+            (frame, renderer.report().overflowing)
+        };
+        let (clamped, counted) = draw(UNDEFINED[0], Overflow::Clamp);
+        let (marked, same) = draw(UNDEFINED[0], Overflow::Mark);
+        let (there, none) = draw(UNDEFINED[1], Overflow::Clamp);
+        let (_, never) = draw("0.4 + 0.5 * sqrt(max(N·L - 0.5, 0))", Overflow::Clamp);
+        assert_eq!((none, never, same), (0, 0, counted), "{name} {mode:?}");
+        let pixels = clamped.pixels.iter().zip(&marked.pixels);
+        let hatched: Vec<bool> = pixels.map(|(a, b)| a != b).collect();
+        let all = hatched.iter().filter(|hatched| **hatched).count() as u64;
+        assert_eq!(all, counted, "{name} {mode:?}");
+        // The other law is drawn by another way; beside the line N·L = ½, both may round. Models have ambient light of their own.
+        let expected = there.pixels.iter().map(|[r, ..]| *r > 100);
+        let apart = hatched.iter().zip(expected).filter(|(a, b)| **a != *b);
+        let apart = apart.count();
+        assert!(all > 30 && apart <= 3, "{name} {mode:?}: {all}, {apart}");
+    }
+}
+
+#[test]
+fn a_law_that_is_undefined_everywhere_marks_the_whole_object() {
+    let mut renderer = Renderer::default();
+    for name in ["depth-cueing", "glass-ball", "one-bounce", "cone"] {
+        let mut scene = presets::find(name).expect("a scene").scene();
+        scene.image.size = [97, 80];
+        (scene.shading.mode, scene.shading.shadows) = (ShadingMode::Phong, false);
+        scene.reflection.model = ReflectionModel::Formula;
+        for overflow in [Overflow::Mark, Overflow::Clamp] {
+            scene.display.overflow = overflow;
+            let mut marked = |law: &str| {
+                scene.reflection.formula = law.to_owned();
+                renderer.render(&scene);
+                let report = renderer.report();
+                (report.overflowing, report.covered)
+            };
+            let (before, covered) = marked("0.1 * (N·L > 0)");
+            let (all, same) = marked("0.1 * (N·L > 0) + sqrt(N·L - 2)");
+            assert!(covered > 500 && same == covered, "{name}: {covered}");
+            assert_eq!((before, all), (0, covered), "{name} {overflow:?}");
+        }
     }
 }

@@ -93,6 +93,12 @@ controls-overflowing =
         [one] 1 pixel is above 1
        *[other] { $number } pixels are above 1
     }
+controls-overflowing-or-undefined =
+    { $count ->
+        [0] No pixel is above 1 or without a value
+        [one] 1 pixel is above 1 or has no value
+       *[other] { $number } pixels are above 1 or have no value
+    }
 controls-most-lights = A scene has at most { $most } lights.
 
 ## Menus and the groups of the keyboard help

@@ -79,7 +79,8 @@ evaluations = { $count ->
 evaluations-tip = How often the illumination equation was evaluated after the last change. The view Plan counts every term and step on its own, of a picture that is drawn anew.
 triangles = { $count } triangles
 overflowing = { $count } pixels overflow
-overflowing-tip = Pixels with a channel above 1, which the display cannot show; the setting Overflow says what happens to them
+overflowing-or-undefined = { $count } pixels overflow or have no value
+overflowing-tip = Pixels with a channel above 1, which the display cannot show, or where an operation of the scene's own law is undefined and counts as 0; the setting Overflow says what happens to them
 left-out = { $count ->
     [one] 1 step skipped
    *[other] { $count } steps skipped

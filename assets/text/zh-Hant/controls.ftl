@@ -93,6 +93,12 @@ controls-overflowing =
         [one] 1 個像素超過 1
        *[other] { $number } 個像素超過 1
     }
+controls-overflowing-or-undefined =
+    { $count ->
+        [0] 沒有像素超過 1 或沒有值
+        [one] 1 個像素超過 1 或沒有值
+       *[other] { $number } 個像素超過 1 或沒有值
+    }
 controls-most-lights = 一個場景最多有 { $most } 個光源。
 
 ## Menus and the groups of the keyboard help

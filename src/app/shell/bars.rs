@@ -19,7 +19,7 @@ use crate::app::views::compare::VIEWS;
 use crate::app::views::plan::left_out;
 use crate::app::widgets::focus::{named, one_stop};
 use crate::render::StageRun;
-use crate::scene::{Choice, ShadingMode};
+use crate::scene::{Choice, ReflectionModel, ShadingMode};
 use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::containers::menu::is_in_menu;
@@ -347,8 +347,13 @@ pub fn stages_ui(
             ui.label(RichText::new(text!("triangles", count = grouped(report.triangles))).weak());
         }
         if report.overflowing > 0 && room.min(ui.available_width()) > 250.0 {
-            ui.label(text!("overflowing", count = grouped(report.overflowing)))
-                .on_hover_text(text!("overflowing-tip"));
+            let count = grouped(report.overflowing);
+            let words = if session.shown.scene.reflection.model == ReflectionModel::Formula {
+                text!("overflowing-or-undefined", count = count)
+            } else {
+                text!("overflowing", count = count)
+            };
+            ui.label(words).on_hover_text(text!("overflowing-tip"));
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let omitted = left_out(engine, &window.appearance);

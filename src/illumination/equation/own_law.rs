@@ -2,7 +2,7 @@
 
 use super::{Equation, Reached};
 use crate::illumination::formula::{
-    Constancy, Incidence, Law, LawAt, LawLines, LawPart, LawSite, LawValues,
+    Constancy, Incidence, Law, LawAt, LawLines, LawPart, LawScratch, LawSite, LawValues, TOGETHER,
 };
 use crate::illumination::source::BRIGHTEST;
 use crate::illumination::{Real, Scalar, ShadingPoint, Source, V3};
@@ -64,7 +64,8 @@ impl<T: Scalar> Equation<T> {
         &self.known[source * count..][..count]
     }
 
-    /// Adds the parts of all sources by the scene's own law to `sum`.
+    /// Adds the parts of all sources by the scene's own law to `sum`; the second value is 1 where the law is undefined for a source
+    /// that reaches the point, otherwise 0.
     // In one copy for all shaders.
     #[inline(never)]
     pub(super) fn add_law<R: Real<Scalar = T>>(
@@ -74,30 +75,54 @@ impl<T: Scalar> Equation<T> {
         reached: Option<Reached<'_>>,
         color: Option<[R; 3]>,
         mut sum: [R; 3],
-    ) -> [R; 3] {
+        scratch: &mut LawScratch<R>,
+    ) -> ([R; 3], R) {
         let like = site.inverse_distance;
         like.vectorize(
             #[inline(always)]
             || {
                 let zero = like.number(0.0);
-                let mut point = law.at(site.normal, site.view, color);
-                for index in 0..self.sources.len() {
-                    if reached.is_some_and(|reached| like.holds_none(reached.bits(index))) {
+                let (mut undefined, last) = (zero, self.sources.len());
+                let mut point = law.at(site.normal, site.view, color, (scratch, last));
+                // The lights that are evaluated together.
+                let mut group = [(0, zero); TOGETHER];
+                let mut count = 0;
+                for index in 0..last {
+                    if !reached.is_some_and(|reached| like.holds_none(reached.bits(index))) {
+                        let (incidence, strength) = self.incidence(&self.sources[index], site);
+                        point.put(count, &incidence, self.known_of(index));
+                        group[count] = (index, strength);
+                        count += 1;
+                    }
+                    if count < point.places() && index + 1 < last {
                         continue;
                     }
-                    let parts = self.part_by_law(&mut point, index, site);
-                    for (sum, part) in sum.iter_mut().zip(parts) {
-                        let lit = reached.map(|reached| like.mask_of_bits(reached.bits(index)));
-                        *sum = *sum + lit.map_or(part, |lit| R::select(lit, part, zero));
+                    point.run(count);
+                    for (place, (index, strength)) in group[..count].iter().enumerate() {
+                        let mut parts = self.parts_by_law(point.factors(place), *index, *strength);
+                        let lit = reached.map(|reached| like.mask_of_bits(reached.bits(*index)));
+                        if let Some(lit) = lit {
+                            for part in &mut parts {
+                                *part = R::select(lit, *part, zero);
+                            }
+                        }
+                        for (sum, part) in sum.iter_mut().zip(parts) {
+                            *sum = *sum + part;
+                        }
+                        if law.may_be_undefined() {
+                            let own = point.undefined(place);
+                            let own = lit.map_or(own, |lit| R::select(lit, own, zero));
+                            undefined = undefined.max(own);
+                        }
                     }
+                    count = 0;
                 }
-                sum
+                (sum, undefined)
             },
         )
     }
 
-    /// Returns what one source adds by the scene's own law, per channel: at most an equal share of [`BRIGHTEST`], and 0 where the
-    /// law has no value.
+    /// Returns what one source adds by the scene's own law at a point, per channel.
     #[inline(always)]
     pub(super) fn part_by_law<R: Real<Scalar = T>>(
         &self,
@@ -105,22 +130,32 @@ impl<T: Scalar> Equation<T> {
         index: usize,
         site: &ShadingPoint<R>,
     ) -> [R; 3] {
-        let (like, source) = (site.inverse_distance, &self.sources[index]);
-        let zero = like.number(0.0);
-        let limit = like.number(BRIGHTEST / self.sources.len().max(1) as f64);
-        let (incidence, strength) = self.incidence(source, site);
-        let factors = point.factors(&incidence, self.known_of(index));
-        let V3 { x, y, z } = V3::constant(like, source.diffuse);
-        let [r, g, b] = factors;
-        [r * x, g * y, b * z].map(
-            #[inline(always)]
-            |factor| {
-                let part = factor * strength;
-                // What is not a number is neither above nor below 0.
-                let above = R::select(part.greater_than(zero), part.min(limit), zero);
-                R::select(zero.greater_than(part), part.max(-limit), above)
-            },
-        )
+        let (incidence, strength) = self.incidence(&self.sources[index], site);
+        point.put(0, &incidence, self.known_of(index));
+        point.run(1);
+        self.parts_by_law(point.factors(0), index, strength)
+    }
+
+    /// Returns what one source adds where the law has these factors, per channel: at most an equal share of [`BRIGHTEST`], and 0 where
+    /// the law has no value.
+    #[inline(always)]
+    fn parts_by_law<R: Real<Scalar = T>>(
+        &self,
+        mut factors: [R; 3],
+        index: usize,
+        strength: R,
+    ) -> [R; 3] {
+        let zero = strength.number(0.0);
+        let limit = strength.number(BRIGHTEST / self.sources.len().max(1) as f64);
+        let V3 { x, y, z } = V3::constant(strength, self.sources[index].diffuse);
+        // A loop: what `map` of an array takes is not always compiled into it, and then not for the lanes' instructions.
+        for (factor, ip) in factors.iter_mut().zip([x, y, z]) {
+            let part = *factor * ip * strength;
+            // What is not a number is neither above nor below 0.
+            let above = R::select(part.greater_than(zero), part.min(limit), zero);
+            *factor = R::select(zero.greater_than(part), part.max(-limit), above);
+        }
+        factors
     }
 
     /// Returns what a law knows of a source at a point, and the attenuation times the spot's part.

@@ -45,6 +45,8 @@ pub struct Builder {
     pub origins: Vec<Range<usize>>,
     /// The parts in which an operation was left out because it would change nothing.
     pub cut: Vec<u32>,
+    /// The products of two unit vectors, which all have an angle.
+    pub cosines: Vec<Value>,
     origin: u32,
     known: HashMap<Key, Value>,
 }
@@ -407,6 +409,7 @@ impl Builder {
                 !self.is_never_negative(a) || b.known().is_none_or(|b| b < 0.0)
             }
             Some(Code::Sqrt) => !self.is_never_negative(a),
+            Some(Code::Asin | Code::Acos) => !self.cosines.contains(&a),
             Some(code) => code.may_be_undefined(),
             None => false,
         }

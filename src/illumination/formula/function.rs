@@ -97,17 +97,19 @@ impl FormulaFunction {
         let mut registers = Registers::new(&self.program, 0.0, TOGETHER.min(points.len().max(1)));
         let mut all = Vec::with_capacity(points.len());
         for points in points.chunks(TOGETHER) {
-            registers.reset();
+            for block in 0..points.len() {
+                registers.set_undefined(block, 0.0);
+            }
             for (index, register) in &self.program.inputs {
                 for (block, point) in points.iter().enumerate() {
                     let value = point.as_ref().get(*index as usize).copied();
                     registers.set(*register, block, value.unwrap_or(0.0));
                 }
             }
-            registers.run_noting(&self.program.sections[0], points.len());
-            let slot = self.program.results[0][0];
+            registers.run(&self.program.sections[0], points.len());
+            let result = self.program.results[0][0];
             all.extend((0..points.len()).map(|block| {
-                let value = registers.get(slot, block);
+                let value = registers.get(result, block);
                 Outcome {
                     value: if value.is_nan() { 0.0 } else { value },
                     undefined: value.is_nan() || registers.undefined(block) > 0.0,

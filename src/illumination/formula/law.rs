@@ -30,6 +30,8 @@ pub struct Law {
     program: Program,
     /// What each input of the code is, with its register.
     inputs: Vec<(Input, u16)>,
+    /// The registers of what is the same for all lights.
+    shared: Vec<u16>,
     /// The code for a light whose L is constant, evaluated once.
     once: Program,
     once_inputs: Vec<(Input, u16)>,
@@ -65,6 +67,7 @@ impl Law {
             inputs: program.inputs.iter().filter_map(of).collect(),
             once_inputs: once.inputs.iter().filter_map(of).collect(),
             parts: parts::parts(builder, &listed.formula, [&program, &once]),
+            shared: program.taken(LIGHT),
             program,
             once,
         })
@@ -75,53 +78,113 @@ impl Law {
         &self.parts
     }
 
-    /// Returns what is known of a light before a point is looked at, where L is constant.
+    /// Returns whether there may be points where an operation is undefined.
+    #[inline(always)]
+    pub fn may_be_undefined(&self) -> bool {
+        self.program.counts || self.once.counts
+    }
+
+    /// Returns what is known of a light before a point is looked at, where L is constant; the last number is 1 if an operation was
+    /// undefined.
     pub fn known(&self, incidence: &Incidence<f64>) -> Vec<f64> {
         let mut registers = Registers::new(&self.once, 0.0, 1);
         for (input, register) in &self.once_inputs {
             let value = input.of_light(incidence, &[]);
             registers.set(*register, 0, value.unwrap_or_default());
         }
-        registers.run(&self.once.sections[0]);
+        registers.run(&self.once.sections[0], 1);
         let results = self.once.results[0].iter();
-        results.map(|slot| registers.get(*slot, 0)).collect()
+        let numbers = results.map(|result| registers.get(*result, 0));
+        numbers.chain([registers.undefined(0)]).collect()
     }
 
-    /// Begins at a point: computes what is the same for all lights.
+    /// Begins at a point: computes what is the same for all lights. `scratch` is that of this law's points before, or none; then it
+    /// gets places for `lights`, at most [`TOGETHER`].
     #[inline(always)]
-    pub fn at<R: Real>(&self, normal: V3<R>, view: V3<R>, color: Option<[R; 3]>) -> LawAt<'_, R> {
-        let mut registers = Registers::new(&self.program, normal.x, 1);
+    pub fn at<'a, R: Real>(
+        &'a self,
+        normal: V3<R>,
+        view: V3<R>,
+        color: Option<[R; 3]>,
+        (scratch, lights): (&'a mut LawScratch<R>, usize),
+    ) -> LawAt<'a, R> {
+        let zero = normal.x.number(0.0);
+        let places = lights.clamp(1, TOGETHER);
+        let registers = scratch.get_or_insert_with(|| Registers::new(&self.program, zero, places));
         for (input, register) in &self.inputs {
             if let Some(value) = input.of_point(normal, view, color) {
-                registers.set(*register, 0, value);
+                registers.set_all(*register, value);
             }
         }
-        registers.run(&self.program.sections[POINT]);
+        registers.set_undefined(0, zero);
+        registers.run(&self.program.sections[POINT], 1);
+        for register in &self.shared {
+            registers.spread(*register);
+        }
         LawAt {
             law: self,
+            undefined: registers.undefined(0),
             registers,
         }
     }
 }
 
-/// A law at a point.
+/// The most lights that a law is evaluated for at once.
+pub const TOGETHER: usize = 7;
+
+/// The registers of a law's code, kept from point to point.
+pub(crate) type LawScratch<R> = Option<Registers<R>>;
+
+/// A law at a point, with places for several lights.
 pub struct LawAt<'a, R> {
     law: &'a Law,
-    registers: Registers<R>,
+    registers: &'a mut Registers<R>,
+    /// 1 where an operation that is the same for all lights was undefined, otherwise 0.
+    undefined: R,
 }
 
 impl<R: Real> LawAt<'_, R> {
-    /// Returns the factors of a light's part, for each channel; `known` is what [`Law::known`] gives for the light.
+    /// Returns the number of places for lights.
     #[inline(always)]
-    pub fn factors(&mut self, incidence: &Incidence<R>, known: &[R::Scalar]) -> [R; 3] {
-        let program = &self.law.program;
+    pub fn places(&self) -> usize {
+        self.registers.blocks()
+    }
+
+    /// Puts a light into a place; `known` is what [`Law::known`] gives for the light.
+    #[inline(always)]
+    pub fn put(&mut self, place: usize, incidence: &Incidence<R>, known: &[R::Scalar]) {
         for (input, register) in &self.law.inputs {
             if let Some(value) = input.of_light(incidence, known) {
-                self.registers.set(*register, 0, value);
+                self.registers.set(*register, place, value);
             }
         }
-        self.registers.run(&program.sections[LIGHT]);
-        let slots = &program.results[LIGHT];
-        std::array::from_fn(|channel| self.registers.get(slots[channel], 0))
+        if self.law.may_be_undefined() {
+            let of_light = known.last().map(|known| self.undefined.constant(*known));
+            let undefined = of_light.map_or(self.undefined, |known| self.undefined.max(known));
+            self.registers.set_undefined(place, undefined);
+        }
+    }
+
+    /// Evaluates the law for the lights in the first `count` places.
+    #[inline(always)]
+    pub fn run(&mut self, count: usize) {
+        self.registers.run(&self.law.program.sections[LIGHT], count);
+    }
+
+    /// Returns the factors of the part of the light in a place, for each channel.
+    #[inline(always)]
+    pub fn factors(&self, place: usize) -> [R; 3] {
+        let results = &self.law.program.results[LIGHT];
+        let mut factors = [self.undefined; 3];
+        for (factor, register) in factors.iter_mut().zip(results) {
+            *factor = self.registers.get(*register, place);
+        }
+        factors
+    }
+
+    /// Returns 1 where an operation was undefined for the light in a place, otherwise 0.
+    #[inline(always)]
+    pub fn undefined(&self, place: usize) -> R {
+        self.registers.undefined(place)
     }
 }

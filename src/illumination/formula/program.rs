@@ -5,18 +5,11 @@ use super::code::{Code, for_code};
 use crate::illumination::Real;
 use std::collections::HashMap;
 
-/// The place of a value: a constant, or a register with a number for each point.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Slot {
-    Constant(u16),
-    Register(u16),
-}
-
-/// An operation with the places of its operands and of its result.
+/// An operation with the registers of its operands and of its result.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Step {
     pub code: Code,
-    pub operands: [Slot; 3],
+    pub operands: [u16; 3],
     pub result: u16,
     /// True if the points where it is undefined are counted.
     pub counts: bool,
@@ -26,12 +19,13 @@ pub struct Step {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Program {
     pub sections: Vec<Vec<Step>>,
-    /// The places of the values that each section gives.
-    pub results: Vec<Vec<Slot>>,
+    /// The registers of the values that each section gives.
+    pub results: Vec<Vec<u16>>,
+    /// What the first registers hold from the beginning to the end.
     pub constants: Vec<f64>,
     /// The registers of the inputs that are needed, by the input's index among the builder's operations.
     pub inputs: Vec<(u32, u16)>,
-    /// The number of registers.
+    /// The number of registers, those of the constants among them.
     pub registers: usize,
     /// True if a step counts the points where it is undefined.
     pub counts: bool,
@@ -57,23 +51,25 @@ pub fn schedule(
             all.map(|index| index as u32).collect()
         })
         .collect();
-    let mut allocation = Allocation::new(builder, &sources, results);
+    let constants = constants(builder, &sources, results);
+    let mut allocation = Allocation::new(builder, &sources, results, constants.len());
+    let register = |value: Value, allocation: &Allocation| match value {
+        Value::Varying(index) => allocation.places[&index],
+        Value::Known(number, _) => place_of(&constants, number).unwrap_or(0) as u16,
+    };
     for (index, operation) in builder.operations.iter().enumerate() {
         if needed[index] && section(operation).is_none() {
             let register = allocation.allocate(index as u32);
             program.inputs.push((index as u32, register));
         }
     }
-    let mut constants = Constants::default();
     let mut time = 0;
     for (own, results) in sources.iter().zip(results) {
         let mut steps = vec![];
         for index in own {
             let operation = &builder.operations[*index as usize];
             let Some(code) = operation.code else { continue };
-            let operands = operation
-                .operands
-                .map(|value| constants.slot(value, &allocation));
+            let operands = operation.operands.map(|value| register(value, &allocation));
             // A result may take the place of an operand that nothing else needs.
             allocation.release(time);
             time += 1;
@@ -86,15 +82,13 @@ pub fn schedule(
         }
         program.counts |= steps.iter().any(|step| step.counts);
         program.sections.push(steps);
-        let slots = results
-            .iter()
-            .map(|value| constants.slot(*value, &allocation));
-        program.results.push(slots.collect());
+        let given = results.iter().map(|value| register(*value, &allocation));
+        program.results.push(given.collect());
         allocation.release(time);
         time += 1;
     }
     program.registers = allocation.count;
-    program.constants = constants.numbers;
+    program.constants = constants;
     program.sources = sources;
     program
 }
@@ -126,24 +120,27 @@ pub(super) fn needed(
     needed
 }
 
-#[derive(Default)]
-struct Constants {
-    numbers: Vec<f64>,
+/// Returns each number that the operations or the results name, once.
+fn constants(builder: &Builder, sources: &[Vec<u32>], results: &[Vec<Value>]) -> Vec<f64> {
+    let operations = sources
+        .iter()
+        .flatten()
+        .map(|index| &builder.operations[*index as usize]);
+    let operands = operations.flat_map(|operation| &operation.operands);
+    let mut constants = vec![];
+    for value in operands.chain(results.iter().flatten()) {
+        if let Value::Known(number, _) = value
+            && place_of(&constants, *number).is_none()
+        {
+            constants.push(*number);
+        }
+    }
+    constants
 }
 
-impl Constants {
-    fn slot(&mut self, value: Value, allocation: &Allocation) -> Slot {
-        let number = match value {
-            Value::Varying(index) => return Slot::Register(allocation.places[&index]),
-            Value::Known(number, _) => number,
-        };
-        let same = |own: &f64| own.to_bits() == number.to_bits();
-        let place = self.numbers.iter().position(same).unwrap_or_else(|| {
-            self.numbers.push(number);
-            self.numbers.len() - 1
-        });
-        Slot::Constant(place as u16)
-    }
+fn place_of(constants: &[f64], number: f64) -> Option<usize> {
+    let same = |own: &f64| own.to_bits() == number.to_bits();
+    constants.iter().position(same)
 }
 
 /// The registers of values, which are given to others once nothing needs them.
@@ -156,9 +153,14 @@ struct Allocation {
 }
 
 impl Allocation {
-    /// Finds when each value is last used. The last section may run several times: what it takes from those before it,
+    /// Finds when each value is last used; the registers begin after the constants. The last section may run several times: what it takes from those before it,
     /// and the inputs, are kept to its end.
-    fn new(builder: &Builder, sources: &[Vec<u32>], results: &[Vec<Value>]) -> Self {
+    fn new(
+        builder: &Builder,
+        sources: &[Vec<u32>],
+        results: &[Vec<Value>],
+        constants: usize,
+    ) -> Self {
         let mut last: HashMap<u32, (usize, usize)> = HashMap::new();
         let mut made: HashMap<u32, usize> = HashMap::new();
         let mut time = 0;
@@ -196,7 +198,7 @@ impl Allocation {
             places: HashMap::new(),
             ends,
             free: vec![],
-            count: 0,
+            count: constants,
         }
     }
 
@@ -219,50 +221,68 @@ impl Allocation {
 /// The registers of a program, each with a number for each of `blocks` groups of points.
 pub struct Registers<R> {
     blocks: usize,
-    constants: usize,
-    /// The constants, then the registers, then the places where an operation was undefined.
+    /// The registers, then the places where an operation was undefined.
     numbers: Vec<R>,
+}
+
+impl Program {
+    /// Returns the registers that a section takes from the one before it.
+    pub fn taken(&self, section: usize) -> Vec<u16> {
+        let steps = self.sections[section].iter();
+        let made: Vec<u16> = steps.clone().map(|step| step.result).collect();
+        let operands = steps.flat_map(|step| &step.operands[..step.code.operands()]);
+        let used: Vec<u16> = operands.chain(&self.results[section]).copied().collect();
+        let before = self.sections[section - 1].iter().map(|step| step.result);
+        let mut taken: Vec<u16> = before
+            .filter(|register| used.contains(register) && !made.contains(register))
+            .collect();
+        taken.sort_unstable();
+        taken.dedup();
+        taken
+    }
 }
 
 impl<R: Real> Registers<R> {
     /// Returns the registers of a program for `blocks` numbers in each.
     #[inline(always)]
     pub fn new(program: &Program, like: R, blocks: usize) -> Self {
-        let constants = program.constants.len();
-        let mut numbers = Vec::with_capacity(constants + (program.registers + 1) * blocks);
+        let count = (program.registers + 1) * blocks;
+        let mut numbers = Vec::with_capacity(count);
         for constant in &program.constants {
-            numbers.push(like.number(*constant));
+            numbers.extend(std::iter::repeat_n(like.number(*constant), blocks));
         }
-        let zero = like.number(0.0);
-        numbers.resize(constants + (program.registers + 1) * blocks, zero);
-        Self {
-            blocks,
-            constants,
-            numbers,
-        }
+        numbers.resize(count, like.number(0.0));
+        Self { blocks, numbers }
     }
 
-    /// Returns where a slot begins, and the distance of its numbers, of which a register has `blocks`.
+    /// Returns a register's number for one group of points.
     #[inline(always)]
-    fn place(&self, slot: Slot, blocks: usize) -> (usize, usize) {
-        match slot {
-            Slot::Constant(index) => (usize::from(index), 0),
-            Slot::Register(index) => (self.constants + usize::from(index) * blocks, 1),
-        }
-    }
-
-    /// Returns a slot's number for one group of points.
-    #[inline(always)]
-    pub fn get(&self, slot: Slot, block: usize) -> R {
-        let (place, step) = self.place(slot, self.blocks);
-        self.numbers[place + block * step]
+    pub fn get(&self, register: u16, block: usize) -> R {
+        self.numbers[usize::from(register) * self.blocks + block]
     }
 
     /// Sets a register's number for one group of points.
     #[inline(always)]
     pub fn set(&mut self, register: u16, block: usize, value: R) {
-        let (place, _) = self.place(Slot::Register(register), self.blocks);
-        self.numbers[place + block] = value;
+        self.numbers[usize::from(register) * self.blocks + block] = value;
+    }
+
+    /// Gives all groups of points the number that a register has for the first.
+    #[inline(always)]
+    pub fn spread(&mut self, register: u16) {
+        self.set_all(register, self.get(register, 0));
+    }
+
+    /// Sets a register's number for all groups of points.
+    #[inline(always)]
+    pub fn set_all(&mut self, register: u16, value: R) {
+        self.numbers[usize::from(register) * self.blocks..][..self.blocks].fill(value);
+    }
+
+    /// Returns the number of groups of points.
+    #[inline(always)]
+    pub fn blocks(&self) -> usize {
+        self.blocks
     }
 
     /// Returns the number, 1 or 0, that says whether an operation was undefined at a group of points.
@@ -271,70 +291,55 @@ impl<R: Real> Registers<R> {
         self.numbers[self.numbers.len() - self.blocks + block]
     }
 
-    /// Forgets where operations were undefined.
+    /// Sets where operations count as undefined before any has run.
     #[inline(always)]
-    pub fn reset(&mut self) {
-        let first = self.numbers.len() - self.blocks;
-        for number in &mut self.numbers[first..] {
-            *number = number.number(0.0);
-        }
+    pub fn set_undefined(&mut self, block: usize, value: R) {
+        let place = self.numbers.len() - self.blocks + block;
+        self.numbers[place] = value;
     }
 
-    /// Runs a section's steps where a register has one number.
+    /// Runs a section's steps for the first `count` groups of points, and notes where operations are undefined.
     // In one copy for all callers: it has the code of all operations.
     #[inline(never)]
-    pub fn run(&mut self, steps: &[Step]) {
+    pub fn run(&mut self, steps: &[Step], count: usize) {
         let Some(like) = self.numbers.first().copied() else {
             return;
         };
+        let (blocks, numbers) = (self.blocks, &mut self.numbers[..]);
+        let undefined = numbers.len() - blocks;
         like.vectorize(
             #[inline(always)]
             || {
                 for step in steps {
-                    self.run_step(step, [1, 1]);
+                    let [a, b, c] = step.operands.map(|register| usize::from(register) * blocks);
+                    if step.counts {
+                        each(
+                            numbers,
+                            ([a, b, undefined], undefined),
+                            count,
+                            #[inline(always)]
+                            |a, b, before: R| step.code.undefined(a, b).max(before),
+                        );
+                    }
+                    let places = ([a, b, c], usize::from(step.result) * blocks);
+                    for_code!(step.code, CODE => each(numbers, places, count,
+                        #[inline(always)] |a, b, c| CODE.apply(a, b, c)));
                 }
             },
         );
     }
-
-    /// Runs a section's steps for the first `count` groups of points, and notes where operations are undefined.
-    pub fn run_noting(&mut self, steps: &[Step], count: usize) {
-        let blocks = [self.blocks, count];
-        let undefined = self.numbers.len() - self.blocks;
-        for step in steps {
-            if step.counts {
-                let [a, b, _] = step.operands.map(|slot| self.place(slot, self.blocks));
-                each(
-                    &mut self.numbers,
-                    ([a, b, (undefined, 1)], undefined),
-                    count,
-                    |a, b, before: R| step.code.undefined(a, b).max(before),
-                );
-            }
-            self.run_step(step, blocks);
-        }
-    }
-
-    /// Runs a step for the first of the `blocks` numbers that a register has.
-    #[inline(always)]
-    fn run_step(&mut self, step: &Step, [blocks, count]: [usize; 2]) {
-        let operands = step.operands.map(|slot| self.place(slot, blocks));
-        let (result, _) = self.place(Slot::Register(step.result), blocks);
-        for_code!(step.code, CODE => each(&mut self.numbers, (operands, result), count,
-            #[inline(always)] |a, b, c| CODE.apply(a, b, c)));
-    }
 }
 
-/// Computes a register's numbers from those of three operands.
+/// Computes `count` numbers of a register from those of three operands; the places are those of the first numbers.
 #[inline(always)]
 fn each<R: Real>(
     numbers: &mut [R],
-    ([a, b, c], result): ([(usize, usize); 3], usize),
-    blocks: usize,
+    ([a, b, c], result): ([usize; 3], usize),
+    count: usize,
     of: impl Fn(R, R, R) -> R,
 ) {
-    for block in 0..blocks {
-        let at = |(place, step): (usize, usize)| numbers[place + block * step];
-        numbers[result + block] = of(at(a), at(b), at(c));
+    for block in 0..count {
+        let of = of(numbers[a + block], numbers[b + block], numbers[c + block]);
+        numbers[result + block] = of;
     }
 }

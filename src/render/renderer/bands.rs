@@ -525,7 +525,7 @@ impl BandPainter<'_> {
         }
         let mut over = 0;
         for (face, runs) in band.runs_by_face(&self.inputs.triangles) {
-            let ink = target.ink(simd, self.face_intensity(face, intensity));
+            let ink = target.ink(simd, self.face_intensity(face, intensity), false);
             for run in runs {
                 let row = usize::from(run.row) * width;
                 let [x0, x1] = [run.x0, run.x1].map(|x| row + inside(usize::from(x)));
@@ -570,9 +570,10 @@ impl BandPainter<'_> {
         }
         let mut over = 0;
         let mut put = |x: usize, row: usize, evaluation: Evaluation<'_>| {
-            let color = evaluation.intensity(&equations);
+            let color = evaluation.intensity(&equations).as_vec3().to_array();
+            let undefined = evaluation.is_undefined(&equations);
             let at = row * width + x;
-            let ink = dispatch!(inputs.level, simd => target.ink(simd, color.as_vec3().to_array()));
+            let ink = dispatch!(inputs.level, simd => target.ink(simd, color, undefined));
             over += target.fill(at..at + 1, ink);
         };
         let centre = |x: usize, row: usize| pixel_centre(x, place.first_row as usize + row);

@@ -4,7 +4,7 @@
 //! transmitted light may fade as a whole, or each part where it is found: at vertices and faces, before it is carried to
 //! the pixels, or at the pixels.
 
-use super::display::Linear;
+use super::display::{Linear, is_marked};
 use super::plan::{Cued, Inputs};
 use crate::render::model::{Model, Planes};
 use crate::render::node::{Memory, capacity};
@@ -190,15 +190,15 @@ fn of_face(at: FlatAt, points: &[f32], model: &Model, face: u32) -> f32 {
     }
 }
 
-/// Fades the pixels that show the object; returns the number of overflowing pixels, of these or, if `all`, of the picture.
+/// Fades the pixels that show the object; returns the number of pixels that are marked, of these or, if `all`, of the picture.
 pub fn fade_pixels(layer: &CueLayer, color: Vec3, all: bool, linear: &mut [Linear]) -> u64 {
-    let fade = |([r, g, b, covered], s0): (&mut Linear, &f32)| {
-        let (mut pixel, covered) = (Vec3::new(*r, *g, *b), *covered > 0.0);
+    let fade = |(pixel, s0): (&mut Linear, &f32)| {
+        let covered = pixel[3] > 0.0;
         if covered {
-            pixel = *s0 * pixel + (1.0 - s0) * color;
-            (*r, *g, *b) = pixel.into();
+            let faded = *s0 * Vec3::from_slice(pixel) + (1.0 - s0) * color;
+            pixel[..3].copy_from_slice(&faded.to_array());
         }
-        u64::from((covered || all) && pixel.max_element() > 1.0)
+        u64::from((covered || all) && is_marked(*pixel))
     };
     linear.par_iter_mut().zip(&layer.scales).map(fade).sum()
 }

@@ -7,11 +7,19 @@ use fearless_simd::{Level, dispatch, f32x4, i32x4, i32x16, mask32x16, prelude::*
 use glam::Vec3;
 use rayon::prelude::*;
 
-/// A pixel before the display: linear red, green, blue, and 1 where the object is visible.
+/// A pixel before the display: linear red, green, blue, and 1 where the object is visible, or [`UNDEFINED`].
 pub type Linear = [f32; 4];
 
+/// The fourth number of a visible pixel where the scene's own law is undefined.
+pub const UNDEFINED: f32 = 0.5;
+
+/// Returns whether the display marks a pixel: it overflows, or it has no value.
+pub fn is_marked([r, g, b, seen]: Linear) -> bool {
+    r.max(g).max(b) > 1.0 || seen == UNDEFINED
+}
+
 /// Composes the equation's value, the view beyond and the light that other surfaces scatter; returns the number of
-/// overflowing pixels. Where the equation's part has already faded at vertices or faces, `faded` has s0 at each pixel, for
+/// pixels that are marked. Where the equation's part has already faded at vertices or faces, `faded` has s0 at each pixel, for
 /// the parts added here.
 pub fn compose(
     scene: &Scene,
@@ -48,8 +56,8 @@ pub fn compose(
                 color = color * (1.0 - kt) + (s0 * beyond + (1.0 - s0) * veil) * kt;
             }
             color = color.min(Vec3::splat(BRIGHTEST as f32));
-            over += u64::from(color.max_element() > 1.0);
             pixel[..3].copy_from_slice(&color.to_array());
+            over += u64::from(is_marked(*pixel));
         }
         over
     });
@@ -184,20 +192,22 @@ fn store_line<S: Simd>(
         .zip(line.chunks(LANES).zip(pixels.chunks_mut(LANES)))
     {
         separate(simd, colors, &mut planes);
-        let [r, g, b, _] = &planes;
+        let [r, g, b, seen] = &planes;
         let color = [
             Lanes::load(simd, r) * factor,
             Lanes::load(simd, g) * factor,
             Lanes::load(simd, b) * factor,
         ];
-        let (packed, mut over) = pack(simd, color, all, nothing, policy.encoding);
+        let (packed, over) = pack(simd, color, all, nothing, policy.encoding);
         let bytes = pixels.as_flattened_mut();
         bytes.copy_from_slice(&packed.as_slice()[..bytes.len()]);
         if policy.overflow == Overflow::Mark {
-            over &= u64::MAX >> (64 - pixels.len());
-            while over != 0 {
-                let lane = over.trailing_zeros() as usize;
-                over &= over - 1;
+            let seen = Lanes::load(simd, seen);
+            let undefined = seen.0.simd_eq(seen.constant(UNDEFINED).0).to_bitmask();
+            let mut marked = (over | undefined) & (u64::MAX >> (64 - pixels.len()));
+            while marked != 0 {
+                let lane = marked.trailing_zeros() as usize;
+                marked &= marked - 1;
                 pixels[lane] = hatching(first + lane, row);
             }
         }

@@ -112,7 +112,7 @@ pub struct FrameReport {
     pub drawn: u64,
     /// The pixels that show the object.
     pub covered: u64,
-    /// The pixels with a channel above 1 before the display.
+    /// The pixels with a channel above 1 before the display, or where the scene's own law is undefined.
     pub overflowing: u64,
     /// The divisor of the intensities where the display scales the picture; otherwise 1.
     pub divisor: f64,

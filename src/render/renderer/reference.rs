@@ -60,6 +60,15 @@ impl WeightedPoint<'_> {
 }
 
 impl Evaluation<'_> {
+    /// Returns whether the scene's own law is undefined at one of the points.
+    pub fn is_undefined(&self, equations: &[Equation<f64>]) -> bool {
+        let equation = &equations[self.material];
+        let undefined = |at: &WeightedPoint<'_>| {
+            equation.is_undefined((at.point, at.normal), at.tint, at.reached)
+        };
+        self.points.iter().any(undefined)
+    }
+
     pub fn intensity(&self, equations: &[Equation<f64>]) -> Rgb {
         let equation = &equations[self.material];
         self.points

@@ -1,8 +1,10 @@
 //! Shading: the equation at vertices or faces, and at the pixels of a band's fragments; or the interpolated intensities.
 
-use super::display::{Linear, pack, raw};
+use super::display::{Linear, UNDEFINED, is_marked, pack, raw};
 use super::plan::{Inputs, Per};
-use crate::illumination::{BRIGHTEST, Equation, LANES, Lanes, Reached, Real, SpecularForm, V3};
+use crate::illumination::{
+    BRIGHTEST, Equation, LANES, Lanes, LawScratch, Reached, Real, SpecularForm, V3,
+};
 use crate::render::face_materials::ByMaterial;
 use crate::render::lens::{FARTHEST, Lens, pixel_centre};
 use crate::render::model::{Model, PADDING, Planes};
@@ -22,14 +24,22 @@ pub trait Colour {
     #[inline(always)]
     fn row(&mut self, _y: u32, _blocks: Range<usize>) {}
 
-    /// Returns red, green, blue at the pixels from `column` on, given the three carried numbers and the depth key.
+    /// Returns red, green, blue at the pixels from `column` on, given the three carried numbers and the depth key; `scratch` is that of
+    /// the pixels before.
     fn at<S: Simd>(
         &mut self,
         simd: S,
         column: usize,
         carried: [Lanes<S>; 3],
         key: Lanes<S>,
+        scratch: &mut LawScratch<Lanes<S>>,
     ) -> [Lanes<S>; 3];
+
+    /// Returns at which of the last pixels the scene's own law is undefined, the lowest bit for the first.
+    #[inline(always)]
+    fn undefined(&self) -> u64 {
+        0
+    }
 }
 
 /// Colours whose carried numbers are intensities.
@@ -47,6 +57,7 @@ impl Colour for Carried {
         _: usize,
         carried: [Lanes<S>; 3],
         key: Lanes<S>,
+        _: &mut LawScratch<Lanes<S>>,
     ) -> [Lanes<S>; 3] {
         // Rounding may leave nothing of the key of a far point beside that of a near one.
         let min_key = Lanes::splat(simd, (1.0 / FARTHEST) as f32);
@@ -81,6 +92,7 @@ pub struct Evaluated<'a> {
     places: Option<&'a [Block]>,
     /// The interpolated colours that tint Od, those of the band and those of the current row; empty where there are none.
     tints: [&'a [Block]; 2],
+    undefined: u64,
 }
 
 impl<'a> Evaluated<'a> {
@@ -101,6 +113,7 @@ impl<'a> Evaluated<'a> {
             reached: None,
             places: None,
             tints: [&[]; 2],
+            undefined: 0,
         }
     }
 
@@ -176,6 +189,7 @@ impl Colour for Evaluated<'_> {
         column: usize,
         carried: [Lanes<S>; 3],
         key: Lanes<S>,
+        scratch: &mut LawScratch<Lanes<S>>,
     ) -> [Lanes<S>; 3] {
         let key = key.max(Lanes::splat(simd, self.least_key));
         let [nx, ny, nz] = carried;
@@ -213,13 +227,27 @@ impl Colour for Evaluated<'_> {
             let inverse = Lanes::splat(simd, 1.0) / key;
             [r * inverse, g * inverse, b * inverse]
         });
-        self.equation.illuminate_by(
-            self.form,
-            &point,
-            Reached::starting_at(self.reached, column),
-            tint,
-        )
+        let reached = Reached::starting_at(self.reached, column);
+        let (color, undefined) = self
+            .equation
+            .illuminate_by(self.form, &point, reached, tint, scratch);
+        if self.form == SpecularForm::Formula {
+            self.undefined = undefined.greater_than(undefined.constant(0.0)).to_bitmask();
+        }
+        color
     }
+
+    #[inline(always)]
+    fn undefined(&self) -> u64 {
+        self.undefined
+    }
+}
+
+/// The lanes of a vector that show the object, and those where the scene's own law is undefined.
+#[derive(Clone, Copy)]
+pub struct Shown<S: Simd> {
+    covered: mask32x16<S>,
+    undefined: u64,
 }
 
 /// A destination of colours.
@@ -233,17 +261,18 @@ pub trait Target {
 
     /// Returns the pixels, and the value of those that show no object.
     fn pixels(&mut self) -> (&mut [Self::Pixel], Self::Pixel);
-    /// Writes one vector's lanes to the pixels from `first` on, at most `count` of them; returns how many overflow.
+    /// Writes one vector's lanes to the pixels from `first` on, at most `count` of them; returns how many overflow or are among the
+    /// `undefined`.
     fn put<S: Simd>(
         &mut self,
         simd: S,
         first: usize,
         count: usize,
         color: [Lanes<S>; 3],
-        covered: mask32x16<S>,
+        lanes: Shown<S>,
     ) -> u32;
-    /// Returns a linear colour in the pixels' format, and whether it overflows.
-    fn ink<S: Simd>(&self, simd: S, color: [f32; 3]) -> (Self::Pixel, bool);
+    /// Returns a linear colour in the pixels' format, and whether it overflows or is `undefined`.
+    fn ink<S: Simd>(&self, simd: S, color: [f32; 3], undefined: bool) -> (Self::Pixel, bool);
 
     /// Fills pixels that show no object.
     #[inline(always)]
@@ -293,10 +322,11 @@ impl Target for Stored<'_> {
         first: usize,
         count: usize,
         color: [Lanes<S>; 3],
-        covered: mask32x16<S>,
+        Shown { covered, undefined }: Shown<S>,
     ) -> u32 {
         let background = i32x16::simd_from(simd, i32::from_le_bytes(self.background));
         let (packed, over) = pack(simd, color, covered, background, self.encoding);
+        let over = over | (undefined & covered.to_bitmask());
         let bytes = self.pixels[first..first + count].as_flattened_mut();
         if count == LANES {
             packed.store_slice(bytes);
@@ -308,23 +338,26 @@ impl Target for Stored<'_> {
     }
 
     #[inline(always)]
-    fn ink<S: Simd>(&self, simd: S, color: [f32; 3]) -> ([u8; 4], bool) {
+    fn ink<S: Simd>(&self, simd: S, color: [f32; 3], undefined: bool) -> ([u8; 4], bool) {
         if self.encoding == Encoding::Raw {
-            return (raw(simd, color), overflows(color));
+            return (raw(simd, color), undefined || overflows(color));
         }
         let mut pixel = [[0; 4]];
         let mut one = Stored {
             pixels: &mut pixel,
             ..*self
         };
-        let covered = mask32x16::from_bitmask(simd, 1);
+        let lanes = Shown {
+            covered: mask32x16::from_bitmask(simd, 1),
+            undefined: u64::from(undefined),
+        };
         let [r, g, b] = color;
         let color = [
             Lanes::splat(simd, r),
             Lanes::splat(simd, g),
             Lanes::splat(simd, b),
         ];
-        let overflows = one.put(simd, 0, 1, color, covered) > 0;
+        let overflows = one.put(simd, 0, 1, color, lanes) > 0;
         (pixel[0], overflows)
     }
 }
@@ -355,7 +388,7 @@ impl Target for Unstored<'_> {
         first: usize,
         count: usize,
         color: [Lanes<S>; 3],
-        covered: mask32x16<S>,
+        Shown { covered, undefined }: Shown<S>,
     ) -> u32 {
         let one = Lanes::splat(simd, 1.0);
         let [red, green, blue, _] = self.background;
@@ -365,13 +398,18 @@ impl Target for Unstored<'_> {
             color[1].min(brightest),
             color[2].min(brightest),
         ];
-        let over =
-            (r.max(g).max(b).greater_than(one) & covered).to_bitmask() & (u64::MAX >> (64 - count));
+        let over = r.max(g).max(b).greater_than(one).to_bitmask() | undefined;
+        let over = over & covered.to_bitmask() & (u64::MAX >> (64 - count));
+        let undefined = one.mask_of_bits(undefined);
         let planes = [
             Lanes::select(covered, r, one.constant(red)),
             Lanes::select(covered, g, one.constant(green)),
             Lanes::select(covered, b, one.constant(blue)),
-            Lanes::select(covered, one, one.constant(0.0)),
+            Lanes::select(
+                covered,
+                Lanes::select(undefined, one.constant(UNDEFINED), one),
+                one.constant(0.0),
+            ),
         ];
         let pixels = &mut self.pixels[first..first + count];
         if count == LANES {
@@ -385,9 +423,9 @@ impl Target for Unstored<'_> {
     }
 
     #[inline(always)]
-    fn ink<S: Simd>(&self, _: S, color: [f32; 3]) -> (Linear, bool) {
-        let [r, g, b] = color;
-        ([r, g, b, 1.0], overflows(color))
+    fn ink<S: Simd>(&self, _: S, [r, g, b]: [f32; 3], undefined: bool) -> (Linear, bool) {
+        let pixel = [r, g, b, if undefined { UNDEFINED } else { 1.0 }];
+        (pixel, is_marked(pixel))
     }
 }
 
@@ -403,7 +441,7 @@ pub fn shade<S: Simd>(
     target: &mut impl Target,
 ) -> u64 {
     let width = place.width as usize;
-    let mut over = 0;
+    let (mut over, mut scratch) = (0, None);
     for ((row, extent), line) in extents
         .iter()
         .enumerate()
@@ -425,9 +463,13 @@ pub fn shade<S: Simd>(
         let limit = Lanes::splat(simd, f32::MIN);
         for x in (first..end).step_by(LANES) {
             let [a, b, c, key] = line[x / LANES].load(simd);
-            let rgb = colour.at(simd, x, [a, b, c], key);
+            let rgb = colour.at(simd, x, [a, b, c], key, &mut scratch);
             let count = LANES.min(columns.end - x);
-            over += u64::from(target.put(simd, start + x, count, rgb, key.greater_than(limit)));
+            let lanes = Shown {
+                covered: key.greater_than(limit),
+                undefined: colour.undefined(),
+            };
+            over += u64::from(target.put(simd, start + x, count, rgb, lanes));
         }
     }
     over
@@ -637,6 +679,7 @@ impl Points<'_> {
     fn shade<S: Simd>(&self, simd: S, out: [&mut [f32]; 3]) {
         let scale = Lanes::splat(simd, self.scale);
         let [r, g, b] = out;
+        let mut scratch = None;
         for start in (0..r.len()).step_by(LANES) {
             let position = load_lanes(simd, self.position, start)
                 .scale_add(scale, V3::constant(scale, self.offset));
@@ -651,7 +694,9 @@ impl Points<'_> {
                 self.equation.form(),
                 Reached::starting_at(self.reached, start),
             );
-            let rgb = self.equation.illuminate_by(form, &point, reached, tint);
+            let (rgb, _) = self
+                .equation
+                .illuminate_by(form, &point, reached, tint, &mut scratch);
             rgb[0].0.store_slice(&mut r[start..start + LANES]);
             rgb[1].0.store_slice(&mut g[start..start + LANES]);
             rgb[2].0.store_slice(&mut b[start..start + LANES]);

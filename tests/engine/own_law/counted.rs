@@ -16,13 +16,13 @@ pub fn counted<T>(work: impl FnOnce() -> T) -> i64 {
 }
 
 /// A number that counts. An operation that is undefined for some operands is made of several steps, of which all together
-/// count one: a power is `2^(b·log2 a)` with a raised above 0 and two comparisons, a quotient and an angle compare first. Signs
+/// count one: a power is `2^(b·log2 a)` with a raised above 0 and three comparisons, a quotient and an angle compare first. Signs
 /// are free.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Counted(pub f64);
 
 /// The steps of a power, a quotient and an angle that count one each by themselves, less the one that counts.
-const OF_POWER: i64 = 5 - 1;
+const OF_POWER: i64 = 6 - 1;
 const OF_QUOTIENT: i64 = 2 - 1;
 const OF_ANGLE: i64 = 4 - 1;
 

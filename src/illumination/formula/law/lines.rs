@@ -106,11 +106,11 @@ impl LawLines {
             let value = of_point.or_else(|| input.of_light(incidence, &[]));
             registers.set(*register, 0, value.unwrap_or_default());
         }
-        registers.run_noting(&self.program.sections[0], 1);
+        registers.run(&self.program.sections[0], 1);
         let of = |value: &Value| {
             let place = self.results.iter().position(|own| own == value);
-            let slot = place.and_then(|place| self.program.results[0].get(place));
-            slot.map_or(0.0, |slot| registers.get(*slot, 0))
+            let register = place.and_then(|place| self.program.results[0].get(place));
+            register.map_or(0.0, |register| registers.get(*register, 0))
         };
         let line = |(index, line): (usize, &crate::expression::Line)| {
             let text = self.formula.text_of(&line.value);

@@ -151,11 +151,15 @@ impl<'a> Named<'a> {
             let [nl, nv, lv] = ["N·L", "N·V", "L·V"].map(|name| self.product(builder, name));
             let twice = builder.add(nl, nl);
             let along = builder.multiply(twice, nv);
-            return builder.subtract(along, lv);
+            let cosine = builder.subtract(along, lv);
+            builder.cosines.push(cosine);
+            return cosine;
         }
         let (a, b) = name.split_once('·').unwrap_or(("N", "L"));
         let (a, b) = (self.vector(builder, a), self.vector(builder, b));
-        dot(builder, a, b)
+        let cosine = dot(builder, a, b);
+        builder.cosines.push(cosine);
+        cosine
     }
 
     /// Returns a number of the scene, which is the same in the whole picture.
