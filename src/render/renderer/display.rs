@@ -15,7 +15,7 @@ pub const UNDEFINED: f32 = 0.5;
 
 /// Returns whether the display marks a pixel: it overflows, or it has no value.
 pub fn is_marked([r, g, b, seen]: Linear) -> bool {
-    r.max(g).max(b) > 1.0 || seen == UNDEFINED
+    r.max(g).max(b) > 1.0 || (seen > 0.0 && seen < 1.0)
 }
 
 /// Composes the equation's value, the view beyond and the light that other surfaces scatter; returns the number of
