@@ -79,7 +79,7 @@ evaluations = { $count ->
 evaluations-tip = How often the illumination equation was evaluated after the last change. The view Plan counts every term and step on its own, of a picture that is drawn anew.
 triangles = { $count } triangles
 overflowing = { $count } pixels overflow
-overflowing-or-undefined = { $count } pixels overflow or have no value
+overflowing-or-undefined = { $count } overflow or undefined
 overflowing-tip = Pixels with a channel above 1, which the display cannot show, or where an operation of the scene's own law is undefined and counts as 0; the setting Overflow says what happens to them
 left-out = { $count ->
     [one] 1 step skipped
