@@ -1,6 +1,6 @@
 //! The scalar operations that a formula consists of, each over any [`Real`].
 
-use crate::illumination::Real;
+use crate::illumination::{Real, Scalar};
 
 /// A scalar operation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -77,10 +77,6 @@ pub(super) use for_code;
 /// The smallest base of a power and argument of a logarithm, as in the specular factor.
 const TINY: f64 = f32::MIN_POSITIVE as f64;
 
-/// The base-2 logarithm of the smallest power. Smaller ones count as 0: products with them would leave the normal numbers of single
-/// precision, and processors take a hundred times longer for those.
-const FAINTEST: f64 = -100.0;
-
 /// How far a sine or a cosine may be beyond ±1 by rounding and still have an angle.
 const ROUNDED: f64 = 1.0 + 1e-6;
 
@@ -138,16 +134,21 @@ impl Code {
             Self::Floor => a.floor(),
             Self::Sqrt => a.max(zero).sqrt(),
             Self::InverseSqrt => a.inverse_sqrt(),
-            Self::Exp2 => R::select(a.greater_than(a.number(FAINTEST)), a.exp2(), zero),
+            Self::Exp2 => R::select(
+                a.greater_than(a.number(R::Scalar::FAINTEST)),
+                a.exp2(),
+                zero,
+            ),
             Self::Log2 => R::select(a.greater_than(zero), a.max(a.number(TINY)).log2(), zero),
             Self::PowerOfPositive => {
                 let exponent = a.max(a.number(TINY)).log2() * b;
-                let some = a.greater_than(zero) & exponent.greater_than(a.number(FAINTEST));
+                let some =
+                    a.greater_than(zero) & exponent.greater_than(a.number(R::Scalar::FAINTEST));
                 R::select(some, exponent.exp2(), power_of_zero(b))
             }
             Self::Power => {
                 let exponent = a.abs().max(a.number(TINY)).log2() * b;
-                let some = exponent.greater_than(a.number(FAINTEST));
+                let some = exponent.greater_than(a.number(R::Scalar::FAINTEST));
                 let power = R::select(some, exponent.exp2(), zero);
                 let half = b * a.number(0.5);
                 let odd = half.greater_than(half.floor());
