@@ -2,7 +2,7 @@
 //! screen is compared with the scene.
 
 use crate::common::dice::Dice;
-use crate::common::hands::{built_in, named, window_looking};
+use crate::common::hands::{built_in, named, settle, window_looking};
 use eframe::egui::accesskit::{Role, Toggled};
 use eframe::egui::{Key, Modifiers};
 use egui_kittest::Harness;
@@ -224,7 +224,8 @@ fn every_claim_of_the_window_is_true_after_random_commands_with_undo_and_redo() 
         for _ in 0..COMMANDS {
             done.push(act(&mut harness, &mut dice));
             crate::common::hands::unfold_all(&mut harness);
-            harness.run_ok();
+            // Pictures that take long are waited for: their captions stand beside them.
+            settle(&mut harness);
             for fault in wrong(&harness) {
                 let last = done.iter().rev().take(4).cloned().collect::<Vec<_>>();
                 found.insert(format!(
