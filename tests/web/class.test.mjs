@@ -223,7 +223,7 @@ test("a class that is started again goes on with the same students, and nothing 
     await own.page.reload().catch(() => {});
     second = await teach(EVERY_KIND, { record: first.file, port: first.port });
     // The page of the failed reload may still be on its way, and take this one's place.
-    await own.page.goto(second.url).catch(() => own.page.goto(second.url));
+    await until(() => own.page.goto(second.url).then(() => true, () => false));
     await own.saved();
     assert.ok(await own.page.getByRole("radio").nth(1).isChecked());
     await second.go("show", "spread");
