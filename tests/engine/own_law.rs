@@ -331,7 +331,7 @@ fn colours_of_a_pattern_are_od_in_the_law() {
     }
 }
 
-/// Returns a law that is undefined where N·L is below ½, with values between 0.4 and 0.8 for a light of Ip = 1, and one that is ½
+/// A law that is undefined where N·L is below ½, with values between 0.4 and 0.8 for a light of Ip = 1, and one that is ½
 /// there and 0 elsewhere.
 const UNDEFINED: [&str; 2] = ["0.4 + 0.5 * sqrt(N·L - 0.5)", "0.5 * (0.5 > N·L)"];
 

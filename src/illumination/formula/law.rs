@@ -129,7 +129,7 @@ impl Law {
     }
 }
 
-/// The most lights that a law is evaluated for at once.
+/// The most lights that a law is evaluated for at once: an operation is chosen once for all of them.
 pub const TOGETHER: usize = 7;
 
 /// The registers of a law's code, kept from point to point.
