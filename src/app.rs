@@ -602,6 +602,7 @@ impl eframe::App for App {
             self.would_lose(),
             || state.link().ok().map(|written| written.link),
             state.place(),
+            || engine.is_up_to_date(&state.session),
             || picture_bytes(engine.frame(), Some(&state.session.document().scene)).ok(),
         );
     }

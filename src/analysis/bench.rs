@@ -206,6 +206,7 @@ impl<'a> Panes<'a> {
         {
             let mut shown = scene.pane(index).unwrap_or_else(|_| scene.clone());
             shown.image.size = coarser_size(size, coarser);
+            renderer.stand_in(coarser);
             let began = clock();
             renderer.render(&shown);
             time += clock() - began;

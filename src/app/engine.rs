@@ -149,7 +149,8 @@ impl Engine {
             reprobed |= engine.probe(pixel, drawn);
             redrawn |= drawn;
         }
-        if std::mem::take(&mut window.seek_highlight)
+        if self.panes[self.active].is_finished()
+            && std::mem::take(&mut window.seek_highlight)
             && let Some(pixel) = self.panes[self.active].beside_highlight()
         {
             window.probe = ProbePoint::at(pixel, size);
@@ -214,6 +215,12 @@ impl Engine {
             model: session.document().model.clone(),
             alive,
         });
+    }
+
+    /// Returns whether the pictures are those of the session's scenes as they are now, to their last row.
+    pub fn is_up_to_date(&self, session: &Session) -> bool {
+        let mut shown = self.shown.iter();
+        shown.all(|&pane| self.panes[pane].shows_all_of(session.panes.scene(pane)))
     }
 
     /// Returns the samples per pixel of the pictures shown.

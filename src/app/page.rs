@@ -293,13 +293,15 @@ pub fn set_fullscreen(_: &Context, on: bool) {
     }
 }
 
-/// Finishes a frame: updates whether the browser asks before it leaves and answers requests for the picture; in another place, and
-/// when the window has come to rest, updates the address to the link of the current view, and the browser's history to its place.
+/// Finishes a frame: updates whether the browser asks before it leaves, and answers requests for the picture once that is drawn; in
+/// another place, and when the window has come to rest, updates the address to the link of the current view, and the browser's
+/// history to its place.
 pub fn end_frame(
     ctx: &Context,
     unsaved: bool,
     link: impl FnOnce() -> Option<String>,
     place: String,
+    is_drawn: impl FnOnce() -> bool,
     picture: impl FnOnce() -> Option<Vec<u8>>,
 ) {
     if SHOWN_IN.replace(Some(language())) != Some(language()) {
@@ -318,12 +320,17 @@ pub fn end_frame(
     {
         follow(&link, place);
     }
-    let asked = ASKED.take();
-    if !asked.is_empty() {
+    if ASKED.with_borrow(Vec::is_empty) {
+        return;
+    }
+    if is_drawn() {
+        let asked = ASKED.take();
         let picture = picture().map_or(JsValue::NULL, |bytes| Uint8Array::from(&*bytes).into());
         for give in asked {
             let _ = give.call1(&JsValue::NULL, &picture);
         }
+    } else {
+        ctx.request_repaint();
     }
 }
 

@@ -135,6 +135,7 @@ pub fn end_frame(
     _unsaved: bool,
     _link: impl FnOnce() -> Option<String>,
     _place: String,
+    _is_drawn: impl FnOnce() -> bool,
     _picture: impl FnOnce() -> Option<Vec<u8>>,
 ) {
 }

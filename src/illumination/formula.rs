@@ -20,7 +20,7 @@ pub(crate) use code::Code;
 pub use compare::{Counterexample, Domain};
 pub use function::{FormulaFunction, Outcome};
 pub(super) use law::{Constancy, Law, LawAt, TOGETHER};
-pub(crate) use law::{Incidence, LawScratch};
+pub(crate) use law::{Incidence, LawScratch, lights_backs};
 pub use law::{LawLine, LawLines, LawPart, LawValues, LineNumbers, Unneeded, law_operations};
 pub(crate) use operations::{LawOperations, LawSite};
 pub use rate::Rate;

@@ -192,11 +192,19 @@ macro_rules! real_of_std {
             from_std!(max(other), min(other), abs(), floor(), exp2(), log2());
 
             fn sin_of_degrees(self) -> Self {
-                self.to_radians().sin()
+                // The quarter turn nearest to it is taken off first, in degrees, where that is exact.
+                let quarters = (self / 90.0).round();
+                let (sine, cosine) = quarters.mul_add(-90.0, self).to_radians().sin_cos();
+                match quarters.rem_euclid(4.0) as u8 {
+                    0 => sine,
+                    1 => cosine,
+                    2 => -sine,
+                    _ => -cosine,
+                }
             }
 
             fn cos_of_degrees(self) -> Self {
-                self.to_radians().cos()
+                (self + 90.0).sin_of_degrees()
             }
 
             fn asin_in_degrees(self) -> Self {

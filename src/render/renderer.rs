@@ -15,6 +15,7 @@ mod reference;
 mod samples;
 mod section;
 mod shade;
+mod target;
 
 pub use account::{Term, TermName};
 pub use display::srgb;

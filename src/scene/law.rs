@@ -1,6 +1,6 @@
 //! The names of a law of reflection that is typed as a formula.
 
-use super::{Backfacing, Reflection, ReflectionModel};
+use super::{Reflection, ReflectionModel};
 use crate::expression::{Formula, FormulaError, Names};
 
 /// The numbers that a law may use: cosines, the distance to the light in world units, angles in degrees, and the material's.
@@ -24,11 +24,6 @@ impl Reflection {
     /// Returns the names that a law may use.
     pub fn law_names() -> Names {
         Names::new(&LAW_NUMBERS, &LAW_VECTORS)
-    }
-
-    /// Returns whether a light may add something to a surface that is turned away from it.
-    pub fn lights_backs(&self) -> bool {
-        self.backfacing == Backfacing::Flip || self.is_own_law()
     }
 
     /// Returns whether the model is the formula.

@@ -46,6 +46,7 @@ mod rays;
 mod robustness;
 mod scene_format;
 mod scene_round_trip;
+mod slices;
 mod specular;
 mod stages;
 mod text;

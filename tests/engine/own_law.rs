@@ -5,7 +5,7 @@ mod counted;
 use counted::{Counted, counted};
 use shading_lab::analysis::probe::probe;
 use shading_lab::illumination::{Equation, V3};
-use shading_lab::render::{Frame, Per, Renderer};
+use shading_lab::render::{Frame, Per, Renderer, Stage};
 use shading_lab::scene::{
     Backfacing, Encoding, Overflow, Reflectance, Reflection, ReflectionModel, Rgb, Scene,
     ShadingMode, presets,
@@ -297,6 +297,59 @@ fn a_light_is_kept_whatever_the_coefficients_are_and_shines_on_backs() {
     scene.shading.mode = ShadingMode::Exact;
     assert_eq!(lit(&scene, back), 0);
     assert!(lit(&scene, "max(N·L, 0)") > 100);
+}
+
+#[test]
+fn shadows_of_a_convex_solid_are_left_out_where_the_law_ends_behind_the_surface() {
+    let mut scene = presets::find("sphere").expect("a scene").scene();
+    scene.reflection.model = ReflectionModel::Formula;
+    scene.shading.shadows = true;
+    scene.image.size = [48, 48];
+    let mut renderer = Renderer::default();
+    let mut drawn = |formula: &str| {
+        scene.reflection.formula = formula.to_owned();
+        let pixels = renderer.render(&scene).pixels.clone();
+        let stages = &renderer.report().stages;
+        (pixels, stages.iter().any(|run| run.stage == Stage::Rays))
+    };
+    for text in [
+        PHONG,
+        BLINN,
+        "max(N·L, 0)",
+        "c = clamp(dot(L, N), 0, 1)\nc^2 + sqrt(c) * V.x",
+        "max(kd * N·L, 0) * acos(N·L)",
+        "(0 < N·L) * od",
+        "0",
+    ] {
+        let (pixels, traced) = drawn(text);
+        assert!(!traced, "{text}");
+        // The same law, of which it is not known where it ends; what is turned away a little may still be lit.
+        let (others, traced) = drawn(&format!("{text} + 1e-9 * N·L"));
+        assert!(traced, "{text}");
+        let apart = |(a, b): (&[u8; 4], &[u8; 4])| (0..3).any(|k| a[k].abs_diff(b[k]) > 1);
+        let apart = pixels.iter().zip(&others).filter(|&pair| apart(pair));
+        assert_eq!(apart.count(), 0, "{text}");
+    }
+    for text in [
+        "N·L",
+        "abs(N·L)",
+        "(N·L)^2",
+        "max(-N·L, 0)",
+        "max(N·L, -0.1)",
+        "max(N·L + 0.1, 0)",
+        "max(N·L, 0) + 0.1",
+        "max(N·V, 0)",
+        "(N·L >= 0)",
+        "(N·L > -0.1)",
+        "max(theta, 0)",
+        "max(N·L, 0)^0",
+        "1 - max(N·L, 0)",
+        // They are 0 behind the surface, where they are undefined.
+        "max(N·L, 0) / max(N·L, 0)",
+        "max(N·L, 0) * log(N·L)",
+    ] {
+        assert!(drawn(text).1, "{text}");
+    }
 }
 
 #[test]

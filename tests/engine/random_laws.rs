@@ -202,6 +202,11 @@ fn expose(scene: &mut Scene, factors: &Factors) {
     scene.ambient.color = Rgb::splat(0.5) / (scene.material.ka * scene.material.color);
 }
 
+/// Limits a value: what a light adds is at most a share of 10³⁴, so that larger values cannot be told from one another.
+fn limited(value: f64) -> f64 {
+    value.clamp(-1e33, 1e33)
+}
+
 /// Compares the pictures of a random law with its bounds.
 fn compare(seed: u64) -> (Tally, Option<String>) {
     let mut dice = Dice(seed.wrapping_mul(0xd134_2543_de82_ef95));
@@ -248,8 +253,9 @@ fn compare(seed: u64) -> (Tally, Option<String>) {
                 tally.skipped += 1;
                 continue;
             };
-            let rounding = 1e-9 + 1e-12 * range[0].abs().max(range[1].abs());
-            let off = |value: f64| !(range[0] - rounding..=range[1] + rounding).contains(&value);
+            let [low, high] = range.map(limited);
+            let rounding = 1e-9 + 1e-12 * low.abs().max(high.abs());
+            let off = |value| !(low - rounding..=high + rounding).contains(&limited(value));
             if off(double[channel]) {
                 fail(
                     index,
@@ -289,11 +295,11 @@ fn a_random_law_has_the_same_values_everywhere() {
         all.len(),
         wrong.len()
     );
+    let heads = wrong.iter().filter_map(|text| text.lines().next());
     assert!(
         wrong.is_empty(),
-        "{} of {}:\n{}",
-        wrong.len(),
-        all.len(),
+        "{}\n{}",
+        heads.collect::<Vec<_>>().join("\n"),
         wrong[0]
     );
     assert!(3 * skipped <= channels, "{skipped} of {channels} skipped");

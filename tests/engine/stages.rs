@@ -3,7 +3,9 @@
 
 use crate::common::dice::Dice;
 use shading_lab::render::{DrawTime, Renderer, Stage, coarser_size};
-use shading_lab::scene::{Interpolation, ObjectKind, ReflectionModel, Scene, ShadingMode, Viewer};
+use shading_lab::scene::{
+    Interpolation, ObjectKind, ReflectionModel, Scene, ShadingMode, Viewer, presets,
+};
 
 const MODES: [ShadingMode; 5] = [
     ShadingMode::Flat,
@@ -302,4 +304,24 @@ fn a_coarser_picture_tells_what_does_not_depend_on_the_resolution() {
     let slower = time.after(2, 70_000_000);
     assert_eq!((slower.whole, slower.fixed), (70_000_000, 70_000_000));
     assert_eq!(slower.coarseness(), 1);
+}
+
+#[test]
+fn a_bounce_is_gathered_at_fewer_points_while_something_is_dragged() {
+    let mut scene = presets::find("one-bounce").expect("a scene").scene();
+    scene.image.size = coarser_size([1280, 800], 5);
+    let whole = Renderer::default().render(&scene).clone();
+    let drawn = |coarser| {
+        let mut renderer = Renderer::default();
+        renderer.stand_in(coarser);
+        let pixels = &renderer.render(&scene).pixels;
+        let apart = pixels.iter().zip(&whole.pixels).map(|(a, b)| {
+            let apart = (0..3).map(|k| a[k].abs_diff(b[k]));
+            f64::from(apart.max().unwrap_or(0))
+        });
+        apart.sum::<f64>() / whole.pixels.len() as f64
+    };
+    assert_eq!(drawn(1), 0.0);
+    let apart = drawn(5);
+    assert!(apart > 0.0 && apart < 1.5, "{apart} code values");
 }

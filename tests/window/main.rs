@@ -24,6 +24,7 @@ mod panels;
 mod point;
 mod saving;
 mod scanline;
+mod slices;
 mod slider_time;
 mod smooth_edges;
 mod study_panel;

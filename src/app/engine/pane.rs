@@ -16,32 +16,37 @@ use crate::scene::{Rgb, Scene};
 use eframe::egui::{ColorImage, Context, ImageData, TextureHandle, TextureOptions};
 use std::sync::Arc;
 
+/// The time for which the pixels of a picture are shaded before the window answers again, nanoseconds.
+const SLICE: u64 = 200_000_000;
+
 /// A renderer, and the last picture that it drew.
 struct Drawing {
     renderer: Renderer,
     model: Option<Arc<Mesh>>,
     drawn: Option<Scene>,
+    /// True if the picture is not shaded to its end.
+    pending: bool,
     linear: bool,
     report: FrameReport,
 }
 
 impl Default for Drawing {
     fn default() -> Self {
-        let (model, drawn, linear, report) = (None, None, false, FrameReport::default());
         Self {
             renderer: Renderer::with_clock(nanoseconds),
-            model,
-            drawn,
-            linear,
-            report,
+            model: None,
+            drawn: None,
+            pending: false,
+            linear: false,
+            report: FrameReport::default(),
         }
     }
 }
 
 impl Drawing {
-    /// Returns whether the last picture is that of `wanted` at `size` pixels; the size in a scene is that of exported
-    /// pictures.
-    fn shows(&self, wanted: &Wanted<'_>, size: [u32; 2]) -> bool {
+    /// Returns whether the last picture is that of `wanted` at `size` pixels, finished or not; the size in a scene is that of
+    /// exported pictures.
+    fn is_of(&self, wanted: &Wanted<'_>, size: [u32; 2]) -> bool {
         let sized = self
             .drawn
             .as_ref()
@@ -67,11 +72,21 @@ impl Drawing {
         parts
     }
 
-    /// Draws the picture, unless it is already drawn.
+    /// Returns whether the last picture is that of `wanted` at `size` pixels, to its last row.
+    fn shows(&self, wanted: &Wanted<'_>, size: [u32; 2]) -> bool {
+        !self.pending && self.is_of(wanted, size)
+    }
+
+    /// Draws the picture, or goes on with it, for a while, unless it is already drawn.
     fn draw(&mut self, wanted: &Wanted<'_>, size: [u32; 2]) {
         if self.shows(wanted, size) {
             return;
         }
+        let before = if self.is_of(wanted, size) {
+            self.report.nanoseconds
+        } else {
+            0
+        };
         if !same_model(self.model.as_ref(), wanted.model) {
             self.model = wanted.model.cloned();
             self.renderer.set_model(self.model.clone());
@@ -80,8 +95,9 @@ impl Drawing {
         self.renderer.keep_linear(wanted.linear);
         let mut sized = wanted.scene.clone();
         sized.image.size = size;
-        self.renderer.render(&sized);
+        self.pending = !self.renderer.render_for(&sized, SLICE);
         self.report = self.renderer.report().clone();
+        self.report.nanoseconds += before;
         self.drawn = Some(sized);
     }
 }
@@ -151,6 +167,7 @@ impl PaneEngine {
             let draft = self.draft.get_or_insert_default();
             // The first picture of a size prepares more than those after it.
             let first = draft.drawn.as_ref().map(|drawn| drawn.image.size) != Some(size);
+            draft.renderer.stand_in(coarser);
             draft.draw(wanted, size);
             let took = draft.report.nanoseconds;
             let parts = self.whole.changed_parts(wanted.scene);
@@ -160,7 +177,13 @@ impl PaneEngine {
                 self.remember(parts, time);
             }
         } else if !self.whole.shows(wanted, size) {
-            let parts = self.whole.changed_parts(wanted.scene);
+            // What had changed before a picture that goes on was noted last.
+            let goes_on = self.whole.is_of(wanted, size);
+            let noted = goes_on.then(|| self.costs.pop()).flatten();
+            let parts = noted.map_or_else(
+                || self.whole.changed_parts(wanted.scene),
+                |(parts, _)| parts,
+            );
             // The next drag may be of anything else.
             if parts.contains(&"all") || parts.contains(&"object") {
                 self.draft = None;
@@ -213,7 +236,7 @@ impl PaneEngine {
             .unwrap_or(&self.whole)
     }
 
-    /// Updates the probe at a pixel of the full picture; returns whether that was necessary.
+    /// Updates the probe at a pixel of the full picture, once that is finished; returns whether that was necessary.
     pub fn probe(&mut self, pixel: [u32; 2], redrawn: bool) -> bool {
         if !redrawn && self.probed.as_ref().is_some_and(|(at, _)| *at == pixel) {
             return false;
@@ -222,7 +245,7 @@ impl PaneEngine {
             Some(draft) if self.coarser > 1 => draft,
             _ => &mut self.whole,
         };
-        let Some(scene) = &drawing.drawn else {
+        let Some(scene) = drawing.drawn.as_ref().filter(|_| !drawing.pending) else {
             return false;
         };
         let [x, y] = pixel.map(|v| v / self.coarser);
@@ -238,6 +261,16 @@ impl PaneEngine {
             renderer, drawn, ..
         } = &mut self.whole;
         pixel_beside_highlight(renderer, drawn.as_ref()?)
+    }
+
+    /// Returns whether the picture shown is finished.
+    pub fn is_finished(&self) -> bool {
+        !self.in_sight().pending
+    }
+
+    /// Returns whether the picture shown is that of `scene`, to its last row.
+    pub fn shows_all_of(&self, scene: &Scene) -> bool {
+        self.is_finished() && self.in_sight().changed_parts(scene).is_empty()
     }
 
     /// Returns the renderer of the picture shown.
@@ -258,7 +291,8 @@ impl PaneEngine {
     /// Returns the linear picture shown, before the display.
     pub fn linear(&self) -> Option<LinearPicture<'_>> {
         let drawing = self.in_sight();
-        let scene = drawing.drawn.as_ref().filter(|_| drawing.linear)?;
+        let finished = drawing.linear && !drawing.pending;
+        let scene = drawing.drawn.as_ref().filter(|_| finished)?;
         Some(LinearPicture {
             width: scene.image.size[0],
             pixels: drawing.renderer.linear(),

@@ -22,8 +22,15 @@ pub struct Operation {
     pub rate: Rate,
     /// The part of the formula that it was made for first.
     pub origin: u32,
-    /// True if its result cannot be below 0.
-    pub never_negative: bool,
+    pub sign: Sign,
+}
+
+/// What is known of the sign of a result.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sign {
+    Any,
+    NotNegative,
+    NotPositive,
 }
 
 /// An operation that was done while the list was made.
@@ -107,13 +114,18 @@ impl Builder {
 
     /// Adds an input.
     pub fn input(&mut self, rate: Rate) -> Value {
+        self.input_of_sign(rate, Sign::Any)
+    }
+
+    /// Adds an input of which the sign is known.
+    pub fn input_of_sign(&mut self, rate: Rate, sign: Sign) -> Value {
         let none = Value::ZERO;
         self.push(Operation {
             code: None,
             operands: [none; 3],
             rate,
             origin: self.origin,
-            never_negative: false,
+            sign,
         })
     }
 
@@ -164,7 +176,7 @@ impl Builder {
             operands,
             rate,
             origin: self.origin,
-            never_negative: self.gives_no_negative(code, operands),
+            sign: self.sign_of_result(code, operands),
         });
         self.known.insert(key, value);
         value
@@ -305,13 +317,11 @@ impl Builder {
     }
 
     pub fn max(&mut self, a: Value, b: Value) -> Value {
-        let covered = |one: Value, other: Value| {
-            other.known().is_some_and(|least| least <= 0.0) && self.is_never_negative(one)
-        };
-        if a == b || covered(a, b) {
+        let covers = |one, other| self.is_never_negative(one) && self.is_never_positive(other);
+        if a == b || covers(a, b) {
             return a;
         }
-        if covered(b, a) {
+        if covers(b, a) {
             return b;
         }
         self.two(Code::Max, a, b)
@@ -324,6 +334,9 @@ impl Builder {
 
     /// Returns 1 where a > b, otherwise 0.
     pub fn greater(&mut self, a: Value, b: Value) -> Value {
+        if self.is_never_positive(a) && self.is_never_negative(b) {
+            return Value::ZERO;
+        }
         self.two(Code::Greater, a, b)
     }
 
@@ -339,14 +352,27 @@ impl Builder {
     fn is_never_negative(&self, value: Value) -> bool {
         match value {
             Value::Known(number, _) => number >= 0.0,
-            Value::Varying(_) => self.operation(value).is_some_and(|own| own.never_negative),
+            Value::Varying(_) => self.has_sign(value, Sign::NotNegative),
         }
     }
 
-    /// Returns whether the result of an operation cannot be below 0.
-    fn gives_no_negative(&self, code: Code, [a, b, _]: [Value; 3]) -> bool {
+    /// Returns whether a value cannot be above 0.
+    fn is_never_positive(&self, value: Value) -> bool {
+        match value {
+            Value::Known(number, _) => number <= 0.0,
+            Value::Varying(_) => self.has_sign(value, Sign::NotPositive),
+        }
+    }
+
+    fn has_sign(&self, value: Value, sign: Sign) -> bool {
+        self.operation(value).is_some_and(|own| own.sign == sign)
+    }
+
+    /// Returns what is known of the sign of an operation's result.
+    fn sign_of_result(&self, code: Code, [a, b, _]: [Value; 3]) -> Sign {
         let [a_is, b_is] = [a, b].map(|value| self.is_never_negative(value));
-        match code {
+        let [a_not, b_not] = [a, b].map(|value| self.is_never_positive(value));
+        let not_negative = match code {
             Code::Abs
             | Code::Sqrt
             | Code::InverseSqrt
@@ -358,6 +384,16 @@ impl Builder {
             Code::Min | Code::Divide => a_is && b_is,
             Code::Multiply => a == b || (a_is && b_is),
             _ => false,
+        };
+        let not_positive = match code {
+            Code::Min => a_not || b_not,
+            Code::Multiply => a_is && b_not || a_not && b_is,
+            _ => false,
+        };
+        match (not_negative, not_positive) {
+            (true, _) => Sign::NotNegative,
+            (_, true) => Sign::NotPositive,
+            _ => Sign::Any,
         }
     }
 
@@ -405,9 +441,7 @@ impl Builder {
     pub fn may_be_undefined(&self, operation: &Operation) -> bool {
         let [a, b, _] = operation.operands;
         match operation.code {
-            Some(Code::PowerOfPositive) => {
-                !self.is_never_negative(a) || b.known().is_none_or(|b| b < 0.0)
-            }
+            Some(Code::PowerOfPositive) => !self.is_never_negative(a) || !self.is_never_negative(b),
             Some(Code::Sqrt) => !self.is_never_negative(a),
             Some(Code::Asin | Code::Acos) => !self.cosines.contains(&a),
             Some(code) => code.may_be_undefined(),

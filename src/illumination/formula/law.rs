@@ -1,11 +1,13 @@
 //! A law of reflection that is typed as a formula, in place of the diffuse and the specular term.
 
+mod backs;
 mod cost;
 mod lines;
 mod listed;
 mod named;
 mod parts;
 
+pub use backs::lights_backs;
 pub use cost::law_operations;
 pub use lines::{LawLine, LawLines, LawValues, LineNumbers};
 pub use listed::Listed;

@@ -23,6 +23,8 @@ const DIRECTIONS: [usize; 2] = [8, 8];
 const ALL: u32 = u32::MAX >> (32 - RAYS);
 /// The points of the grid along the picture's longer side: light from other surfaces changes over the object, not over pixels.
 const POINTS: usize = 72;
+/// The fewest of them, of a coarser picture that stands for a finer one.
+const FEWEST_POINTS: usize = 24;
 /// The weight below which interpolation is unreliable; the pixel then gathers for itself.
 const LEAST_WEIGHT: f32 = 0.02;
 /// The distance, in cells, at which a grid point's weight falls to zero.
@@ -72,13 +74,14 @@ impl Bounced {
         memory.pixels += capacity(&self.scattered) + capacity(&self.receivers);
     }
 
-    /// Gathers light at every pixel; neither the floor nor `object`, whose `materials` these are, has the ambient light that the
+    /// Gathers light at every pixel of a picture that stands for a finer one of `coarser` times its sides; neither the floor nor `object`, whose `materials` these are, has the ambient light that the
     /// bounce replaces.
     pub fn run(
         &mut self,
         world: &World<'_>,
         (object, materials): (&DiffuseSurface<'_>, &[FaceMaterial]),
         coverage: Coverage<'_>,
+        coarser: u32,
     ) {
         let (scene, lens) = (world.scene, world.hits.lens);
         let [width, height] = scene.image.size.map(|side| side as usize);
@@ -90,7 +93,8 @@ impl Bounced {
         receivers.clear();
         receivers.resize(width * height, Receiver::default());
         find_receivers(world, coverage, width, receivers);
-        gather(world, object, receivers, width, scattered);
+        let points = (POINTS / coarser as usize).max(FEWEST_POINTS);
+        gather(world, object, receivers, [width, points], scattered);
         let share = ROWS * width;
         let parts = scattered
             .par_chunks_mut(share)
@@ -177,12 +181,13 @@ fn find_receivers(
     });
 }
 
-/// Computes the mean intensity that arrives from other surfaces at every pixel of a picture `width` wide.
+/// Computes the mean intensity that arrives from other surfaces at every pixel of a picture `width` wide, from that at `points` along
+/// its longer side.
 fn gather(
     world: &World<'_>,
     object: &DiffuseSurface<'_>,
     receivers: &[Receiver],
-    width: usize,
+    [width, points]: [usize; 2],
     gathered: &mut Vec<Vec3>,
 ) {
     gathered.resize(receivers.len(), Vec3::ZERO);
@@ -190,7 +195,7 @@ fn gather(
         return;
     }
     let height = receivers.len() / width;
-    let step = (width.max(height) / POINTS).max(1);
+    let step = (width.max(height) / points).max(1);
     let columns = width.div_ceil(step);
     let at = |receiver: &Receiver, salt: usize, scratch: &mut Scratch| {
         arriving(world, object, receiver, salt, scratch)

@@ -6,7 +6,7 @@ use super::light_buffer::LightBuffer;
 use super::packet::{BLOCK, Packet, PointRow, RAYS, Visibility, rays_of};
 use super::proof::{AreaLight, Balls, Points, Target};
 use super::solid::{PrimaryHit, PrimaryHits, Solid};
-use crate::illumination::Equation;
+use crate::illumination::{Equation, lights_backs};
 use crate::render::raster::{Coverage, ROWS};
 use crate::scene::{LightKind, Scene};
 use fearless_simd::{Simd, dispatch};
@@ -120,7 +120,7 @@ impl<'a> ShadowCaster<'a> {
                 outer: radius as f32,
                 inner: solid.inner_radius() as f32,
             },
-            flip: scene.reflection.lights_backs(),
+            flip: lights_backs(&scene.reflection),
             ground,
             middle,
             solid,

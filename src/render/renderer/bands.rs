@@ -4,7 +4,8 @@ use super::display::{Linear, stored_pixel};
 use super::parts::Part;
 use super::plan::{Inputs, Per};
 use super::reference::Evaluation;
-use super::shade::{Carried, Evaluated, Stored, Target, Unstored, shade, start_of_row};
+use super::shade::{Carried, Evaluated, shade, start_of_row};
+use super::target::{Stored, Target, Unstored};
 use crate::illumination::{Equation, LANES, Reached, SpecularForm};
 use crate::render::lens::pixel_centre;
 use crate::render::model::Planes;
@@ -58,6 +59,18 @@ pub struct BandPainter<'a> {
     pub stale: Stale,
     /// True if the bands are shaded, false if they are only covered and interpolated.
     pub shades: bool,
+    /// The time after which no further band is shaded, in the clock's nanoseconds.
+    pub deadline: u64,
+}
+
+/// A picture to be filled.
+#[derive(Default)]
+pub struct Canvas<'a> {
+    pub pixels: &'a mut [[u8; 4]],
+    /// Filled in place of the stored pixels if it is not empty.
+    pub linear: &'a mut [Linear],
+    /// Whether each band is yet to be shaded.
+    pub pending: &'a mut [bool],
 }
 
 /// Pixels of one material, in the rows of a band, or gathered from them into one row.
@@ -126,6 +139,9 @@ struct BandTask<'a> {
     tints: &'a mut [Block],
     pixels: &'a mut [[u8; 4]],
     linear: &'a mut [Linear],
+    pending: Option<&'a mut bool>,
+    /// True for the first band that is pending, which is shaded in any case.
+    first: bool,
 }
 
 thread_local! {
@@ -137,13 +153,13 @@ thread_local! {
 }
 
 impl BandPainter<'_> {
-    /// Runs the steps that are out of date; times are means over the threads. Fills the linear picture if it is not empty,
-    /// else the stored one.
+    /// Runs the steps that are out of date; times are means over the threads. Of the
+    /// pending bands at least one is shaded.
     pub fn run(
         &self,
         bands: &mut Vec<Band>,
         interpolated: &mut Interpolated,
-        canvas: (&mut [[u8; 4]], &mut [Linear]),
+        canvas: Canvas<'_>,
     ) -> Tally {
         let began = self.now();
         let Inputs {
@@ -242,9 +258,16 @@ impl BandPainter<'_> {
             }
             lap(1);
         }
+        let Some(pending) = task.pending.take() else {
+            return tally;
+        };
+        if !*pending || !task.first && self.now() > self.deadline {
+            return tally;
+        }
+        *pending = false;
         let mut overflowing = 0;
         // From the right, since the lanes of a part's first pixels may reach into the part before it.
-        for (index, part) in self.parts.iter().enumerate().rev().filter(|_| self.shades) {
+        for (index, part) in self.parts.iter().enumerate().rev() {
             if interpolates && !kept {
                 self.interpolate(task.band, task.fragments, &carried[index]);
                 lap(1);
@@ -606,13 +629,18 @@ fn vectorised<S: Simd>(_: S, work: impl FnOnce()) {
 fn band_tasks<'a>(
     bands: &'a mut [Band],
     [fragments, tints]: [&'a mut [Block]; 2],
-    canvas: (&'a mut [[u8; 4]], &'a mut [Linear]),
+    canvas: Canvas<'a>,
     [width, height]: [u32; 2],
 ) -> Vec<BandTask<'a>> {
     let share = (BAND * width) as usize;
     let blocks = ROWS * Block::count(width);
     let (mut fragments, mut tints) = (fragments.chunks_mut(blocks), tints.chunks_mut(blocks));
-    let (mut pixels, mut linear) = (canvas.0.chunks_mut(share), canvas.1.chunks_mut(share));
+    let (mut pixels, mut linear) = (
+        canvas.pixels.chunks_mut(share),
+        canvas.linear.chunks_mut(share),
+    );
+    let first = canvas.pending.iter().position(|own| *own);
+    let mut pending = canvas.pending.iter_mut();
     let bands = bands.iter_mut().zip((0..height).step_by(ROWS)).enumerate();
     let task = |(index, (band, first_row)): (usize, (&'a mut Band, u32))| {
         band.place = BandExtent {
@@ -627,6 +655,8 @@ fn band_tasks<'a>(
             tints: tints.next().unwrap_or_default(),
             pixels: pixels.next().unwrap_or_default(),
             linear: linear.next().unwrap_or_default(),
+            pending: pending.next(),
+            first: Some(index) == first,
         }
     };
     bands.map(task).collect()

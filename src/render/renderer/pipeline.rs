@@ -3,7 +3,7 @@
 mod kept;
 
 use super::account::{Account, Term};
-use super::bands::{BandPainter, Interpolated, Stale};
+use super::bands::{BandPainter, Canvas, Interpolated, Stale};
 use super::cue::{CueLayer, fade_pixels};
 use super::display::{Linear, compose, display};
 use super::frame::{Frame, FrameReport, Stage};
@@ -69,6 +69,10 @@ pub struct Renderer {
     stale: Stale,
     pub(super) keeps_linear: bool,
     leaves_nothing_out: bool,
+    /// As in [`Plan::coarser`]; 0 before it is set.
+    coarser: u32,
+    /// The time for which pixels are shaded, nanoseconds; `None` for as long as it takes.
+    shading_time: Option<u64>,
     /// The inputs of the last picture.
     pub(super) drawn: Option<PlannedFrame>,
     report: FrameReport,
@@ -88,6 +92,10 @@ pub(super) struct Picture {
     pub frame: Frame,
     /// The picture before the display; empty if it is not needed.
     pub linear: Vec<Linear>,
+    /// Whether each band is yet to be shaded.
+    pub pending: Vec<bool>,
+    /// The nanoseconds of shading and the number of overflowing pixels so far.
+    tally: [u64; 2],
 }
 
 /// A frame with its plan, its camera and the equation of each part.
@@ -144,9 +152,25 @@ impl Renderer {
         }
     }
 
+    /// Tells, for the next calls, that a side of the picture has a `coarser`th of the pixels of the picture it stands for while
+    /// something is dragged: light from other surfaces is gathered at fewer points then.
+    pub fn stand_in(&mut self, coarser: u32) {
+        self.coarser = coarser;
+    }
+
     /// Draws a scene that [`Scene::validate`] accepts. Steps whose inputs have not changed since the last call do not run again.
     pub fn render(&mut self, scene: &Scene) -> &Frame {
         self.draw(scene, scene.image.size, DVec2::ZERO, false)
+    }
+
+    /// Draws a scene as [`Self::render`] does, but begins no further rows once pixels have been shaded for some `nanoseconds` by the
+    /// renderer's clock. Returns whether the picture is finished; if not, the next call with the same scene goes on with it, and one
+    /// with another scene gives it up. Rows that are not yet shaded show what they showed before.
+    pub fn render_for(&mut self, scene: &Scene, nanoseconds: u64) -> bool {
+        self.shading_time = Some(nanoseconds);
+        self.render(scene);
+        self.shading_time = None;
+        !self.picture.output.is_pending()
     }
 
     /// Draws a part of a picture of `size` pixels whose samples lie `offset` pixels from the centres; `linear` says whether
@@ -250,6 +274,7 @@ impl Renderer {
             plan.leave_nothing_out(scene);
         }
         plan.whole_picture |= self.keeps_linear || linear;
+        plan.coarser = self.coarser.max(1);
         if !(plan.shadows || plan.composes) {
             self.report.stages.retain(|run| run.stage != Stage::Rays);
         }
@@ -442,7 +467,7 @@ impl Renderer {
     }
 
     /// Evaluates the equation at pixels, or takes the colours carried to them, with s0 where pixels fade. Returns whether
-    /// the picture is shaded anew.
+    /// that has changed the picture and finished it.
     fn shade(&mut self, planned: &PlannedFrame) -> bool {
         let PlannedFrame {
             scene,
@@ -469,7 +494,7 @@ impl Renderer {
                 rule,
             )
         });
-        let shaded = self.picture.outdate((
+        let begins = self.picture.outdate((
             self.interpolated.stamp,
             (plan.per == Per::Pixel).then(|| parts.clone()),
             scene.image.background.to_array(),
@@ -485,6 +510,10 @@ impl Renderer {
                 .then(|| (kts(materials), scene.ambient.source)),
             cue,
         ));
+        if begins {
+            self.picture.output.begin(scene.image.size);
+        }
+        let shaded = self.picture.output.is_pending();
         if shaded {
             self.paint(planned, true);
         }
@@ -502,7 +531,7 @@ impl Renderer {
             self.cue = cue;
             self.note(Stage::Interpolation, ran, began, 0);
         }
-        shaded
+        shaded && !self.picture.output.is_pending()
     }
 
     /// Runs the steps that need the whole picture: composing, fading, and the display's policy.
@@ -521,7 +550,7 @@ impl Renderer {
             .fit()
             .filter(|_| scene.ambient.source != AmbientSource::Constant);
         report.ambient_fit = fit.map(|fit| fit.to_array());
-        let Picture { frame, linear } = &mut self.picture.output;
+        let Picture { frame, linear, .. } = &mut self.picture.output;
         let layer = &self.cue.output;
         if plan.composes {
             let faded = (plan.cued == Cued::AtPoints).then_some(&*layer.scales);
@@ -559,13 +588,16 @@ impl Renderer {
             intensity: &self.points.output,
             stale,
             shades,
+            deadline: self
+                .shading_time
+                .map_or(u64::MAX, |time| self.now().saturating_add(time)),
         };
-        let canvas: (&mut [_], &mut [_]) = if shades {
+        let canvas = if shades {
             picture
                 .output
                 .canvas(planned.scene.image.size, plan.whole_picture)
         } else {
-            Default::default()
+            Canvas::default()
         };
         let interpolates = painter.interpolates();
         let tally = painter.run(&mut bands.output, &mut interpolated.output, canvas);
@@ -581,6 +613,9 @@ impl Renderer {
             report.ran(Stage::Interpolation, interpolating, 0);
         }
         if shades {
+            let before = &mut self.picture.output.tally;
+            *before = [before[0] + shading, before[1] + overflowing];
+            let [shading, overflowing] = *before;
             report.overflowing = overflowing;
             let at_pixels = plan.per == Per::Pixel;
             let (stage, evaluations) = if at_pixels {

@@ -5,7 +5,7 @@
 //! explains it to the reader, term by term.
 
 use crate::geometry::Surface;
-use crate::illumination::{Equation, SpecularForm};
+use crate::illumination::{Equation, SpecularForm, lights_backs};
 use crate::render::face_materials::{any_transmits, for_each_material};
 use crate::render::lens::{Lens, NEAR};
 use crate::render::model::Model;
@@ -84,6 +84,8 @@ pub struct Plan {
     pub whole_picture: bool,
     /// True if work that cannot change a stored pixel is left out.
     pub leaves_out: bool,
+    /// The pixels of a side of the picture that this one stands for, over its own.
+    pub coarser: u32,
 }
 
 impl Plan {
@@ -126,6 +128,7 @@ impl Plan {
             cued: Cued::Nowhere,
             whole_picture: scene.display.overflow != Overflow::Clamp || composes,
             leaves_out: true,
+            coarser: 1,
         };
         plan.shadows = casts_shadows(scene, model, &plan.lights).is_none();
         if not_cued(scene, model).is_none() {
@@ -364,7 +367,7 @@ pub fn casts_shadows(scene: &Scene, model: &Model, lights: &[bool]) -> Option<Me
         return Some(NO_LIGHT);
     }
     // Where surfaces turned away are lit all the same, the solid stands between them and the light.
-    let clamped = !scene.reflection.lights_backs();
+    let clamped = !lights_backs(&scene.reflection);
     let alone = model.convex && model.closed && !scene.ground.visible && clamped;
     alone.then_some(Message("render-why-convex-no-shadow"))
 }

@@ -3,7 +3,7 @@
 
 use super::parts::{Part, bouncing};
 use super::plan::{Inputs, Per, Plan};
-use crate::illumination::Equation;
+use crate::illumination::{Equation, lights_backs};
 use crate::render::face_materials::{any_transmits, for_each_material};
 use crate::render::lens::pixel_centre;
 use crate::render::node::{Memory, Node, capacity};
@@ -100,7 +100,7 @@ impl<'a> Inputs<'a> {
         } = self.scene;
         let (ground, flip) = (
             ground.visible.then_some(ground.height),
-            reflection.lights_backs(),
+            lights_backs(reflection),
         );
         (
             self.plan.per,
@@ -381,6 +381,7 @@ impl RayNodes {
                     wall,
                     (surface, scene.pattern.clone()),
                     scene.lights.clone(),
+                    plan.coarser,
                 ),
                 |bounced| {
                     let world = World::new((scene, materials), inputs.hits(searched), 0.0, true);
@@ -392,7 +393,7 @@ impl RayNodes {
                     });
                     let solid = world.hits.solid;
                     let object = DiffuseSurface::of_materials(scene, matt, solid, true);
-                    bounced.run(&world, (&object, materials), coverage);
+                    bounced.run(&world, (&object, materials), coverage, plan.coarser);
                 },
             );
         }

@@ -7,6 +7,10 @@ use shading_lab::expression::{Formula, Operator, Term, Typed};
 const ROUNDING: f64 = 1e-6;
 /// The magnitude from which single precision may overflow, and that below which it may lose digits.
 const RANGE: [f64; 2] = [1e-18, 1e18];
+/// The power below which single precision has 0.
+const FAINTEST: f64 = 1e-30;
+/// The error of an operation in double precision.
+const ROUNDING_IN_DOUBLE: f64 = 1e-14;
 /// The sine from which there is no angle any more.
 const NO_ANGLE: f64 = 1.0 + 1e-6;
 
@@ -172,17 +176,17 @@ impl Bounds {
     /// Returns 1 where `self` is above `other`, else 0; both where rounding decides.
     fn above(self, other: Self) -> Self {
         let both_known = self.known && other.known;
-        let slack = if both_known || (self.is_whole() && other.is_whole()) {
-            0.0
-        } else {
-            ROUNDING * (self.size() + other.size())
+        let slack = match both_known {
+            _ if self.is_whole() && other.is_whole() => 0.0,
+            true => ROUNDING_IN_DOUBLE * (self.size() + other.size()),
+            false => ROUNDING * (self.size() + other.size()),
         };
         let always = self.low > other.high + slack;
         let never = self.high <= other.low - slack;
         Self {
             low: f64::from(u8::from(always)),
             high: f64::from(u8::from(!never)),
-            known: both_known,
+            known: both_known && (always || never),
         }
     }
 
@@ -214,20 +218,21 @@ impl Bounds {
         } else {
             ROUNDING * self.size()
         };
-        rounded(
-            [(self.low - slack).exp(), (self.high + slack).exp()],
-            0.0,
-            self.known,
-        )
+        let ends = [(self.low - slack).exp(), (self.high + slack).exp()];
+        if self.known {
+            return rounded(ends, 0.0, true);
+        }
+        power_of(ends)
     }
 
     /// Returns the sine of an angle that is `turned` by some degrees.
     fn sin(self, turned: f64) -> Option<Self> {
         let (middle, half) = (0.5 * (self.low + self.high), 0.5 * (self.high - self.low));
-        if !self.known && self.size() > 1e5 {
+        // Of larger angles too little is left below a degree, in double and in single precision.
+        if self.size() > if self.known { 1e7 } else { 1e5 } {
             return None;
         }
-        let sine = (middle + turned).to_radians().sin();
+        let sine = sine(middle + turned);
         let error = half.to_radians();
         let ends = [(sine - error).max(-1.0), (sine + error).min(1.0)];
         rounded(ends, ROUNDING, self.known)
@@ -253,6 +258,10 @@ impl Bounds {
     fn power(self, exponent: Self) -> Option<Self> {
         if self.known && exponent.known {
             return rounded([power(self.low, exponent.low)?; 2], 0.0, true);
+        }
+        // The largest number of a precision stands for infinity, whose powers it does not have.
+        if self.size().max(exponent.size()) > RANGE[1] {
+            return None;
         }
         if exponent.is_zero() {
             return Some(Self::only_value(1.0, exponent.known));
@@ -296,6 +305,16 @@ impl Bounds {
     }
 }
 
+/// Returns the sine of an angle in degrees, exactly at quarter turns.
+fn sine(angle: f64) -> f64 {
+    match angle.rem_euclid(360.0) {
+        0.0 | 180.0 => 0.0,
+        90.0 => 1.0,
+        270.0 => -1.0,
+        rest => rest.to_radians().sin(),
+    }
+}
+
 /// Returns `a^b` of two numbers; `None` where it is too large.
 fn power(a: f64, b: f64) -> Option<f64> {
     let power = if a == 0.0 {
@@ -314,11 +333,13 @@ fn powers(base: [f64; 2], exponent: Bounds) -> Option<Bounds> {
     let e = [exponent.low, exponent.high];
     let [low, high] = ends([a * e[0], a * e[1], b * e[0], b * e[1]]);
     let slack = |x: f64| ROUNDING * (x.abs() + exponent.size());
-    rounded(
-        [(low - slack(low)).exp2(), (high + slack(high)).exp2()],
-        0.0,
-        false,
-    )
+    power_of([(low - slack(low)).exp2(), (high + slack(high)).exp2()])
+}
+
+/// Returns the bounds of a power that is not known.
+fn power_of([low, high]: [f64; 2]) -> Option<Bounds> {
+    let low = if low < FAINTEST { 0.0 } else { low };
+    rounded([low, high], 0.0, false)
 }
 
 fn ends(numbers: [f64; 4]) -> [f64; 2] {

@@ -203,4 +203,17 @@ impl Inputs for Named<'_> {
             name => Value::Known(self.number(name), Rate::Frame),
         })
     }
+
+    fn dot(&mut self, builder: &mut Builder, a: usize, b: usize) -> Option<Value> {
+        self.name(builder, product_of(a, b)?).number()
+    }
+}
+
+/// Returns the index of the name that the dot product of two vectors has, if there is one.
+pub fn product_of(a: usize, b: usize) -> Option<usize> {
+    let vector = |index: usize| LAW_VECTORS.get(index.checked_sub(LAW_NUMBERS.len())?);
+    let (a, b) = (*vector(a)?, *vector(b)?);
+    let is_own = |pair| pair == (a, b) || pair == (b, a);
+    let mut pairs = LAW_NUMBERS.iter().map(|name| name.split_once('·'));
+    pairs.position(|pair| pair.is_some_and(is_own))
 }

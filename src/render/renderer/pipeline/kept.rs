@@ -2,7 +2,8 @@
 
 use super::{Picture, Renderer};
 use crate::render::node::{Memory, capacity, capacity_of_planes};
-use crate::render::renderer::display::Linear;
+use crate::render::raster::BAND;
+use crate::render::renderer::bands::Canvas;
 use crate::render::renderer::frame::Frame;
 use crate::render::renderer::plan::Per;
 use std::mem::take;
@@ -49,6 +50,8 @@ impl Renderer {
             surface: all.surface,
             keeps_linear: all.keeps_linear,
             leaves_nothing_out: all.leaves_nothing_out,
+            coarser: all.coarser,
+            shading_time: all.shading_time,
             report: all.report,
             ..Self::default()
         };
@@ -57,7 +60,7 @@ impl Renderer {
     /// Returns the memory held for the next picture. A model's polygons, which its owner shares, count as well.
     pub fn memory(&self) -> Memory {
         let per = self.plan().map_or(Per::Pixel, |plan| plan.per);
-        let Picture { frame, linear } = &self.picture.output;
+        let Picture { frame, linear, .. } = &self.picture.output;
         let mut memory = Memory::default();
         self.mesh.output.count(&mut memory);
         self.model.output.count(&mut memory);
@@ -95,13 +98,30 @@ impl Renderer {
 }
 
 impl Picture {
+    /// Begins another picture of that size.
+    pub(super) fn begin(&mut self, [width, height]: [u32; 2]) {
+        let frame = &mut self.frame;
+        if [frame.width, frame.height] != [width, height] {
+            frame.pixels.clear();
+        }
+        self.pending.clear();
+        self.pending.resize(height.div_ceil(BAND) as usize, true);
+        self.tally = [0; 2];
+    }
+
+    /// Returns whether there are bands that are yet to be shaded.
+    pub(super) fn is_pending(&self) -> bool {
+        self.pending.contains(&true)
+    }
+
     /// Gives the buffers their size; frees the memory of a linear picture that is not wanted.
-    pub(super) fn canvas(
-        &mut self,
-        [width, height]: [u32; 2],
-        whole: bool,
-    ) -> (&mut [[u8; 4]], &mut [Linear]) {
-        let Self { frame, linear } = self;
+    pub(super) fn canvas(&mut self, [width, height]: [u32; 2], whole: bool) -> Canvas<'_> {
+        let Self {
+            frame,
+            linear,
+            pending,
+            ..
+        } = self;
         let pixels = width as usize * height as usize;
         (frame.width, frame.height) = (width, height);
         frame.pixels.resize(pixels, [0; 4]);
@@ -109,6 +129,10 @@ impl Picture {
             *linear = Vec::new();
         }
         linear.resize(if whole { pixels } else { 0 }, [0.0; 4]);
-        (&mut frame.pixels, linear)
+        Canvas {
+            pixels: &mut frame.pixels,
+            linear,
+            pending,
+        }
     }
 }
