@@ -153,8 +153,8 @@ thread_local! {
 }
 
 impl BandPainter<'_> {
-    /// Runs the steps that are out of date; times are means over the threads. Of the
-    /// pending bands at least one is shaded.
+    /// Runs the steps that are out of date; times are means over the threads. At least
+    /// one of the pending bands is shaded.
     pub fn run(
         &self,
         bands: &mut Vec<Band>,

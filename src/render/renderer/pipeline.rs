@@ -152,8 +152,8 @@ impl Renderer {
         }
     }
 
-    /// Tells, for the next calls, that a side of the picture has a `coarser`th of the pixels of the picture it stands for while
-    /// something is dragged: light from other surfaces is gathered at fewer points then.
+    /// Makes the next pictures stand for others whose sides have `coarser` times as many pixels, as while something is dragged: light
+    /// from other surfaces is then gathered at fewer points.
     pub fn stand_in(&mut self, coarser: u32) {
         self.coarser = coarser;
     }
@@ -165,7 +165,8 @@ impl Renderer {
 
     /// Draws a scene as [`Self::render`] does, but begins no further rows once pixels have been shaded for some `nanoseconds` by the
     /// renderer's clock. Returns whether the picture is finished; if not, the next call with the same scene goes on with it, and one
-    /// with another scene gives it up. Rows that are not yet shaded show what they showed before.
+    /// with another scene gives it up. Rows that are not yet shaded show what they showed before, or nothing if the picture had
+    /// another size.
     pub fn render_for(&mut self, scene: &Scene, nanoseconds: u64) -> bool {
         self.shading_time = Some(nanoseconds);
         self.render(scene);
