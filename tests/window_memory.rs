@@ -35,6 +35,8 @@ fn turn() -> MutexGuard<'static, ()> {
     TURN.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
+/// Bytes in which the window shows the cube at rest, with what stays of the tests before: the teapot's intersection data.
+const AT_REST: usize = 25_000_000;
 /// Bytes that may remain: fonts first used meanwhile, undo steps.
 const LEFT: usize = 4_000_000;
 
@@ -43,12 +45,12 @@ fn open(harness: &mut Harness<'_, App>, scene: &str) {
     harness.run_ok();
 }
 
-/// Waits until the cube is drawn, in fewer than `most` bytes; returns how many.
-fn at_rest(harness: &mut Harness<'_, App>, most: usize) -> usize {
+/// Waits until the cube is drawn and the window at rest; returns the bytes that it takes.
+fn at_rest(harness: &mut Harness<'_, App>) -> usize {
     let smooth = |harness: &Harness<'_, App>| harness.state().samples() > 1;
     assert!(wait(harness, smooth), "the cube's edges get smooth");
     // The background job ends slightly after its picture arrives.
-    assert!(wait(harness, |_| HEAP.current_usage() < most));
+    assert!(wait(harness, |_| HEAP.current_usage() < AT_REST));
     let held = (0..25).map(|_| {
         harness.run_ok();
         sleep(Duration::from_millis(20));
@@ -61,7 +63,7 @@ fn at_rest(harness: &mut Harness<'_, App>, most: usize) -> usize {
 fn large_scenes_leave_nothing_behind() {
     let _turn = turn();
     let mut harness = window("cube");
-    let before = at_rest(&mut harness, 20_000_000);
+    let before = at_rest(&mut harness);
     for size in [vec2(1280.0, 800.0), vec2(2560.0, 1600.0)] {
         for scene in LARGE {
             harness.set_size(size);
@@ -109,7 +111,7 @@ fn pictures_of_scenes_leave_nothing_behind() {
     // The teapot's intersection data are computed once, and stay.
     open(&mut harness, "teapot&set=shading.mode=exact");
     open(&mut harness, "cube");
-    let before = at_rest(&mut harness, 25_000_000);
+    let before = at_rest(&mut harness);
     let textures = |harness: &Harness<'_, App>| harness.ctx.tex_manager().read().num_allocated();
     let all = textures(&harness) + presets::ALL.len();
     // A fine screen: the pictures take four times the memory.
