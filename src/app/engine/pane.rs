@@ -24,8 +24,8 @@ struct Drawing {
     renderer: Renderer,
     model: Option<Arc<Mesh>>,
     drawn: Option<Scene>,
-    /// True if the picture is not shaded to its end.
-    pending: bool,
+    /// The tables of the scene file that had changed before it.
+    changed: Vec<&'static str>,
     linear: bool,
     report: FrameReport,
 }
@@ -36,7 +36,7 @@ impl Default for Drawing {
             renderer: Renderer::with_clock(nanoseconds),
             model: None,
             drawn: None,
-            pending: false,
+            changed: vec![],
             linear: false,
             report: FrameReport::default(),
         }
@@ -74,7 +74,7 @@ impl Drawing {
 
     /// Returns whether the last picture is that of `wanted` at `size` pixels, to its last row.
     fn shows(&self, wanted: &Wanted<'_>, size: [u32; 2]) -> bool {
-        !self.pending && self.is_of(wanted, size)
+        self.renderer.is_finished() && self.is_of(wanted, size)
     }
 
     /// Draws the picture, or goes on with it, for a while, unless it is already drawn.
@@ -85,6 +85,7 @@ impl Drawing {
         let before = if self.is_of(wanted, size) {
             self.report.nanoseconds
         } else {
+            self.changed = self.changed_parts(wanted.scene);
             0
         };
         if !same_model(self.model.as_ref(), wanted.model) {
@@ -95,7 +96,7 @@ impl Drawing {
         self.renderer.keep_linear(wanted.linear);
         let mut sized = wanted.scene.clone();
         sized.image.size = size;
-        self.pending = !self.renderer.render_for(&sized, SLICE);
+        self.renderer.render_for(&sized, SLICE);
         self.report = self.renderer.report().clone();
         self.report.nanoseconds += before;
         self.drawn = Some(sized);
@@ -177,18 +178,12 @@ impl PaneEngine {
                 self.remember(parts, time);
             }
         } else if !self.whole.shows(wanted, size) {
-            // What had changed before a picture that goes on was noted last.
-            let goes_on = self.whole.is_of(wanted, size);
-            let noted = goes_on.then(|| self.costs.pop()).flatten();
-            let parts = noted.map_or_else(
-                || self.whole.changed_parts(wanted.scene),
-                |(parts, _)| parts,
-            );
+            self.whole.draw(wanted, size);
+            let parts = self.whole.changed.clone();
             // The next drag may be of anything else.
             if parts.contains(&"all") || parts.contains(&"object") {
                 self.draft = None;
             }
-            self.whole.draw(wanted, size);
             let whole = self.whole.report.nanoseconds;
             self.remember(parts, DrawTime { whole, fixed: 0 });
         }
@@ -245,7 +240,8 @@ impl PaneEngine {
             Some(draft) if self.coarser > 1 => draft,
             _ => &mut self.whole,
         };
-        let Some(scene) = drawing.drawn.as_ref().filter(|_| !drawing.pending) else {
+        let finished = drawing.renderer.is_finished();
+        let Some(scene) = drawing.drawn.as_ref().filter(|_| finished) else {
             return false;
         };
         let [x, y] = pixel.map(|v| v / self.coarser);
@@ -265,7 +261,7 @@ impl PaneEngine {
 
     /// Returns whether the picture shown is finished.
     pub fn is_finished(&self) -> bool {
-        !self.in_sight().pending
+        self.renderer().is_finished()
     }
 
     /// Returns whether the picture shown is that of `scene`, to its last row.
@@ -291,7 +287,7 @@ impl PaneEngine {
     /// Returns the linear picture shown, before the display.
     pub fn linear(&self) -> Option<LinearPicture<'_>> {
         let drawing = self.in_sight();
-        let finished = drawing.linear && !drawing.pending;
+        let finished = drawing.linear && drawing.renderer.is_finished();
         let scene = drawing.drawn.as_ref().filter(|_| finished)?;
         Some(LinearPicture {
             width: scene.image.size[0],

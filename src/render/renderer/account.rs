@@ -3,10 +3,12 @@
 //! A line that counts evaluations is really evaluated, however little it adds. Counts are of a frame in which every stage runs.
 
 use super::frame::{FrameReport, Stage};
+use super::pipeline::{PlannedFrame, Renderer};
 use super::plan::{Cued, NO_LIGHT, Per, Plan, casts_shadows, not_cued, silences, stiff};
 use crate::illumination::{Equation, LawPart, SpecularForm, Unneeded};
 use crate::render::face_materials::{any_transmits, for_each_material};
 use crate::render::model::Model;
+use crate::render::raster::Band;
 use crate::scene::{
     AmbientSource, Backfacing, Encoding, FaceMaterial, LightKind, Material, ObjectKind, Overflow,
     PatternKind, Reflectance, Reflection, ReflectionModel, Rgb, Scene, Viewer,
@@ -92,20 +94,57 @@ impl Serialize for TermName {
 }
 
 /// The inputs of the last picture.
-pub struct Account<'a> {
-    pub scene: &'a Scene,
-    pub plan: &'a Plan,
-    pub model: &'a Model,
-    pub report: &'a FrameReport,
+struct Account<'a> {
+    scene: &'a Scene,
+    plan: &'a Plan,
+    model: &'a Model,
+    report: &'a FrameReport,
     /// The number of the picture's triangles that show their back.
-    pub backs: u64,
+    backs: u64,
     /// The number of colours that flat shading prepares: one for each sequence of runs of one face.
-    pub inks: u64,
+    inks: u64,
     /// The materials of the faces, and the number of evaluations of the equation with each.
-    pub materials: Vec<FaceMaterial>,
-    pub counts: Vec<u64>,
+    materials: Vec<FaceMaterial>,
+    counts: Vec<u64>,
     /// The number of pixels that show each of them.
-    pub pixels: Vec<u64>,
+    pixels: Vec<u64>,
+}
+
+impl Renderer {
+    /// Returns the terms and steps of the last picture: how often each is evaluated, or why it is left out.
+    pub fn terms(&self) -> Vec<Term> {
+        let Some(planned) = &self.drawn else {
+            return Vec::new();
+        };
+        let PlannedFrame {
+            scene, plan, parts, ..
+        } = planned;
+        let culled = plan.cull || plan.true_surface;
+        let backs = if culled {
+            0
+        } else {
+            self.placed.output.backs(&self.model.output)
+        };
+        let inks = if plan.carries {
+            0
+        } else {
+            let triangles = self.placed.output.triangles(&self.model.output);
+            let count = |band: &Band| band.runs_by_face(&triangles).count() as u64;
+            self.bands.output.iter().map(count).sum::<u64>() * parts.len() as u64
+        };
+        Account {
+            scene,
+            plan,
+            model: &self.model.output,
+            report: self.report(),
+            backs,
+            inks,
+            materials: planned.materials.clone(),
+            counts: self.counts_of(planned),
+            pixels: self.pixels_of(planned),
+        }
+        .terms()
+    }
 }
 
 /// Tells why no light is reflected specularly.

@@ -2,7 +2,6 @@
 
 mod kept;
 
-use super::account::{Account, Term};
 use super::bands::{BandPainter, Canvas, Interpolated, Stale};
 use super::cue::{CueLayer, fade_pixels};
 use super::display::{Linear, compose, display};
@@ -55,12 +54,12 @@ pub struct Renderer {
     mesh: Node<MeshSource>,
     pub(super) model: Node<Model>,
     surface: Node<Option<Surface>>,
-    placed: Node<PlacedTriangles>,
+    pub(super) placed: Node<PlacedTriangles>,
     /// The middles, the normals and the tints of the faces, where these are shaded.
     faces: Node<[Planes; 3]>,
     /// The intensities at vertices or faces, for each part of the picture.
     points: Node<Vec<Planes>>,
-    bands: Node<Vec<Band>>,
+    pub(super) bands: Node<Vec<Band>>,
     interpolated: Node<Interpolated>,
     pub(super) rays: RayNodes,
     cue: Node<CueLayer>,
@@ -104,7 +103,7 @@ pub(super) struct PlannedFrame {
     pub plan: Plan,
     pub lens: Lens,
     pub materials: Vec<FaceMaterial>,
-    parts: Vec<Part>,
+    pub parts: Vec<Part>,
 }
 
 impl Renderer {
@@ -164,13 +163,18 @@ impl Renderer {
     }
 
     /// Draws a scene as [`Self::render`] does, but begins no further rows once pixels have been shaded for some `nanoseconds` by the
-    /// renderer's clock. Returns whether the picture is finished; if not, the next call with the same scene goes on with it, and one
-    /// with another scene gives it up. Rows that are not yet shaded show what they showed before, or nothing if the picture had
-    /// another size.
+    /// renderer's clock. Returns whether the picture [is finished](Self::is_finished); if not, the next call with the same scene goes
+    /// on with it, and one with another scene gives it up. Rows that are not yet shaded show what they showed before, or nothing if
+    /// the picture had another size.
     pub fn render_for(&mut self, scene: &Scene, nanoseconds: u64) -> bool {
         self.shading_time = Some(nanoseconds);
         self.render(scene);
         self.shading_time = None;
+        self.is_finished()
+    }
+
+    /// Returns whether every row of the last picture is shaded.
+    pub fn is_finished(&self) -> bool {
         !self.picture.output.is_pending()
     }
 
@@ -687,41 +691,6 @@ impl Renderer {
     /// Returns the report of the last call of [`Renderer::render`].
     pub fn report(&self) -> &FrameReport {
         &self.report
-    }
-
-    /// Returns the terms and steps of the last picture: how often each is evaluated, or why it is left out.
-    pub fn terms(&self) -> Vec<Term> {
-        let Some(planned) = &self.drawn else {
-            return Vec::new();
-        };
-        let PlannedFrame {
-            scene, plan, parts, ..
-        } = planned;
-        let culled = plan.cull || plan.true_surface;
-        let backs = if culled {
-            0
-        } else {
-            self.placed.output.backs(&self.model.output)
-        };
-        let inks = if plan.carries {
-            0
-        } else {
-            let triangles = self.placed.output.triangles(&self.model.output);
-            let count = |band: &Band| band.runs_by_face(&triangles).count() as u64;
-            self.bands.output.iter().map(count).sum::<u64>() * parts.len() as u64
-        };
-        Account {
-            scene,
-            plan,
-            model: &self.model.output,
-            report: &self.report,
-            backs,
-            inks,
-            materials: planned.materials.clone(),
-            counts: self.counts_of(planned),
-            pixels: self.pixels_of(planned),
-        }
-        .terms()
     }
 }
 
