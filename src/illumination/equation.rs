@@ -399,7 +399,7 @@ impl<T: Scalar> Equation<T> {
             sum = [sum[0] * color[0], sum[1] * color[1], sum[2] * color[2]];
         }
         if let (SpecularForm::Formula, Some(law)) = (form, &self.law) {
-            return self.add_law(law, site, reached, color, sum, scratch);
+            return self.add_law(law, site, reached, color.as_ref(), sum, scratch);
         }
         for (index, source) in self.sources.iter().enumerate() {
             if reached.is_some_and(|reached| like.holds_none(reached.bits(index))) {
@@ -618,7 +618,7 @@ impl Equation<f64> {
         let mut scratch = None;
         let mut law = law.map(|law| {
             let color = Some(color.to_array());
-            law.at(site.normal, site.view, color, (&mut scratch, 1))
+            law.at(site.normal, site.view, color.as_ref(), (&mut scratch, 1))
         });
         let mut sum = LightAt {
             v: site.view.into(),

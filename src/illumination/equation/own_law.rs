@@ -73,7 +73,7 @@ impl<T: Scalar> Equation<T> {
         law: &Law,
         site: &ShadingPoint<R>,
         reached: Option<Reached<'_>>,
-        color: Option<[R; 3]>,
+        color: Option<&[R; 3]>,
         mut sum: [R; 3],
         scratch: &mut LawScratch<R>,
     ) -> ([R; 3], R) {
@@ -158,7 +158,7 @@ impl<T: Scalar> Equation<T> {
         factors
     }
 
-    /// Returns what a law knows of a source at a point, and the attenuation times the spot's part.
+    /// Returns what the law knows of a source at a point, its distance only if the law depends on it; and the attenuation times the spot's part.
     #[inline(always)]
     fn incidence<R: Real<Scalar = T>>(
         &self,
@@ -167,8 +167,11 @@ impl<T: Scalar> Equation<T> {
     ) -> (Incidence<R>, R) {
         let like = site.inverse_distance;
         let (l, attenuation, nearness) = source.reach(site.position, site.inverse_distance);
-        let nearest = nearness.max(like.number(1.0 / FARTHEST));
-        let distance = like.number(1.0) / nearest * T::from_f64(self.unit);
+        let mut distance = like.number(0.0);
+        if self.law.as_ref().is_some_and(|law| law.names_distance()) {
+            let nearest = nearness.max(like.number(1.0 / FARTHEST));
+            distance = like.number(1.0) / nearest * T::from_f64(self.unit);
+        }
         (Incidence { l, distance }, attenuation * source.spot(l))
     }
 }

@@ -141,9 +141,12 @@ impl Code {
             ),
             Self::Log2 => R::select(a.greater_than(zero), a.max(a.number(TINY)).log2(), zero),
             Self::PowerOfPositive => {
+                let positive = a.greater_than(zero);
+                if !R::any(positive) {
+                    return power_of_zero(b);
+                }
                 let exponent = a.max(a.number(TINY)).log2() * b;
-                let some =
-                    a.greater_than(zero) & exponent.greater_than(a.number(R::Scalar::FAINTEST));
+                let some = positive & exponent.greater_than(a.number(R::Scalar::FAINTEST));
                 R::select(some, exponent.exp2(), power_of_zero(b))
             }
             Self::Power => {

@@ -30,14 +30,51 @@ const LIGHT: usize = 1;
 pub struct Law {
     /// The code at a point.
     program: Program,
-    /// What each input of the code is, with its register.
-    inputs: Vec<(Input, u16)>,
+    places: InputPlaces,
     /// The registers of what is the same for all lights.
     shared: Vec<u16>,
     /// The code for a light whose L is constant, evaluated once.
     once: Program,
     once_inputs: Vec<(Input, u16)>,
     parts: Vec<LawPart>,
+    names_distance: bool,
+}
+
+/// The registers of the inputs that the code at a point needs.
+#[derive(Clone, Debug, Default, PartialEq)]
+struct InputPlaces {
+    normal: Option<[u16; 3]>,
+    view: Option<[u16; 3]>,
+    color: Option<[u16; 3]>,
+    light: Option<[u16; 3]>,
+    distance: Option<u16>,
+    /// Those of what is computed once for each light, in its order.
+    known: Vec<u16>,
+}
+
+impl InputPlaces {
+    /// Finds the registers of `inputs`; a component that nothing needs goes to the register `spare`.
+    fn of(inputs: &[(Input, u16)], spare: u16) -> Self {
+        let place = |input: Input| {
+            let own = inputs.iter().find(|(own, _)| *own == input);
+            own.map(|(_, register)| *register)
+        };
+        let vector = |component: fn(usize) -> Input| {
+            let places = [0, 1, 2].map(|axis| place(component(axis)));
+            let is_needed = places.iter().any(Option::is_some);
+            is_needed.then(|| places.map(|place| place.unwrap_or(spare)))
+        };
+        Self {
+            normal: vector(Input::Normal),
+            view: vector(Input::View),
+            color: vector(Input::Color),
+            light: vector(Input::Light),
+            distance: place(Input::Distance),
+            known: (0..)
+                .map_while(|index| place(Input::Known(index)))
+                .collect(),
+        }
+    }
 }
 
 impl Law {
@@ -50,7 +87,7 @@ impl Law {
             Rate::Point => Some(POINT),
             Rate::Never | Rate::Frame | Rate::Light => None,
         };
-        let program = schedule(builder, &[vec![], listed.factors().to_vec()], &section);
+        let mut program = schedule(builder, &[vec![], listed.factors().to_vec()], &section);
         let known: Vec<u32> = program
             .inputs
             .iter()
@@ -65,8 +102,14 @@ impl Law {
             let input = input.or_else(|| listed.named.input_of(*index));
             input.map(|input| (input, *register))
         };
+        let inputs: Vec<(Input, u16)> = program.inputs.iter().filter_map(of).collect();
+        let mut named = listed.named.made.iter();
+        let names_distance = named.any(|(input, _)| *input == Input::Distance);
+        let spare = program.registers as u16;
+        program.registers += 1;
         Ok(Self {
-            inputs: program.inputs.iter().filter_map(of).collect(),
+            places: InputPlaces::of(&inputs, spare),
+            names_distance,
             once_inputs: once.inputs.iter().filter_map(of).collect(),
             parts: parts::parts(builder, &listed.formula, [&program, &once]),
             shared: program.taken(LIGHT),
@@ -84,6 +127,12 @@ impl Law {
     #[inline(always)]
     pub fn may_be_undefined(&self) -> bool {
         self.program.counts || self.once.counts
+    }
+
+    /// Returns whether the law depends on the distance to the light.
+    #[inline(always)]
+    pub fn names_distance(&self) -> bool {
+        self.names_distance
     }
 
     /// Returns what is known of a light before a point is looked at, where L is constant; the last number is 1 if an operation was
@@ -107,21 +156,28 @@ impl Law {
         &'a self,
         normal: V3<R>,
         view: V3<R>,
-        color: Option<[R; 3]>,
+        color: Option<&[R; 3]>,
         (scratch, lights): (&'a mut LawScratch<R>, usize),
     ) -> LawAt<'a, R> {
         let zero = normal.x.number(0.0);
         let places = lights.clamp(1, TOGETHER);
         let registers = scratch.get_or_insert_with(|| Registers::new(&self.program, zero, places));
-        for (input, register) in &self.inputs {
-            if let Some(value) = input.of_point(normal, view, color) {
-                registers.set_all(*register, value);
-            }
+        if let Some(normals) = self.places.normal {
+            registers.set_vector(normals, [normal.x, normal.y, normal.z]);
+        }
+        if let Some(views) = self.places.view {
+            registers.set_vector(views, [view.x, view.y, view.z]);
+        }
+        if let Some(colors) = self.places.color {
+            let one = zero.number(1.0);
+            registers.set_vector(colors, color.map_or([one; 3], |color| *color));
         }
         registers.set_undefined(0, zero);
         registers.run(&self.program.sections[POINT], 1);
-        for register in &self.shared {
-            registers.spread(*register);
+        if places > 1 {
+            for register in &self.shared {
+                registers.spread(*register);
+            }
         }
         LawAt {
             law: self,
@@ -155,10 +211,18 @@ impl<R: Real> LawAt<'_, R> {
     /// Puts a light into a place; `known` is what [`Law::known`] gives for the light.
     #[inline(always)]
     pub fn put(&mut self, place: usize, incidence: &Incidence<R>, known: &[R::Scalar]) {
-        for (input, register) in &self.law.inputs {
-            if let Some(value) = input.of_light(incidence, known) {
-                self.registers.set(*register, place, value);
-            }
+        let places = &self.law.places;
+        if let Some([x, y, z]) = places.light {
+            self.registers.set(x, place, incidence.l.x);
+            self.registers.set(y, place, incidence.l.y);
+            self.registers.set(z, place, incidence.l.z);
+        }
+        if let Some(register) = places.distance {
+            self.registers.set(register, place, incidence.distance);
+        }
+        for (register, known) in places.known.iter().zip(known) {
+            let known = self.undefined.constant(*known);
+            self.registers.set(*register, place, known);
         }
         if self.law.may_be_undefined() {
             let of_light = known.last().map(|known| self.undefined.constant(*known));

@@ -3,6 +3,7 @@
 use super::builder::{Builder, Operation, Value};
 use super::code::{Code, for_code};
 use crate::illumination::Real;
+use std::cell::Cell;
 use std::collections::HashMap;
 
 /// An operation with the registers of its operands and of its result.
@@ -279,6 +280,16 @@ impl<R: Real> Registers<R> {
         self.numbers[usize::from(register) * self.blocks..][..self.blocks].fill(value);
     }
 
+    /// Sets the registers of a vector's components for all groups of points.
+    #[inline(always)]
+    pub fn set_vector(&mut self, registers: [u16; 3], components: [R; 3]) {
+        let [x, y, z] = registers;
+        let [of_x, of_y, of_z] = components;
+        self.set_all(x, of_x);
+        self.set_all(y, of_y);
+        self.set_all(z, of_z);
+    }
+
     /// Returns the number of groups of points.
     #[inline(always)]
     pub fn blocks(&self) -> usize {
@@ -305,11 +316,11 @@ impl<R: Real> Registers<R> {
         let Some(like) = self.numbers.first().copied() else {
             return;
         };
-        let (blocks, numbers) = (self.blocks, &mut self.numbers[..]);
-        let undefined = numbers.len() - blocks;
+        let (blocks, undefined) = (self.blocks, self.numbers.len() - self.blocks);
+        let numbers = Cell::from_mut(&mut self.numbers[..]).as_slice_of_cells();
         like.vectorize(
             #[inline(always)]
-            || {
+            move || {
                 for step in steps {
                     let [a, b, c] = step.operands.map(|register| usize::from(register) * blocks);
                     if step.counts {
@@ -333,13 +344,15 @@ impl<R: Real> Registers<R> {
 /// Computes `count` numbers of a register from those of three operands; the places are those of the first numbers.
 #[inline(always)]
 fn each<R: Real>(
-    numbers: &mut [R],
-    ([a, b, c], result): ([usize; 3], usize),
+    numbers: &[Cell<R>],
+    (operands, result): ([usize; 3], usize),
     count: usize,
     of: impl Fn(R, R, R) -> R,
 ) {
-    for block in 0..count {
-        let of = of(numbers[a + block], numbers[b + block], numbers[c + block]);
-        numbers[result + block] = of;
+    // A result may take the place of an operand.
+    let at = |place: usize| numbers[place..][..count].iter();
+    let [a, b, c] = operands;
+    for (((a, b), c), result) in at(a).zip(at(b)).zip(at(c)).zip(at(result)) {
+        result.set(of(a.get(), b.get(), c.get()));
     }
 }
