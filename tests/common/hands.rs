@@ -2,15 +2,16 @@
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Color32, Event, Key, Modifiers, PointerButton, Pos2, Rect, Shape, TexturesDelta, pos2,
+    Color32, Event, Key, Modifiers, PointerButton, Pos2, Rect, Shape, TexturesDelta, pos2, vec2,
 };
 use egui_kittest::kittest::{NodeT, Queryable};
 use egui_kittest::{Harness, TestRenderer};
+use glam::DVec3;
 use serde::Serialize;
 use shading_lab::app::{App, Appearance, SavedProgress};
 use shading_lab::document::{Loaded, load_scene};
 use shading_lab::scene::parameter::Parameter;
-use shading_lab::scene::{Choice, Scene};
+use shading_lab::scene::{Choice, Scene, View};
 use shading_lab::text::{Language, has, in_language, interned};
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -246,6 +247,14 @@ pub fn picture_place(harness: &Harness<'_, App>) -> Rect {
     let mode = harness.state().state().session.shown.scene.shading.mode;
     let name = english!("picture-name", mode = mode.label());
     harness.get_by_role_and_label(Role::Image, &name).rect()
+}
+
+/// Returns the position in the window at which a point of the world appears, if that is before the eye.
+pub fn seen(harness: &Harness<'_, App>, at: DVec3) -> Option<Pos2> {
+    let frame = harness.state().frame();
+    let size = [frame.width, frame.height];
+    let (pixel, _) = View::new(&scene(harness).camera, size).project(at)?;
+    Some(picture_place(harness).min + vec2(pixel.x as f32, pixel.y as f32))
 }
 
 /// Clicks a button, given by its name or the key of its name.

@@ -1,24 +1,12 @@
 //! The lights' handles in the window, and the camera's way back.
 
 use crate::common::hands::{
-    built_in, choose, drag, picture_place, press, scene, undo, window, window_of,
+    built_in, choose, drag, picture_place, press, scene, seen, undo, window, window_of,
 };
-use eframe::egui::{Pos2, vec2};
-use egui_kittest::Harness;
+use eframe::egui::vec2;
 use glam::DVec3;
-use shading_lab::app::App;
 use shading_lab::geometry::tessellate;
 use shading_lab::scene::{Camera, Projection, View};
-
-/// Returns the position in the window at which a point of the world appears.
-fn seen(harness: &Harness<'_, App>, at: DVec3) -> Pos2 {
-    let frame = harness.state().frame();
-    let size = [frame.width, frame.height];
-    let (pixel, _) = View::new(&scene(harness).camera, size)
-        .project(at)
-        .expect("before the eye");
-    picture_place(harness).min + vec2(pixel.x as f32, pixel.y as f32)
-}
 
 #[test]
 fn a_dragged_light_keeps_its_distance_and_is_one_step_of_undo() {
@@ -28,7 +16,7 @@ fn a_dragged_light_keeps_its_distance_and_is_one_step_of_undo() {
     let light = before.lights.len() - 1;
     let from = before.lights[light].position;
     assert!(before.lights[light].color.max_element() < 0.7, "moderate");
-    let start = seen(&harness, from);
+    let start = seen(&harness, from).expect("before the eye");
     harness.drag_at(start);
     harness.run();
     for step in 1..5 {
@@ -41,7 +29,8 @@ fn a_dragged_light_keeps_its_distance_and_is_one_step_of_undo() {
     let at = scene(&harness).lights[light].position;
     assert!(at.distance(from) > 0.05, "{at}");
     assert!((at.length() - from.length()).abs() < 0.01, "{from} to {at}");
-    assert!(seen(&harness, at).distance(end) < 3.0, "under the pointer");
+    let place = seen(&harness, at).expect("before the eye");
+    assert!(place.distance(end) < 3.0, "under the pointer");
     assert_eq!(scene(&harness).camera, before.camera);
     undo(&mut harness);
     assert_eq!(scene(&harness).lights, before.lights);

@@ -1,12 +1,17 @@
-//! Time that the window's frame adds to the engine's after a slider has moved, without the painting by the graphics card: `cargo
-//! test --release --test window slider_time -- --ignored --nocapture`.
+//! Times of the window's frame while something is dragged, without the painting by the graphics card: `cargo test --release --test
+//! window slider_time -- --ignored --nocapture --test-threads 1`.
 
-use crate::common::hands::{named, picture, scene, unfold_all, window_looking};
+use crate::common::hands::{
+    built_in, named, picture, picture_place, scene, seen, unfold_all, window_looking,
+};
 use eframe::egui::accesskit::Role;
+use eframe::egui::{Pos2, vec2};
+use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
-use shading_lab::app::Appearance;
-use shading_lab::document::load_scene;
+use shading_lab::app::{App, Appearance};
+use shading_lab::document::{Loaded, load_scene};
 use shading_lab::render::Renderer;
+use shading_lab::scene::presets;
 use std::path::Path;
 use std::time::Instant;
 
@@ -20,9 +25,58 @@ fn milliseconds(work: impl FnOnce()) -> f64 {
     began.elapsed().as_secs_f64() * 1e3
 }
 
-fn median(mut values: Vec<f64>) -> f64 {
+/// Returns the value that a part of all values do not exceed.
+fn percentile(mut values: Vec<f64>, part: f64) -> f64 {
     values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
+    values[((values.len() - 1) as f64 * part).round() as usize]
+}
+
+/// Opens a window of 1280×800 points in which no smoother picture is drawn while the pointer rests.
+fn open(loaded: Loaded) -> Harness<'static, App> {
+    let appearance = Appearance {
+        smooth_edges: false,
+        ..Appearance::default()
+    };
+    let mut harness = window_looking(loaded, [1280.0, 800.0], &appearance, |app| app);
+    unfold_all(&mut harness);
+    harness
+}
+
+/// Drags by three points a frame, for a second; returns the times of the first frame and of 95 % of all.
+fn dragged(harness: &mut Harness<'_, App>, from: Pos2) -> [f64; 2] {
+    harness.drag_at(from);
+    harness.step();
+    let at = |frame: u8| from + vec2(3.0, 1.0) * f32::from(frame);
+    let times: Vec<f64> = (1..=60)
+        .map(|frame| {
+            harness.hover_at(at(frame));
+            milliseconds(|| harness.step())
+        })
+        .collect();
+    harness.drop_at(at(60));
+    harness.run_ok();
+    [times[0], percentile(times, 0.95)]
+}
+
+#[test]
+#[ignore = "measures times"]
+fn every_scene_answers_while_something_is_dragged() {
+    for preset in presets::ALL {
+        let mut harness = open(built_in(preset.name));
+        let middle = picture_place(&harness).center();
+        let camera = dragged(&mut harness, middle);
+        let before = scene(&harness).lights.clone();
+        let handle = before
+            .first()
+            .and_then(|light| seen(&harness, light.position));
+        let light = handle.map(|handle| dragged(&mut harness, handle));
+        let moved = scene(&harness).lights != before;
+        println!(
+            "{:24} camera {camera:.1?} light {:.1?}",
+            preset.name,
+            light.filter(|_| moved)
+        );
+    }
 }
 
 #[test]
@@ -43,13 +97,7 @@ fn measure(built_in: &str, settings: &[&str]) {
     let settings: Vec<_> = settings.iter().map(|&setting| setting.to_owned()).collect();
     let mut loaded = load_scene(Path::new(built_in)).expect("a built-in scene");
     loaded.scene = loaded.scene.with_overrides(&settings).expect("settings");
-    // No smoother picture is drawn while a slider is held.
-    let appearance = Appearance {
-        smooth_edges: false,
-        ..Appearance::default()
-    };
-    let mut harness = window_looking(loaded, [1280.0, 800.0], &appearance, |app| app);
-    unfold_all(&mut harness);
+    let mut harness = open(loaded);
     let mut renderer = Renderer::default();
     for (name, step) in [("material.ka", 0.001), ("material.n", 0.1)] {
         let (mut changed, mut unchanged, mut engine, mut alone) = (vec![], vec![], vec![], vec![]);
@@ -83,7 +131,8 @@ fn measure(built_in: &str, settings: &[&str]) {
                 alone.push(milliseconds(|| _ = renderer.render(&shown)));
             }
         }
-        let [changed, unchanged, engine, alone] = [changed, unchanged, engine, alone].map(median);
+        let [changed, unchanged, engine, alone] =
+            [changed, unchanged, engine, alone].map(|times| percentile(times, 0.5));
         println!(
             "{built_in} {settings:?}, {name}: the window's frame {changed:.2} ms, unchanged {unchanged:.2} ms, the engine \
              {engine:.2} ms in it and {alone:.2} ms alone: what the change adds is {:.2} times the engine's time",
