@@ -25,6 +25,7 @@ pub use formula::{Formula, Line, Names, Operator, Term, Type, Typed};
 pub use problem::{FormulaError, Position};
 pub use syntax::Part;
 
+pub(crate) use formula::with_parentheses;
 pub(crate) use functions::in_name;
 
 use crate::text::{excerpt, text};

@@ -19,6 +19,7 @@ pub use typed::{Line, Term, Type, Typed};
 use super::parser::Rest;
 use super::problem::{DEPTH, Expected, FormulaError, Position};
 use crate::text::text;
+use std::ops::Range;
 use typed::Refusal;
 use types::Checker;
 
@@ -98,8 +99,31 @@ impl Formula {
 
     /// Returns the text of one of its parts.
     pub fn text_of(&self, part: &Typed) -> &str {
-        self.text.get(part.span.clone()).unwrap_or_default()
+        with_parentheses(&self.text, part.span.clone())
     }
+}
+
+/// Returns a part of a formula with the parentheses at its ends, which the part itself leaves out.
+pub(crate) fn with_parentheses(formula: &str, mut span: Range<usize>) -> &str {
+    let part = formula.get(span.clone()).unwrap_or_default();
+    let (mut open, mut closed) = (0, 0);
+    for sign in part.chars() {
+        match sign {
+            '(' => open += 1,
+            ')' if open > 0 => open -= 1,
+            ')' => closed += 1,
+            _ => {}
+        }
+    }
+    for _ in 0..open {
+        let rest = formula.get(span.end..).and_then(|rest| rest.find(')'));
+        span.end += rest.map_or(0, |more| more + 1);
+    }
+    for _ in 0..closed {
+        let before = formula.get(..span.start).and_then(|text| text.rfind('('));
+        span.start = before.unwrap_or(span.start);
+    }
+    formula.get(span).unwrap_or_default().trim()
 }
 
 /// Reads the lines of a formula; `fits` refuses a value at the end that is not wanted.

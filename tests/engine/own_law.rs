@@ -279,6 +279,32 @@ fn parts_without_effect_are_left_out_and_say_why() {
 }
 
 #[test]
+fn parts_of_a_law_are_shown_with_all_their_parentheses() {
+    let (_, _, mut own) = typed().next().expect("a scene");
+    own.reflection.formula =
+        "a = (N·L + 1) * (N·V)\n(a - 0.2) * ks * (N·L > 0) # a (comment".to_owned();
+    let mut renderer = Renderer::default();
+    renderer.render(&own);
+    let names: Vec<String> = renderer
+        .terms()
+        .iter()
+        .map(|term| term.name.to_string())
+        .collect();
+    for part in [
+        "(N·L + 1) * (N·V)",
+        "(a - 0.2) * ks",
+        "(a - 0.2) * ks * (N·L > 0)",
+        "N·L > 0",
+    ] {
+        assert!(names.iter().any(|name| name == part), "{part} in {names:?}");
+    }
+    let hit = probe(&mut renderer, &own, 48, 48).hit.expect("the object");
+    let law = hit.lights[0].law.as_ref().expect("the lines of the law");
+    let lines: Vec<&str> = law.lines.iter().map(|line| line.formula.as_str()).collect();
+    assert_eq!(lines, ["(N·L + 1) * (N·V)", "(a - 0.2) * ks * (N·L > 0)"]);
+}
+
+#[test]
 fn a_light_is_kept_whatever_the_coefficients_are_and_shines_on_backs() {
     let mut scene = presets::find("sphere").expect("a scene").scene();
     scene.reflection.model = ReflectionModel::Formula;

@@ -9,7 +9,7 @@ mod report;
 mod values;
 
 use super::{HALF_A_CODE_VALUE, MARK};
-use crate::expression::Position;
+use crate::expression::{Position, with_parentheses};
 use crate::illumination::{BRIGHTEST, Equation, LawOperations, Real, SourcePart};
 use crate::render::{Evaluation, Frame, Renderer};
 use crate::scene::{Compare, ReflectionModel, Rgb, Scene};
@@ -224,25 +224,6 @@ fn note<'l>(
         condition: 0.0,
         at: pixel,
     })
-}
-
-/// Returns a part of the formula with the parentheses at its ends, which the part itself leaves out.
-fn with_parentheses(formula: &str, mut span: Range<usize>) -> &str {
-    let missing = |span: &Range<usize>, own: char, other: char| {
-        let part = formula.get(span.clone()).unwrap_or_default();
-        part.matches(own).count() > part.matches(other).count()
-    };
-    while missing(&span, '(', ')')
-        && let Some(more) = formula.get(span.end..).and_then(|rest| rest.find(')'))
-    {
-        span.end += more + 1;
-    }
-    while missing(&span, ')', '(')
-        && let Some(before) = formula.get(..span.start).and_then(|text| text.rfind('('))
-    {
-        span.start = before;
-    }
-    formula.get(span).unwrap_or_default().trim()
 }
 
 /// Returns a factor as the equation takes it: 0 where it is not a number, and finite.

@@ -1,6 +1,6 @@
 //! The parts of a law's text, and how often the operations are done that were made for them.
 
-use crate::expression::Formula;
+use crate::expression::{Formula, with_parentheses};
 use crate::illumination::formula::builder::Builder;
 use crate::illumination::formula::program::Program;
 use crate::illumination::formula::rate::Rate;
@@ -58,7 +58,7 @@ pub fn parts(builder: &Builder, formula: &Formula, programs: [&Program; 2]) -> V
             [0, 0, 0, 0] => continue,
             _ => None,
         };
-        let text = formula.text().get(span.clone()).unwrap_or_default();
+        let text = with_parentheses(formula.text(), span.clone());
         let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
         let part = LawPart {
             text,
