@@ -10,12 +10,13 @@ use rayon::prelude::*;
 /// A pixel before the display: linear red, green, blue, and 1 where the object is visible, or [`UNDEFINED`].
 pub type Linear = [f32; 4];
 
-/// The fourth number of a visible pixel where the scene's own law is undefined.
-pub const UNDEFINED: f32 = 0.5;
+/// The fourth number of a visible pixel where the scene's own law is undefined: so large that the mean over samples, too, is above 1
+/// if it is undefined at any of them.
+pub const UNDEFINED: f32 = 65_536.0;
 
 /// Returns whether the display marks a pixel: it overflows, or it has no value.
 pub fn is_marked([r, g, b, seen]: Linear) -> bool {
-    r.max(g).max(b) > 1.0 || (seen > 0.0 && seen < 1.0)
+    r.max(g).max(b).max(seen) > 1.0
 }
 
 /// Composes the equation's value, the view beyond and the light that other surfaces scatter; returns the number of
@@ -203,7 +204,7 @@ fn store_line<S: Simd>(
         bytes.copy_from_slice(&packed.as_slice()[..bytes.len()]);
         if policy.overflow == Overflow::Mark {
             let seen = Lanes::load(simd, seen);
-            let undefined = seen.0.simd_eq(seen.constant(UNDEFINED).0).to_bitmask();
+            let undefined = seen.0.simd_gt(seen.constant(1.0).0).to_bitmask();
             let mut marked = (over | undefined) & (u64::MAX >> (64 - pixels.len()));
             while marked != 0 {
                 let lane = marked.trailing_zeros() as usize;

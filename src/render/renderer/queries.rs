@@ -33,7 +33,7 @@ impl Renderer {
     }
 
     /// Returns the last picture before the display, row by row: linear red, green, blue, and the part of the pixel that
-    /// shows the object. Empty unless [`Renderer::keep_linear`] was called or the display needed all of it.
+    /// shows the object, above 1 if the scene's own law is undefined there. Empty unless [`Renderer::keep_linear`] was called or the display needed all of it.
     pub fn linear(&self) -> &[[f32; 4]] {
         &self.picture.output.linear
     }

@@ -121,7 +121,7 @@ fn sample_offset(index: u32, count: u32) -> DVec2 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::presets;
+    use crate::scene::{ReflectionModel, Rgb, presets};
 
     #[test]
     fn strips_are_the_picture_that_is_drawn_at_once() {
@@ -157,6 +157,47 @@ mod tests {
                     whole.pixels.len()
                 );
             }
+        }
+    }
+
+    #[test]
+    fn only_what_overflows_or_is_undefined_is_marked() {
+        let mut scene = presets::find("sphere").expect("a scene").scene();
+        scene.image.size = [120, 120];
+        (scene.material.kd, scene.material.ks) = (Rgb::splat(0.3), Rgb::splat(0.2));
+        let drawn = |samples: u32, formula: &str, overflow: Overflow| {
+            let mut scene = scene.clone();
+            scene.display.overflow = overflow;
+            if !formula.is_empty() {
+                scene.reflection.model = ReflectionModel::Formula;
+                scene.reflection.formula = formula.to_owned();
+            }
+            Renderer::default().render_supersampled(&scene, samples, &mut |_| true)
+        };
+        let differ = |a: &Frame, b: &Frame| {
+            let pairs = a.pixels.iter().zip(&b.pixels);
+            pairs.filter(|(a, b)| a != b).count()
+        };
+        // 0 in the lower half, or undefined there.
+        let (half, both) = ("0.1 * sqrt(N.y)", "0.1 * sqrt(max(N.y, 0))");
+        for samples in [1, 2, 3, 4, 8, 16, 64] {
+            let pair = |formula: &str| {
+                let [clamped, marked] =
+                    [Overflow::Clamp, Overflow::Mark].map(|policy| drawn(samples, formula, policy));
+                differ(&clamped, &marked)
+            };
+            assert_eq!((pair(""), pair(both)), (0, 0), "{samples}");
+            let frame = drawn(samples, half, Overflow::Clamp);
+            let shown = frame
+                .pixels
+                .iter()
+                .filter(|pixel| **pixel != frame.pixels[0])
+                .count();
+            let marked = pair(half);
+            assert!(
+                marked > shown / 4 && marked < shown * 3 / 5,
+                "{samples}: {marked} of {shown}"
+            );
         }
     }
 
