@@ -49,7 +49,19 @@ fn scenes() -> Vec<Scene> {
     let mut gouraud = scenes[5].clone();
     gouraud.shading.mode = ShadingMode::Gouraud;
     gouraud.depth_cueing.by = CuedBy::Pixel;
-    scenes.extend([marked, scaled, gouraud]);
+    // Many vertices and faces, and pixels enough for one slice: what is shaded in parts are the points.
+    let [faded, flat, stiff] = [
+        (ShadingMode::Gouraud, CuedBy::Vertex, 5.0),
+        (ShadingMode::Flat, CuedBy::Off, 5.0),
+        (ShadingMode::Gouraud, CuedBy::Off, 1e8),
+    ]
+    .map(|(mode, by, n)| {
+        let mut fine = gouraud.clone();
+        (fine.object.segments, fine.object.rings) = (300, 150);
+        (fine.shading.mode, fine.depth_cueing.by, fine.material.n) = (mode, by, n);
+        fine
+    });
+    scenes.extend([marked, scaled, gouraud, faded, flat, stiff]);
     for scene in &mut scenes {
         scene.image.size = [90, 200];
     }
@@ -105,4 +117,50 @@ fn a_slice_shades_some_rows_and_leaves_the_others_as_they_were() {
     assert!(renderer.render_for(&scene, 1), "it is finished");
     // Without a clock there is no limit.
     assert!(Renderer::default().render_for(&scene, 0));
+}
+
+#[test]
+fn many_vertices_are_shaded_in_parts_before_any_pixel() {
+    let mut scene = presets::find("sphere").expect("a scene").scene();
+    scene.image.size = [90, 20];
+    scene.shading.mode = ShadingMode::Gouraud;
+    (scene.object.segments, scene.object.rings) = (300, 150);
+    let expected = Renderer::default().render(&scene).clone();
+    let mut renderer = Renderer::with_clock(clock);
+    let mut calls = 0;
+    loop {
+        let finished = renderer.render_for(&scene, 1);
+        let ran = |stage: Stage| {
+            let mut stages = renderer.report().stages.iter();
+            stages.any(|run| run.stage == stage && run.ran)
+        };
+        calls += 1;
+        assert_eq!(ran(Stage::Coverage), calls == 1);
+        assert_eq!(renderer.is_finished(), finished);
+        if !ran(Stage::VertexShading) || finished {
+            break;
+        }
+        let Frame {
+            width,
+            height,
+            pixels,
+        } = renderer.frame();
+        assert_eq!(
+            ([*width, *height], pixels.len()),
+            (scene.image.size, 90 * 20)
+        );
+        if !ran(Stage::Interpolation) {
+            assert!(pixels.iter().all(|pixel| *pixel == [0; 4]), "call {calls}");
+        }
+    }
+    assert!(calls > 3, "{calls} calls");
+    assert_eq!(slices(&mut renderer, &scene, 1).0.pixels, expected.pixels);
+    // Given up between vertices for another light, and taken up again.
+    let mut other = scene.clone();
+    other.lights[0].color *= 0.5;
+    assert!(!renderer.render_for(&other, 1));
+    assert_eq!(slices(&mut renderer, &scene, 1).0.pixels, expected.pixels);
+    let expected = Renderer::default().render(&other).clone();
+    assert!(!renderer.render_for(&other, 1));
+    assert_eq!(slices(&mut renderer, &other, 1).0.pixels, expected.pixels);
 }

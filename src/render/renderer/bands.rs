@@ -4,7 +4,7 @@ use super::display::{Linear, stored_pixel};
 use super::parts::Part;
 use super::plan::{Inputs, Per};
 use super::reference::Evaluation;
-use super::shade::{Carried, Evaluated, shade, start_of_row};
+use super::shade::{Carried, Evaluated, PointIntensities, shade, start_of_row};
 use super::target::{Stored, Target, Unstored};
 use crate::illumination::{Equation, LANES, Reached, SpecularForm};
 use crate::render::lens::pixel_centre;
@@ -55,7 +55,7 @@ pub struct BandPainter<'a> {
     pub parts: &'a [Part],
     pub placed: &'a PlacedTriangles,
     /// The intensities at vertices or faces, for each part; empty where the equation is evaluated at pixels.
-    pub intensity: &'a [Planes],
+    pub intensity: &'a [PointIntensities],
     pub stale: Stale,
     /// True if the bands are shaded, false if they are only covered and interpolated.
     pub shades: bool,
@@ -188,7 +188,7 @@ impl BandPainter<'_> {
             let sources: Vec<&Planes> = match plan.per {
                 Per::Pixel if tinted => vec![&model.normal, &model.tint],
                 Per::Pixel => vec![&model.normal],
-                _ => self.intensity.iter().collect(),
+                _ => self.intensity.iter().map(|own| &own.planes).collect(),
             };
             let by_key = plan.carries && plan.perspective;
             carried.resize_with(sources.len(), Vec::new);
@@ -272,7 +272,8 @@ impl BandPainter<'_> {
                 self.interpolate(task.band, task.fragments, &carried[index]);
                 lap(1);
             }
-            overflowing += self.shade(&mut task, part, self.intensity.get(index));
+            let intensity = self.intensity.get(index).map(|own| &own.planes);
+            overflowing += self.shade(&mut task, part, intensity);
             lap(2);
         }
         tally[3] = overflowing;

@@ -9,7 +9,7 @@ use super::frame::{Frame, FrameReport, Stage};
 use super::parts::Part;
 use super::plan::{Cued, Inputs, Per, Plan};
 use super::ray_nodes::RayNodes;
-use super::shade::{face_points, shade_points, shade_points_in_double};
+use super::shade::{PointIntensities, face_points, shade_points, shade_points_in_double};
 use crate::geometry::{Mesh, Surface};
 use crate::illumination::Equation;
 use crate::render::face_materials::for_each_material;
@@ -58,7 +58,7 @@ pub struct Renderer {
     /// The middles, the normals and the tints of the faces, where these are shaded.
     faces: Node<[Planes; 3]>,
     /// The intensities at vertices or faces, for each part of the picture.
-    points: Node<Vec<Planes>>,
+    points: Node<Vec<PointIntensities>>,
     pub(super) bands: Node<Vec<Band>>,
     interpolated: Node<Interpolated>,
     pub(super) rays: RayNodes,
@@ -162,8 +162,8 @@ impl Renderer {
         self.draw(scene, scene.image.size, DVec2::ZERO, false)
     }
 
-    /// Draws a scene as [`Self::render`] does, but begins no further rows once pixels have been shaded for some `nanoseconds` by the
-    /// renderer's clock. Returns whether the picture [is finished](Self::is_finished); if not, the next call with the same scene goes
+    /// Draws a scene as [`Self::render`] does, but begins no further rows, or chunks of vertices or faces, once these have been shaded for
+    /// some `nanoseconds` by the renderer's clock. Returns whether the picture [is finished](Self::is_finished); if not, the next call with the same scene goes
     /// on with it, and one with another scene gives it up. Rows that are not yet shaded show what they showed before, or nothing if
     /// the picture had another size.
     pub fn render_for(&mut self, scene: &Scene, nanoseconds: u64) -> bool {
@@ -193,13 +193,17 @@ impl Renderer {
         self.give_back_unused(before, size);
         let planned = self.plan_frame(scene, size, offset, linear);
         self.place(&planned);
-        self.points(&planned);
+        let has_points = self.points(&planned);
         // Coverage and interpolation wait for the rays or the shading: a band goes through all at once.
         self.cover(&planned);
-        self.interpolate(&planned);
-        self.rays(&planned);
-        if self.shade(&planned) {
-            self.display(&planned);
+        if has_points {
+            self.interpolate(&planned);
+            self.rays(&planned);
+            if self.shade(&planned) {
+                self.display(&planned);
+            }
+        } else {
+            self.wait(&planned);
         }
         self.drawn = Some(planned);
         self.report.nanoseconds = self.since(began);
@@ -332,8 +336,8 @@ impl Renderer {
         self.note(Stage::Transform, ran, began, 0);
     }
 
-    /// Evaluates the equation at vertices or faces, where the mode evaluates it there.
-    fn points(&mut self, planned: &PlannedFrame) {
+    /// Evaluates the equation at vertices or faces, where the mode evaluates it there. Returns whether it has been evaluated at all.
+    fn points(&mut self, planned: &PlannedFrame) -> bool {
         let PlannedFrame {
             scene,
             plan,
@@ -343,7 +347,7 @@ impl Renderer {
         } = planned;
         self.report.points = 0;
         if plan.per == Per::Pixel {
-            return;
+            return true;
         }
         let at_faces = plan.per == Per::Face;
         let count = if at_faces {
@@ -376,28 +380,49 @@ impl Renderer {
             cue,
         );
         let mut points = take(&mut self.points);
-        let ran = points.update(key, |intensities| {
+        if points.outdate(key) {
+            points.output.resize_with(parts.len(), Default::default);
+            points.output.iter_mut().for_each(PointIntensities::begin);
+        }
+        let (clock, deadline) = (self.clock, self.deadline());
+        let passed = || clock.is_some_and(|clock| clock() > deadline);
+        let pending = |part: &PointIntensities| part.is_pending();
+        let ran = points.output.iter().any(pending);
+        if ran {
             let (inputs, model) = (self.inputs(planned), &self.model.output);
             let at = if at_faces {
                 self.faces.output.each_ref()
             } else {
                 [&model.position, &model.normal, &model.tint]
             };
-            intensities.resize_with(parts.len(), Planes::default);
-            for (part, intensity) in parts.iter().zip(intensities) {
+            let parts = parts.iter().zip(&mut points.output);
+            for (part, own) in parts.filter(|(_, own)| own.is_pending()) {
                 if plan.double {
-                    shade_points_in_double(&inputs, &part.in_double(&inputs), at, intensity);
+                    shade_points_in_double(&inputs, &part.in_double(&inputs), at, own, &passed);
                 } else {
-                    shade_points(&inputs, &part.equations, at, intensity);
+                    shade_points(&inputs, &part.equations, at, own, &passed);
                 }
-                if plan.cued == Cued::AtPoints {
-                    inputs.fade_points(model.origin, at[0], intensity);
+                if plan.cued == Cued::AtPoints && !own.is_pending() {
+                    inputs.fade_points(model.origin, at[0], &mut own.planes);
                 }
             }
-        });
+        }
+        let finished = !points.output.iter().any(pending);
         self.points = points;
         self.report.points = (count * parts.len()) as u64;
         self.note(Stage::VertexShading, ran, began, self.report.points);
+        finished
+    }
+
+    /// Covers the picture, and leaves the rest to the next call: not all points are shaded.
+    fn wait(&mut self, planned: &PlannedFrame) {
+        if self.stale.coverage {
+            self.paint(planned, false);
+        }
+        self.picture.forget();
+        let (picture, size) = (&mut self.picture.output, planned.scene.image.size);
+        picture.begin(size);
+        picture.canvas(size, planned.plan.whole_picture);
     }
 
     /// Finds the triangle that each pixel shows.
@@ -593,9 +618,7 @@ impl Renderer {
             intensity: &self.points.output,
             stale,
             shades,
-            deadline: self
-                .shading_time
-                .map_or(u64::MAX, |time| self.now().saturating_add(time)),
+            deadline: self.deadline(),
         };
         let canvas = if shades {
             picture
@@ -630,6 +653,12 @@ impl Renderer {
             };
             report.ran(stage, shading, evaluations);
         }
+    }
+
+    /// Returns the time of the clock from which on no further rows or points are begun.
+    fn deadline(&self) -> u64 {
+        let time = self.shading_time;
+        time.map_or(u64::MAX, |time| self.now().saturating_add(time))
     }
 
     fn note(&mut self, stage: Stage, ran: bool, began: u64, evaluations: u64) {

@@ -315,12 +315,65 @@ pub fn face_points(model: &Model) -> [Planes; 3] {
     ]
 }
 
-/// Evaluates the equation at the vertices or faces of the model, each with its material's.
+/// The intensities at points, vertices or faces, which are shaded chunk by chunk.
+#[derive(Default)]
+pub struct PointIntensities {
+    pub planes: Planes,
+    /// Whether each chunk is yet to be shaded.
+    pending: Vec<bool>,
+}
+
+impl PointIntensities {
+    /// Begins other intensities.
+    pub fn begin(&mut self) {
+        self.pending.clear();
+        self.pending.push(true);
+    }
+
+    /// Returns whether there are points that are yet to be shaded.
+    pub fn is_pending(&self) -> bool {
+        self.pending.contains(&true)
+    }
+
+    /// Shades `count` points in chunks of `length` that are not shaded yet, one at least and then until `passed`: `shade` is given the
+    /// first point of each and its part of the planes.
+    fn shade(
+        &mut self,
+        [count, length]: [usize; 2],
+        passed: &(impl Fn() -> bool + Sync),
+        shade: impl Fn(usize, [&mut [f32]; 3]) + Sync,
+    ) {
+        for plane in &mut self.planes {
+            // Without more capacity than needed.
+            plane.reserve_exact(count.saturating_sub(plane.len()));
+            plane.resize(count, 0.0);
+        }
+        self.pending.resize(count.div_ceil(length), true);
+        let least = self.pending.iter().position(|own| *own);
+        let [r, g, b] = &mut self.planes;
+        let chunks = r
+            .par_chunks_mut(length)
+            .zip(g.par_chunks_mut(length))
+            .zip(b.par_chunks_mut(length))
+            .zip(self.pending.par_iter_mut());
+        chunks
+            .enumerate()
+            .for_each(|(chunk, (((r, g), b), pending))| {
+                if *pending && (Some(chunk) == least || !passed()) {
+                    shade(chunk * length, [r, g, b]);
+                    *pending = false;
+                }
+            });
+    }
+}
+
+/// Evaluates the equation at the vertices or faces of the model, each with its material's, until `passed`.
 pub fn shade_points(
     inputs: &Inputs<'_>,
     equations: &[Equation<f32>],
     [position, normal, tint]: PointPlanes<'_>,
-    intensity: &mut Planes,
+    intensities: &mut PointIntensities,
+    passed: &(impl Fn() -> bool + Sync),
 ) {
     let Inputs {
         lens,
@@ -329,7 +382,6 @@ pub fn shade_points(
         ..
     } = *inputs;
     let model = triangles.model;
-    fit(intensity, position[0].len());
     // Several materials have enough points each in a chunk to fill lanes.
     let chunk_len = (equations.len() * 4 * LANES).next_multiple_of(BLOCK);
     let scale = (1.0 / lens.unit).min(FARTHEST / model.radius.max(f64::MIN_POSITIVE)) as f32;
@@ -340,18 +392,13 @@ pub fn shade_points(
         scale,
         offset,
     };
-    let [r, g, b] = intensity;
-    let out = r
-        .par_chunks_mut(chunk_len)
-        .zip(g.par_chunks_mut(chunk_len))
-        .zip(b.par_chunks_mut(chunk_len));
-    out.enumerate().for_each(|(chunk, ((r, g), b))| {
-        let first = chunk * chunk_len;
+    let chunks = [position[0].len(), chunk_len];
+    intensities.shade(chunks, passed, |first, [r, g, b]| {
         let range = first..first + r.len();
         let all = [position, normal, tint].map(|planes| part_of(planes, range.clone()));
         let materials = inputs.point_materials();
         if materials.is_empty() {
-            let reached = visibility.and_then(|bits| bits.at(chunk, 0));
+            let reached = visibility.and_then(|bits| bits.at(first / BLOCK, 0));
             return shader.shade(0, all, reached, [r, g, b]);
         }
         let materials =
@@ -434,20 +481,19 @@ fn gather(planes: [&[f32]; 3], points: &[u32]) -> Planes {
     })
 }
 
-/// Evaluates the equation at the vertices or faces of the model in double precision, each with its material's.
+/// Evaluates the equation at the vertices or faces of the model in double precision, each with its material's, until `passed`.
 pub fn shade_points_in_double(
     inputs: &Inputs<'_>,
     equations: &[Equation<f64>],
     [position, normal, _]: PointPlanes<'_>,
-    intensity: &mut Planes,
+    intensities: &mut PointIntensities,
+    passed: &(impl Fn() -> bool + Sync),
 ) {
-    fit(intensity, position[0].len());
-    let [r, g, b] = intensity;
+    const LENGTH: usize = 64;
     let at = |planes: &Planes, index: usize| {
         DVec3::from_array([0, 1, 2].map(|axis| f64::from(planes[axis][index])))
     };
-    let out = r.par_iter_mut().zip(g.par_iter_mut()).zip(b.par_iter_mut());
-    out.enumerate().for_each(|(index, ((r, g), b))| {
+    let shaded = |index: usize| {
         let reached = inputs
             .visibility
             .and_then(|bits| bits.at(index / BLOCK, index % BLOCK));
@@ -461,19 +507,17 @@ pub fn shade_points_in_double(
             Per::Face => model.face_tint(index as u32),
             _ => model.tint(index as u32),
         };
-        [*r, *g, *b] = equations[material.map_or(0, |material| usize::from(*material))]
+        equations[material.map_or(0, |material| usize::from(*material))]
             .illuminate_tinted((point, normal), tint, None, reached)
             .as_vec3()
-            .to_array();
+            .to_array()
+    };
+    let chunks = [position[0].len(), LENGTH];
+    intensities.shade(chunks, passed, |first, [r, g, b]| {
+        for place in 0..r.len() {
+            [r[place], g[place], b[place]] = shaded(first + place);
+        }
     });
-}
-
-/// Resizes the planes, without more capacity than needed.
-fn fit(planes: &mut Planes, count: usize) {
-    for plane in planes {
-        plane.reserve_exact(count.saturating_sub(plane.len()));
-        plane.resize(count, 0.0);
-    }
 }
 
 struct Points<'a> {
