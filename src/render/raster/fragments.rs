@@ -151,7 +151,7 @@ pub fn fill<S: Simd>(
                 let plane = &mut plane[columns.clone()];
                 let old: S::u32s = S::f32s::from_slice(simd, plane).bitcast();
                 let new: S::u32s = step.mul_add(k, start).bitcast();
-                // Not a select, of which the compiler makes a masked store: that takes many processors tens of cycles.
+                // Not a select, of which the compiler makes a masked store: that is slow on some processors.
                 let chosen: S::f32s = (new & inside | old & !inside).bitcast();
                 chosen.store_slice(plane);
             }

@@ -163,9 +163,9 @@ impl Renderer {
     }
 
     /// Draws a scene as [`Self::render`] does, but begins no further rows, or chunks of vertices or faces, once these have been shaded for
-    /// some `nanoseconds` by the renderer's clock. Returns whether the picture [is finished](Self::is_finished); if not, the next call with the same scene goes
-    /// on with it, and one with another scene gives it up. Rows that are not yet shaded show what they showed before, or nothing if
-    /// the picture had another size.
+    /// some `nanoseconds` by the renderer's clock. Returns whether the picture [is finished](Self::is_finished); if not, the next call
+    /// with the same scene goes on with it, and one with another scene gives it up. Rows that are not yet shaded show what they
+    /// showed before, or nothing if the picture had another size.
     pub fn render_for(&mut self, scene: &Scene, nanoseconds: u64) -> bool {
         self.shading_time = Some(nanoseconds);
         self.render(scene);
@@ -336,7 +336,8 @@ impl Renderer {
         self.note(Stage::Transform, ran, began, 0);
     }
 
-    /// Evaluates the equation at vertices or faces, where the mode evaluates it there. Returns whether it has been evaluated at all.
+    /// Evaluates the equation at vertices or faces, where the mode evaluates it there. Returns whether that is done for all of
+    /// them.
     fn points(&mut self, planned: &PlannedFrame) -> bool {
         let PlannedFrame {
             scene,
