@@ -4,7 +4,7 @@ mod own_law;
 
 pub(crate) use own_law::SourcePart;
 
-use super::formula::{Law, LawScratch};
+use super::formula::{Law, LawPoint, LawScratch};
 use super::fresnel::{Fresnel, Index};
 use super::pattern::Fields;
 use super::source::{BRIGHTEST, Share};
@@ -111,7 +111,7 @@ pub struct Equation<T> {
     /// The law in place of both terms; [`Source::diffuse`] is then Ip alone.
     law: Option<Arc<Law>>,
     /// What the law computes once for each source, source by source.
-    known: Vec<T>,
+    known: Vec<Vec<T>>,
     /// True if any light is reflected diffusely.
     diffuses: bool,
     /// The eye, world.
@@ -368,25 +368,18 @@ impl<T: Scalar> Equation<T> {
         site: &ShadingPoint<R>,
         reached: Option<Reached<'_>>,
     ) -> [R; 3] {
-        self.illuminate_by(self.form, site, reached, None, &mut None)
+        self.illuminate_site(site, reached, None, &mut LawScratch::default())
             .0
     }
 
-    /// Returns I as [`Self::illuminate`] does, by a given form of the specular factor: where it is a constant, the other
-    /// forms are not compiled in. `tint` multiplies Od. The second value is 1 where the scene's own law is undefined, otherwise 0;
-    /// `scratch` is that of this equation's points before, or none.
+    /// Returns the ambient term at a shading point, and what varies of Od there: the pattern's colour times `tint`.
     #[inline(always)]
-    pub(crate) fn illuminate_by<R: Real<Scalar = T>>(
+    fn ambient_at<R: Real<Scalar = T>>(
         &self,
-        form: SpecularForm,
         site: &ShadingPoint<R>,
-        reached: Option<Reached<'_>>,
         tint: Option<[R; 3]>,
-        scratch: &mut LawScratch<R>,
-    ) -> ([R; 3], R) {
-        let like = site.inverse_distance;
-        let V3 { x: r, y: g, z: b } = V3::constant(like, self.ambient);
-        let mut sum = [r, g, b];
+    ) -> ([R; 3], Option<[R; 3]>) {
+        let V3 { x: r, y: g, z: b } = V3::constant(site.inverse_distance, self.ambient);
         let color = self
             .pattern
             .as_ref()
@@ -395,12 +388,62 @@ impl<T: Scalar> Equation<T> {
             (Some([r, g, b]), Some(tint)) => Some([r * tint[0], g * tint[1], b * tint[2]]),
             (color, tint) => color.or(tint),
         };
-        if let Some(color) = color {
-            sum = [sum[0] * color[0], sum[1] * color[1], sum[2] * color[2]];
+        match color {
+            Some(color) => ([r * color[0], g * color[1], b * color[2]], Some(color)),
+            None => ([r, g, b], None),
         }
-        if let (SpecularForm::Formula, Some(law)) = (form, &self.law) {
-            return self.add_law(law, site, reached, color.as_ref(), sum, scratch);
+    }
+
+    /// Returns a shading point at which the scene's own law is yet to be evaluated; `tint` multiplies Od.
+    #[inline(always)]
+    pub(crate) fn law_point<R: Real<Scalar = T>>(
+        &self,
+        site: ShadingPoint<R>,
+        tint: Option<[R; 3]>,
+    ) -> LawPoint<R> {
+        let (sum, color) = self.ambient_at(&site, tint);
+        LawPoint {
+            undefined: site.inverse_distance.number(0.0),
+            site,
+            color,
+            sum,
         }
+    }
+
+    /// Returns I as [`Self::illuminate`] does; `tint` multiplies Od. The second value is 1 where the scene's own law is undefined,
+    /// otherwise 0; `scratch` is that of this equation's points before, or new.
+    #[inline(always)]
+    pub(crate) fn illuminate_site<R: Real<Scalar = T>>(
+        &self,
+        site: &ShadingPoint<R>,
+        reached: Option<Reached<'_>>,
+        tint: Option<[R; 3]>,
+        scratch: &mut LawScratch<R>,
+    ) -> ([R; 3], R) {
+        if self.law.is_none() {
+            let color = self.illuminate_by(self.form, site, reached, tint);
+            return (color, site.inverse_distance.number(0.0));
+        }
+        let point = self.law_point(*site, tint);
+        scratch.points.clear();
+        scratch.points.push(point);
+        self.add_law(0..self.sources.len(), reached, scratch);
+        let LawPoint { sum, undefined, .. } = scratch.points[0];
+        (sum, undefined)
+    }
+
+    /// Returns I by a given form of the specular factor, not the scene's own law: where it is a constant, the other forms are not
+    /// compiled in. `tint` multiplies Od.
+    #[inline(always)]
+    pub(crate) fn illuminate_by<R: Real<Scalar = T>>(
+        &self,
+        form: SpecularForm,
+        site: &ShadingPoint<R>,
+        reached: Option<Reached<'_>>,
+        tint: Option<[R; 3]>,
+    ) -> [R; 3] {
+        let like = site.inverse_distance;
+        let (mut sum, color) = self.ambient_at(site, tint);
         for (index, source) in self.sources.iter().enumerate() {
             if reached.is_some_and(|reached| like.holds_none(reached.bits(index))) {
                 continue;
@@ -427,7 +470,7 @@ impl<T: Scalar> Equation<T> {
                 add(&mut sum, response.specular, specular);
             }
         }
-        (sum, like.number(0.0))
+        sum
     }
 }
 
@@ -561,7 +604,8 @@ impl Equation<f64> {
             site.view = V3::from(v);
         }
         let tint = Some(tint.to_array());
-        let (color, _) = self.illuminate_by(self.form, &site, reached, tint, &mut None);
+        let scratch = &mut LawScratch::default();
+        let (color, _) = self.illuminate_site(&site, reached, tint, scratch);
         Rgb::from_array(color)
     }
 
@@ -580,7 +624,12 @@ impl Equation<f64> {
         let site = self.site_at(point, n);
         let may = self.law.as_ref().is_some_and(|law| law.may_be_undefined());
         may && self
-            .illuminate_by(self.form, &site, reached, Some(tint.to_array()), &mut None)
+            .illuminate_site(
+                &site,
+                reached,
+                Some(tint.to_array()),
+                &mut LawScratch::default(),
+            )
             .1
             > 0.0
     }
@@ -614,16 +663,23 @@ impl Equation<f64> {
         let color = self.pattern_color(point) * tint;
         let range = self.sources_of(light);
         let share = 1.0 / range.len().max(1) as f64;
-        let law = self.law.as_deref();
-        let mut scratch = None;
-        let mut law = law.map(|law| {
-            let color = Some(color.to_array());
-            law.at(site.normal, site.view, color.as_ref(), (&mut scratch, 1))
-        });
         let mut sum = LightAt {
             v: site.view.into(),
             ..LightAt::default()
         };
+        if self.law.is_some() {
+            let color = Some(color.to_array());
+            let point = self.law_point(site, None);
+            let point = LawPoint {
+                color,
+                sum: [0.0; 3],
+                ..point
+            };
+            let mut scratch = LawScratch::default();
+            scratch.points.push(point);
+            self.add_law(range.clone(), reached, &mut scratch);
+            sum.diffuse = Rgb::from_array(scratch.points[0].sum);
+        }
         for index in range {
             let source = &self.sources[index];
             let response = self.respond_to(source, &site);
@@ -640,8 +696,7 @@ impl Equation<f64> {
             sum.reached += share * lit;
             sum.diffuse_factor += share * lit * response.diffuse;
             sum.specular_factor += share * lit * response.specular;
-            if let Some(point) = &mut law {
-                sum.diffuse += Rgb::from_array(self.part_by_law(point, index, &site)) * lit;
+            if self.law.is_some() {
                 continue;
             }
             sum.diffuse += Rgb::from_array(source.diffuse) * color * (lit * response.diffuse);

@@ -3,7 +3,7 @@
 //! A typed [`Formula`] becomes a list of scalar operations. While the list is made, constants are folded, parts that occur
 //! twice are shared, and each operation is noted with where its inputs change: what is known before a point
 //! is looked at is evaluated at once. What nothing uses is dropped. The code then runs
-//! over many points at a time, operation by operation.
+//! over several groups of points at a time, operation by operation.
 
 mod builder;
 mod code;
@@ -19,10 +19,11 @@ pub(crate) use builder::{Operation, Value};
 pub(crate) use code::Code;
 pub use compare::{Counterexample, Domain};
 pub use function::{FormulaFunction, Outcome};
-pub(super) use law::{Constancy, Law, LawAt, TOGETHER};
-pub(crate) use law::{Incidence, LawScratch, lights_backs};
+pub(super) use law::{Constancy, Law};
+pub(crate) use law::{Incidence, LawPoint, LawScratch, lights_backs};
 pub use law::{LawLine, LawLines, LawPart, LawValues, LineNumbers, Unneeded, law_operations};
 pub(crate) use operations::{LawOperations, LawSite};
+pub(crate) use program::TOGETHER;
 pub use rate::Rate;
 
 #[cfg(test)]

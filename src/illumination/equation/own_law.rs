@@ -2,12 +2,13 @@
 
 use super::{Equation, Reached};
 use crate::illumination::formula::{
-    Constancy, Incidence, Law, LawAt, LawLines, LawPart, LawScratch, LawSite, LawValues, TOGETHER,
+    Constancy, Incidence, Law, LawLines, LawPart, LawScratch, LawSite, LawValues, TOGETHER,
 };
 use crate::illumination::source::BRIGHTEST;
-use crate::illumination::{Real, Scalar, ShadingPoint, Source, V3};
+use crate::illumination::{LANES, Real, Scalar, ShadingPoint, Source, V3};
 use crate::scene::{ObjectKind, Rgb, Scene, Viewer};
 use glam::DVec3;
+use std::ops::Range;
 
 /// The distance in camera distances that counts as that of parallel rays.
 const FARTHEST: f64 = 1e12;
@@ -48,7 +49,8 @@ impl<T: Scalar> Equation<T> {
                 let l = V3::from(DVec3::from(l));
                 Some(law.known(&Incidence { l, distance }))
             });
-            self.known = known.flatten().map(T::from_f64).collect();
+            let rounded = |known: Vec<f64>| known.into_iter().map(T::from_f64).collect();
+            self.known = known.map(rounded).collect();
         }
     }
 
@@ -57,105 +59,69 @@ impl<T: Scalar> Equation<T> {
         self.law.as_deref().map(Law::parts)
     }
 
-    /// Returns what the law has computed for the source of that index.
-    #[inline(always)]
-    fn known_of(&self, source: usize) -> &[T] {
-        let count = self.known.len() / self.sources.len().max(1);
-        &self.known[source * count..][..count]
-    }
-
-    /// Adds the parts of all sources by the scene's own law to `sum`; the second value is 1 where the law is undefined for a source
-    /// that reaches the point, otherwise 0.
+    /// Adds the parts of some sources by the scene's own law to the points of `scratch`: at most an equal share of [`BRIGHTEST`]
+    /// each, and 0 where the law has no value. The lanes of all groups of points follow one another in `reached`.
     // In one copy for all shaders.
     #[inline(never)]
-    pub(super) fn add_law<R: Real<Scalar = T>>(
+    pub(crate) fn add_law<R: Real<Scalar = T>>(
         &self,
-        law: &Law,
-        site: &ShadingPoint<R>,
+        sources: Range<usize>,
         reached: Option<Reached<'_>>,
-        color: Option<&[R; 3]>,
-        mut sum: [R; 3],
-        scratch: &mut LawScratch<R>,
-    ) -> ([R; 3], R) {
-        let like = site.inverse_distance;
+        LawScratch { points, registers }: &mut LawScratch<R>,
+    ) {
+        let (Some(law), Some(first)) = (&self.law, points.first()) else {
+            return;
+        };
+        let like = first.undefined;
         like.vectorize(
             #[inline(always)]
             || {
                 let zero = like.number(0.0);
-                let (mut undefined, last) = (zero, self.sources.len());
-                let mut point = law.at(site.normal, site.view, color, (scratch, last));
-                // The lights that are evaluated together.
-                let mut group = [(0, zero); TOGETHER];
-                let mut count = 0;
-                for index in 0..last {
-                    if !reached.is_some_and(|reached| like.holds_none(reached.bits(index))) {
-                        let (incidence, strength) = self.incidence(&self.sources[index], site);
-                        point.put(count, &incidence, self.known_of(index));
-                        group[count] = (index, strength);
-                        count += 1;
-                    }
-                    if count < point.places() && index + 1 < last {
+                let limit = like.number(BRIGHTEST / self.sources.len().max(1) as f64);
+                let mut at = law.at(points, registers, like);
+                for index in sources {
+                    let source = &self.sources[index];
+                    let known = self.known.get(index).map_or(&[][..], Vec::as_slice);
+                    let lit = |group: usize| {
+                        let all = reached?;
+                        let of_group = Reached {
+                            first: all.first + group * LANES,
+                            ..all
+                        };
+                        Some(of_group.bits(index))
+                    };
+                    let is_dark =
+                        |group: usize| lit(group).is_some_and(|bits| like.holds_none(bits));
+                    if (0..points.len()).all(is_dark) {
                         continue;
                     }
-                    point.run(count);
-                    for (place, (index, strength)) in group[..count].iter().enumerate() {
-                        let mut parts = self.parts_by_law(point.factors(place), *index, *strength);
-                        let lit = reached.map(|reached| like.mask_of_bits(reached.bits(*index)));
-                        if let Some(lit) = lit {
-                            for part in &mut parts {
-                                *part = R::select(lit, *part, zero);
-                            }
-                        }
-                        for (sum, part) in sum.iter_mut().zip(parts) {
-                            *sum = *sum + part;
+                    let mut strengths = [zero; TOGETHER];
+                    for (group, (point, own)) in points.iter().zip(&mut strengths).enumerate() {
+                        let (incidence, strength) = self.incidence(source, &point.site);
+                        at.put(group, &incidence, known);
+                        *own = strength;
+                    }
+                    at.run(points.len());
+                    for (group, (point, strength)) in points.iter_mut().zip(strengths).enumerate() {
+                        let mask = lit(group).map(|bits| like.mask_of_bits(bits));
+                        let V3 { x, y, z } = V3::constant(strength, source.diffuse);
+                        let factors = at.factors(group).into_iter().zip([x, y, z]);
+                        for (sum, (factor, ip)) in point.sum.iter_mut().zip(factors) {
+                            let part = factor * ip * strength;
+                            // The absolute value of what is not a number is not above −1, either.
+                            let is_number = part.abs().greater_than(strength.number(-1.0));
+                            let part = R::select(is_number, part.min(limit).max(-limit), zero);
+                            *sum = *sum + mask.map_or(part, |mask| R::select(mask, part, zero));
                         }
                         if law.may_be_undefined() {
-                            let own = point.undefined(place);
-                            let own = lit.map_or(own, |lit| R::select(lit, own, zero));
-                            undefined = undefined.max(own);
+                            let own = at.undefined(group);
+                            let own = mask.map_or(own, |mask| R::select(mask, own, zero));
+                            point.undefined = point.undefined.max(own);
                         }
                     }
-                    count = 0;
                 }
-                (sum, undefined)
             },
-        )
-    }
-
-    /// Returns what one source adds by the scene's own law at a point, per channel.
-    #[inline(always)]
-    pub(super) fn part_by_law<R: Real<Scalar = T>>(
-        &self,
-        point: &mut LawAt<'_, R>,
-        index: usize,
-        site: &ShadingPoint<R>,
-    ) -> [R; 3] {
-        let (incidence, strength) = self.incidence(&self.sources[index], site);
-        point.put(0, &incidence, self.known_of(index));
-        point.run(1);
-        self.parts_by_law(point.factors(0), index, strength)
-    }
-
-    /// Returns what one source adds where the law has these factors, per channel: at most an equal share of [`BRIGHTEST`], and 0 where
-    /// the law has no value.
-    #[inline(always)]
-    fn parts_by_law<R: Real<Scalar = T>>(
-        &self,
-        mut factors: [R; 3],
-        index: usize,
-        strength: R,
-    ) -> [R; 3] {
-        let zero = strength.number(0.0);
-        let limit = strength.number(BRIGHTEST / self.sources.len().max(1) as f64);
-        let V3 { x, y, z } = V3::constant(strength, self.sources[index].diffuse);
-        // A loop: what `map` of an array takes is not always compiled into it, and then not for the lanes' instructions.
-        for (factor, ip) in factors.iter_mut().zip([x, y, z]) {
-            let part = *factor * ip * strength;
-            // What is not a number is neither above nor below 0.
-            let above = R::select(part.greater_than(zero), part.min(limit), zero);
-            *factor = R::select(zero.greater_than(part), part.max(-limit), above);
-        }
-        factors
+        );
     }
 
     /// Returns what the law knows of a source at a point, its distance only if the law depends on it; and the attenuation times the spot's part.

@@ -2,12 +2,9 @@
 
 use super::builder::{Builder, Value};
 use super::lower::{Inputs, Lowered, lower};
-use super::program::{Program, Registers, schedule};
+use super::program::{Program, Registers, TOGETHER, schedule};
 use super::rate::Rate;
 use crate::expression::{Formula, FormulaError, Names};
-
-/// The points that are evaluated together.
-const TOGETHER: usize = 64;
 
 /// A formula over named numbers.
 ///
@@ -94,25 +91,23 @@ impl FormulaFunction {
 
     /// Returns the values at many points, each with the values of the names in their order.
     pub fn at_all<P: AsRef<[f64]>>(&self, points: &[P]) -> Vec<Outcome> {
-        let mut registers = Registers::new(&self.program, 0.0, TOGETHER.min(points.len().max(1)));
+        let mut registers = Registers::new(&self.program, 0.0);
         let mut all = Vec::with_capacity(points.len());
         for points in points.chunks(TOGETHER) {
-            for block in 0..points.len() {
-                registers.set_undefined(block, 0.0);
-            }
+            registers.undefined = [0.0; TOGETHER];
             for (index, register) in &self.program.inputs {
-                for (block, point) in points.iter().enumerate() {
+                for (group, point) in points.iter().enumerate() {
                     let value = point.as_ref().get(*index as usize).copied();
-                    registers.set(*register, block, value.unwrap_or(0.0));
+                    registers.set(*register, group, value.unwrap_or(0.0));
                 }
             }
             registers.run(&self.program.sections[0], points.len());
             let result = self.program.results[0][0];
-            all.extend((0..points.len()).map(|block| {
-                let value = registers.get(result, block);
+            all.extend((0..points.len()).map(|group| {
+                let value = registers.get(result, group);
                 Outcome {
                     value: if value.is_nan() { 0.0 } else { value },
-                    undefined: value.is_nan() || registers.undefined(block) > 0.0,
+                    undefined: value.is_nan() || registers.undefined[group] > 0.0,
                 }
             }));
         }

@@ -15,10 +15,10 @@ pub use named::{Constancy, Incidence, Input};
 pub use parts::{LawPart, Unneeded};
 
 use super::builder::{Operation, Value};
-use super::program::{Program, Registers, schedule};
+use super::program::{Program, Registers, TOGETHER, schedule};
 use super::rate::Rate;
 use crate::expression::FormulaError;
-use crate::illumination::{Real, V3};
+use crate::illumination::{Real, ShadingPoint, V3};
 use crate::scene::{Rgb, Scene};
 
 /// The sections of the code at a point: what is the same for all lights there, and what differs from light to light.
@@ -31,8 +31,6 @@ pub struct Law {
     /// The code at a point.
     program: Program,
     places: InputPlaces,
-    /// The registers of what is the same for all lights.
-    shared: Vec<u16>,
     /// The code for a light whose L is constant, evaluated once.
     once: Program,
     once_inputs: Vec<(Input, u16)>,
@@ -112,7 +110,6 @@ impl Law {
             names_distance,
             once_inputs: once.inputs.iter().filter_map(of).collect(),
             parts: parts::parts(builder, &listed.formula, [&program, &once]),
-            shared: program.taken(LIGHT),
             program,
             once,
         })
@@ -138,7 +135,7 @@ impl Law {
     /// Returns what is known of a light before a point is looked at, where L is constant; the last number is 1 if an operation was
     /// undefined.
     pub fn known(&self, incidence: &Incidence<f64>) -> Vec<f64> {
-        let mut registers = Registers::new(&self.once, 0.0, 1);
+        let mut registers = Registers::new(&self.once, 0.0);
         for (input, register) in &self.once_inputs {
             let value = input.of_light(incidence, &[]);
             registers.set(*register, 0, value.unwrap_or_default());
@@ -146,111 +143,116 @@ impl Law {
         registers.run(&self.once.sections[0], 1);
         let results = self.once.results[0].iter();
         let numbers = results.map(|result| registers.get(*result, 0));
-        numbers.chain([registers.undefined(0)]).collect()
+        numbers.chain([registers.undefined[0]]).collect()
     }
 
-    /// Begins at a point: computes what is the same for all lights. `scratch` is that of this law's points before, or none; then it
-    /// gets places for `lights`, at most [`TOGETHER`].
+    /// Begins at the first [`TOGETHER`] groups of points: computes what is the same for all lights. `registers` are those of this
+    /// law's points before, or none.
     #[inline(always)]
     pub fn at<'a, R: Real>(
         &'a self,
-        normal: V3<R>,
-        view: V3<R>,
-        color: Option<&[R; 3]>,
-        (scratch, lights): (&'a mut LawScratch<R>, usize),
+        points: &[LawPoint<R>],
+        registers: &'a mut Option<Registers<R>>,
+        like: R,
     ) -> LawAt<'a, R> {
-        let zero = normal.x.number(0.0);
-        let places = lights.clamp(1, TOGETHER);
-        let registers = scratch.get_or_insert_with(|| Registers::new(&self.program, zero, places));
-        if let Some(normals) = self.places.normal {
-            registers.set_vector(normals, [normal.x, normal.y, normal.z]);
-        }
-        if let Some(views) = self.places.view {
-            registers.set_vector(views, [view.x, view.y, view.z]);
-        }
-        if let Some(colors) = self.places.color {
-            let one = zero.number(1.0);
-            registers.set_vector(colors, color.map_or([one; 3], |color| *color));
-        }
-        registers.set_undefined(0, zero);
-        registers.run(&self.program.sections[POINT], 1);
-        if places > 1 {
-            for register in &self.shared {
-                registers.spread(*register);
+        let registers = registers.get_or_insert_with(|| Registers::new(&self.program, like));
+        for (group, point) in points.iter().enumerate() {
+            if let Some(normal) = self.places.normal {
+                registers.set_vector(normal, group, &point.site.normal);
+            }
+            if let Some(view) = self.places.view {
+                registers.set_vector(view, group, &point.site.view);
+            }
+            if let Some(places) = self.places.color {
+                let [x, y, z] = point.color.unwrap_or([like.number(1.0); 3]);
+                registers.set_vector(places, group, &V3 { x, y, z });
             }
         }
+        registers.undefined = [like.number(0.0); TOGETHER];
+        registers.run(&self.program.sections[POINT], points.len());
         LawAt {
             law: self,
-            undefined: registers.undefined(0),
+            undefined: registers.undefined,
             registers,
         }
     }
 }
 
-/// The most lights that a law is evaluated for at once: an operation is chosen once for all of them.
-pub const TOGETHER: usize = 7;
+/// A group of points at which a law is evaluated.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct LawPoint<R> {
+    pub site: ShadingPoint<R>,
+    /// What varies of Od.
+    pub color: Option<[R; 3]>,
+    /// The intensity, per channel.
+    pub sum: [R; 3],
+    /// 1 where the law is undefined for a source that reaches the point, otherwise 0.
+    pub undefined: R,
+}
 
-/// The registers of a law's code, kept from point to point.
-pub(crate) type LawScratch<R> = Option<Registers<R>>;
+/// The groups of points at which a law is evaluated next, and what is kept from those before.
+pub(crate) struct LawScratch<R> {
+    pub points: Vec<LawPoint<R>>,
+    pub registers: Option<Registers<R>>,
+}
 
-/// A law at a point, with places for several lights.
+impl<R> Default for LawScratch<R> {
+    fn default() -> Self {
+        Self {
+            points: vec![],
+            registers: None,
+        }
+    }
+}
+
+/// A law at several groups of points.
 pub struct LawAt<'a, R> {
     law: &'a Law,
     registers: &'a mut Registers<R>,
     /// 1 where an operation that is the same for all lights was undefined, otherwise 0.
-    undefined: R,
+    undefined: [R; TOGETHER],
 }
 
 impl<R: Real> LawAt<'_, R> {
-    /// Returns the number of places for lights.
+    /// Sets a light as a group of points has it; `known` is what [`Law::known`] gives for the light.
     #[inline(always)]
-    pub fn places(&self) -> usize {
-        self.registers.blocks()
-    }
-
-    /// Puts a light into a place; `known` is what [`Law::known`] gives for the light.
-    #[inline(always)]
-    pub fn put(&mut self, place: usize, incidence: &Incidence<R>, known: &[R::Scalar]) {
+    pub fn put(&mut self, group: usize, incidence: &Incidence<R>, known: &[R::Scalar]) {
         let places = &self.law.places;
-        if let Some([x, y, z]) = places.light {
-            self.registers.set(x, place, incidence.l.x);
-            self.registers.set(y, place, incidence.l.y);
-            self.registers.set(z, place, incidence.l.z);
+        if let Some(light) = places.light {
+            self.registers.set_vector(light, group, &incidence.l);
         }
         if let Some(register) = places.distance {
-            self.registers.set(register, place, incidence.distance);
+            self.registers.set(register, group, incidence.distance);
         }
+        let undefined = self.undefined[group];
         for (register, known) in places.known.iter().zip(known) {
-            let known = self.undefined.constant(*known);
-            self.registers.set(*register, place, known);
+            self.registers
+                .set(*register, group, undefined.constant(*known));
         }
-        if self.law.may_be_undefined() {
-            let of_light = known.last().map(|known| self.undefined.constant(*known));
-            let undefined = of_light.map_or(self.undefined, |known| self.undefined.max(known));
-            self.registers.set_undefined(place, undefined);
-        }
+        let of_light = known.last().map(|known| undefined.constant(*known));
+        self.registers.undefined[group] = of_light.map_or(undefined, |known| undefined.max(known));
     }
 
-    /// Evaluates the law for the lights in the first `count` places.
+    /// Evaluates the law for the light at the first `count` groups of points.
     #[inline(always)]
     pub fn run(&mut self, count: usize) {
         self.registers.run(&self.law.program.sections[LIGHT], count);
     }
 
-    /// Returns the factors of the part of the light in a place, for each channel.
+    /// Returns the factors of the light's part at a group of points, for each channel.
     #[inline(always)]
-    pub fn factors(&self, place: usize) -> [R; 3] {
+    pub fn factors(&self, group: usize) -> [R; 3] {
         let results = &self.law.program.results[LIGHT];
-        let mut factors = [self.undefined; 3];
+        let mut factors = [self.undefined[group]; 3];
         for (factor, register) in factors.iter_mut().zip(results) {
-            *factor = self.registers.get(*register, place);
+            *factor = self.registers.get(*register, group);
         }
         factors
     }
 
-    /// Returns 1 where an operation was undefined for the light in a place, otherwise 0.
+    /// Returns 1 where an operation was undefined for the light at a group of points, otherwise 0.
     #[inline(always)]
-    pub fn undefined(&self, place: usize) -> R {
-        self.registers.undefined(place)
+    pub fn undefined(&self, group: usize) -> R {
+        self.registers.undefined[group]
     }
 }

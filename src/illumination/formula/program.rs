@@ -1,8 +1,8 @@
-//! Straight-line code, ready to run: operations in order, with registers, over many points at a time.
+//! Straight-line code, ready to run: operations in order, with registers, over several groups of points at a time.
 
 use super::builder::{Builder, Operation, Value};
 use super::code::{Code, for_code};
-use crate::illumination::Real;
+use crate::illumination::{Real, V3};
 use std::cell::Cell;
 use std::collections::HashMap;
 
@@ -219,140 +219,85 @@ impl Allocation {
     }
 }
 
-/// The registers of a program, each with a number for each of `blocks` groups of points.
-pub struct Registers<R> {
-    blocks: usize,
-    /// The registers, then the places where an operation was undefined.
-    numbers: Vec<R>,
-}
+/// The most groups of points that code runs over at once: an operation is chosen once for all of them.
+pub const TOGETHER: usize = 4;
 
-impl Program {
-    /// Returns the registers that a section takes from the one before it.
-    pub fn taken(&self, section: usize) -> Vec<u16> {
-        let steps = self.sections[section].iter();
-        let made: Vec<u16> = steps.clone().map(|step| step.result).collect();
-        let operands = steps.flat_map(|step| &step.operands[..step.code.operands()]);
-        let used: Vec<u16> = operands.chain(&self.results[section]).copied().collect();
-        let before = self.sections[section - 1].iter().map(|step| step.result);
-        let mut taken: Vec<u16> = before
-            .filter(|register| used.contains(register) && !made.contains(register))
-            .collect();
-        taken.sort_unstable();
-        taken.dedup();
-        taken
-    }
+/// The registers of a program, each with a number for each of several groups of points.
+pub struct Registers<R> {
+    numbers: Vec<[R; TOGETHER]>,
+    /// 1 where an operation was undefined, otherwise 0.
+    pub undefined: [R; TOGETHER],
 }
 
 impl<R: Real> Registers<R> {
-    /// Returns the registers of a program for `blocks` numbers in each.
+    /// Returns the registers of a program, with its constants.
     #[inline(always)]
-    pub fn new(program: &Program, like: R, blocks: usize) -> Self {
-        let count = (program.registers + 1) * blocks;
-        let mut numbers = Vec::with_capacity(count);
+    pub fn new(program: &Program, like: R) -> Self {
+        let zero = [like.number(0.0); TOGETHER];
+        let mut numbers = Vec::with_capacity(program.registers);
         for constant in &program.constants {
-            numbers.extend(std::iter::repeat_n(like.number(*constant), blocks));
+            numbers.push([like.number(*constant); TOGETHER]);
         }
-        numbers.resize(count, like.number(0.0));
-        Self { blocks, numbers }
+        numbers.resize(program.registers, zero);
+        Self {
+            numbers,
+            undefined: zero,
+        }
     }
 
     /// Returns a register's number for one group of points.
     #[inline(always)]
-    pub fn get(&self, register: u16, block: usize) -> R {
-        self.numbers[usize::from(register) * self.blocks + block]
+    pub fn get(&self, register: u16, group: usize) -> R {
+        self.numbers[usize::from(register)][group]
     }
 
     /// Sets a register's number for one group of points.
     #[inline(always)]
-    pub fn set(&mut self, register: u16, block: usize, value: R) {
-        self.numbers[usize::from(register) * self.blocks + block] = value;
+    pub fn set(&mut self, register: u16, group: usize, value: R) {
+        self.numbers[usize::from(register)][group] = value;
     }
 
-    /// Gives all groups of points the number that a register has for the first.
+    /// Sets the registers of a vector's components for one group of points.
     #[inline(always)]
-    pub fn spread(&mut self, register: u16) {
-        self.set_all(register, self.get(register, 0));
-    }
-
-    /// Sets a register's number for all groups of points.
-    #[inline(always)]
-    pub fn set_all(&mut self, register: u16, value: R) {
-        self.numbers[usize::from(register) * self.blocks..][..self.blocks].fill(value);
-    }
-
-    /// Sets the registers of a vector's components for all groups of points.
-    #[inline(always)]
-    pub fn set_vector(&mut self, registers: [u16; 3], components: [R; 3]) {
-        let [x, y, z] = registers;
-        let [of_x, of_y, of_z] = components;
-        self.set_all(x, of_x);
-        self.set_all(y, of_y);
-        self.set_all(z, of_z);
-    }
-
-    /// Returns the number of groups of points.
-    #[inline(always)]
-    pub fn blocks(&self) -> usize {
-        self.blocks
-    }
-
-    /// Returns the number, 1 or 0, that says whether an operation was undefined at a group of points.
-    #[inline(always)]
-    pub fn undefined(&self, block: usize) -> R {
-        self.numbers[self.numbers.len() - self.blocks + block]
-    }
-
-    /// Sets where operations count as undefined before any has run.
-    #[inline(always)]
-    pub fn set_undefined(&mut self, block: usize, value: R) {
-        let place = self.numbers.len() - self.blocks + block;
-        self.numbers[place] = value;
+    pub fn set_vector(&mut self, [x, y, z]: [u16; 3], group: usize, vector: &V3<R>) {
+        self.set(x, group, vector.x);
+        self.set(y, group, vector.y);
+        self.set(z, group, vector.z);
     }
 
     /// Runs a section's steps for the first `count` groups of points, and notes where operations are undefined.
     // In one copy for all callers: it has the code of all operations.
     #[inline(never)]
     pub fn run(&mut self, steps: &[Step], count: usize) {
-        let Some(like) = self.numbers.first().copied() else {
-            return;
-        };
-        let (blocks, undefined) = (self.blocks, self.numbers.len() - self.blocks);
-        let numbers = Cell::from_mut(&mut self.numbers[..]).as_slice_of_cells();
-        like.vectorize(
+        let Self { numbers, undefined } = self;
+        // A result may take the place of an operand.
+        let numbers = Cell::from_mut(&mut numbers[..]).as_slice_of_cells();
+        undefined[0].vectorize(
             #[inline(always)]
             move || {
                 for step in steps {
-                    let [a, b, c] = step.operands.map(|register| usize::from(register) * blocks);
+                    let place = |register: u16| numbers[usize::from(register)].as_array_of_cells();
+                    let [a, b, c] = step.operands;
                     if step.counts {
-                        each(
-                            numbers,
-                            ([a, b, undefined], undefined),
-                            count,
-                            #[inline(always)]
-                            |a, b, before: R| step.code.undefined(a, b).max(before),
-                        );
+                        let operands = place(a).iter().zip(place(b)).take(count);
+                        for ((a, b), undefined) in operands.zip(&mut *undefined) {
+                            let here = step.code.undefined(a.get(), b.get());
+                            *undefined = here.max(*undefined);
+                        }
                     }
-                    let places = ([a, b, c], usize::from(step.result) * blocks);
-                    for_code!(step.code, CODE => each(numbers, places, count,
-                        #[inline(always)] |a, b, c| CODE.apply(a, b, c)));
+                    let result = place(step.result);
+                    for_code!(step.code, CODE => {
+                        let a = place(a);
+                        // Operands that an operation does not have are not looked up.
+                        let b = if CODE.operands() > 1 { place(b) } else { a };
+                        let c = if CODE.operands() > 2 { place(c) } else { a };
+                        for group in 0..count.min(TOGETHER) {
+                            let [a, b, c] = [a[group].get(), b[group].get(), c[group].get()];
+                            result[group].set(CODE.apply(a, b, c));
+                        }
+                    });
                 }
             },
         );
-    }
-}
-
-/// Computes `count` numbers of a register from those of three operands; the places are those of the first numbers.
-#[inline(always)]
-fn each<R: Real>(
-    numbers: &[Cell<R>],
-    (operands, result): ([usize; 3], usize),
-    count: usize,
-    of: impl Fn(R, R, R) -> R,
-) {
-    // A result may take the place of an operand.
-    let at = |place: usize| numbers[place..][..count].iter();
-    let [a, b, c] = operands;
-    for (((a, b), c), result) in at(a).zip(at(b)).zip(at(c)).zip(at(result)) {
-        result.set(of(a.get(), b.get(), c.get()));
     }
 }

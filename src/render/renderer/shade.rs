@@ -2,7 +2,9 @@
 
 use super::plan::{Inputs, Per};
 use super::target::{Shown, Target};
-use crate::illumination::{Equation, LANES, Lanes, LawScratch, Reached, Real, SpecularForm, V3};
+use crate::illumination::{
+    Equation, LANES, Lanes, LawScratch, Reached, Real, ShadingPoint, SpecularForm, TOGETHER, V3,
+};
 use crate::render::face_materials::ByMaterial;
 use crate::render::lens::{FARTHEST, Lens, pixel_centre};
 use crate::render::model::{Model, PADDING, Planes};
@@ -22,15 +24,26 @@ pub trait Colour {
     #[inline(always)]
     fn row(&mut self, _y: u32, _blocks: Range<usize>) {}
 
-    /// Returns red, green, blue at the pixels from `column` on, given the three carried numbers and the depth key; `scratch` is that of
-    /// the pixels before.
+    /// Prepares the pixels from `column` on for the scene's own law, at most [`TOGETHER`] blocks of them.
+    #[inline(always)]
+    fn prepare<S: Simd>(
+        &mut self,
+        _: S,
+        _column: usize,
+        _fragments: &[Block],
+        _: &mut LawScratch<Lanes<S>>,
+    ) {
+    }
+
+    /// Returns red, green, blue at the pixels from `column` on, given the three carried numbers and the depth key; `scratch` holds what
+    /// was prepared.
     fn at<S: Simd>(
         &mut self,
         simd: S,
         column: usize,
         carried: [Lanes<S>; 3],
         key: Lanes<S>,
-        scratch: &mut LawScratch<Lanes<S>>,
+        scratch: &LawScratch<Lanes<S>>,
     ) -> [Lanes<S>; 3];
 
     /// Returns at which of the last pixels the scene's own law is undefined, the lowest bit for the first.
@@ -55,7 +68,7 @@ impl Colour for Carried {
         _: usize,
         carried: [Lanes<S>; 3],
         key: Lanes<S>,
-        _: &mut LawScratch<Lanes<S>>,
+        _: &LawScratch<Lanes<S>>,
     ) -> [Lanes<S>; 3] {
         // Rounding may leave nothing of the key of a far point beside that of a near one.
         let min_key = Lanes::splat(simd, (1.0 / FARTHEST) as f32);
@@ -90,6 +103,8 @@ pub struct Evaluated<'a> {
     places: Option<&'a [Block]>,
     /// The interpolated colours that tint Od, those of the band and those of the current row; empty where there are none.
     tints: [&'a [Block]; 2],
+    /// The first column that was prepared for the scene's own law.
+    prepared: usize,
     undefined: u64,
 }
 
@@ -111,6 +126,7 @@ impl<'a> Evaluated<'a> {
             reached: None,
             places: None,
             tints: [&[]; 2],
+            prepared: 0,
             undefined: 0,
         }
     }
@@ -151,6 +167,55 @@ impl<'a> Evaluated<'a> {
             V3::constant(x, self.forward).scale_add(-key, across)
         }
     }
+
+    /// Returns the points that the pixels from `column` on show, given the three carried numbers and the depth key, and what tints Od
+    /// there.
+    #[inline(always)]
+    fn site<S: Simd>(
+        &self,
+        simd: S,
+        column: usize,
+        carried: [Lanes<S>; 3],
+        key: Lanes<S>,
+    ) -> (ShadingPoint<Lanes<S>>, Option<[Lanes<S>; 3]>) {
+        let key = key.max(Lanes::splat(simd, self.least_key));
+        let [nx, ny, nz] = carried;
+        let normal = V3::new(nx, ny, nz);
+        let normal = if self.renormalise {
+            let shortest = Lanes::splat(simd, SHORTEST_SQUARED);
+            normal.normalised_from(if self.by_key {
+                key * key * shortest
+            } else {
+                shortest
+            })
+        } else if self.by_key {
+            normal.scale(Lanes::splat(simd, 1.0) / key)
+        } else {
+            normal
+        };
+        let (x, start) = match self.places {
+            None => {
+                let x = Lanes::count_up(simd) + Lanes::splat(simd, column as f32);
+                (x, V3::constant(x, self.start))
+            }
+            Some(places) => {
+                let [a, b, c, x] = places[column / LANES].load(simd);
+                (x, V3::new(a, b, c))
+            }
+        };
+        let site = self
+            .equation
+            .site(self.positions(simd, x, start, key), normal);
+        let tint = self.tints[1].get(column / LANES).map(|block| {
+            let [r, g, b, _] = block.load(simd);
+            if !self.by_key {
+                return [r, g, b];
+            }
+            let inverse = Lanes::splat(simd, 1.0) / key;
+            [r * inverse, g * inverse, b * inverse]
+        });
+        (site, tint)
+    }
 }
 
 /// Returns the ray through column 0 of a pixel row, as the kernels take it.
@@ -181,58 +246,45 @@ impl Colour for Evaluated<'_> {
     }
 
     #[inline(always)]
+    fn prepare<S: Simd>(
+        &mut self,
+        simd: S,
+        column: usize,
+        fragments: &[Block],
+        scratch: &mut LawScratch<Lanes<S>>,
+    ) {
+        if self.form != SpecularForm::Formula {
+            return;
+        }
+        self.prepared = column;
+        scratch.points.clear();
+        for (block, fragment) in fragments.iter().enumerate() {
+            let [a, b, c, key] = fragment.load(simd);
+            let (site, tint) = self.site(simd, column + block * LANES, [a, b, c], key);
+            scratch.points.push(self.equation.law_point(site, tint));
+        }
+        let reached = Reached::starting_at(self.reached, column);
+        let sources = 0..self.equation.sources.len();
+        self.equation.add_law(sources, reached, scratch);
+    }
+
+    #[inline(always)]
     fn at<S: Simd>(
         &mut self,
         simd: S,
         column: usize,
         carried: [Lanes<S>; 3],
         key: Lanes<S>,
-        scratch: &mut LawScratch<Lanes<S>>,
+        scratch: &LawScratch<Lanes<S>>,
     ) -> [Lanes<S>; 3] {
-        let key = key.max(Lanes::splat(simd, self.least_key));
-        let [nx, ny, nz] = carried;
-        let normal = V3::new(nx, ny, nz);
-        let normal = if self.renormalise {
-            let shortest = Lanes::splat(simd, SHORTEST_SQUARED);
-            normal.normalised_from(if self.by_key {
-                key * key * shortest
-            } else {
-                shortest
-            })
-        } else if self.by_key {
-            normal.scale(Lanes::splat(simd, 1.0) / key)
-        } else {
-            normal
-        };
-        let (x, start) = match self.places {
-            None => {
-                let x = Lanes::count_up(simd) + Lanes::splat(simd, column as f32);
-                (x, V3::constant(x, self.start))
-            }
-            Some(places) => {
-                let [a, b, c, x] = places[column / LANES].load(simd);
-                (x, V3::new(a, b, c))
-            }
-        };
-        let point = self
-            .equation
-            .site(self.positions(simd, x, start, key), normal);
-        let tint = self.tints[1].get(column / LANES).map(|block| {
-            let [r, g, b, _] = block.load(simd);
-            if !self.by_key {
-                return [r, g, b];
-            }
-            let inverse = Lanes::splat(simd, 1.0) / key;
-            [r * inverse, g * inverse, b * inverse]
-        });
-        let reached = Reached::starting_at(self.reached, column);
-        let (color, undefined) = self
-            .equation
-            .illuminate_by(self.form, &point, reached, tint, scratch);
         if self.form == SpecularForm::Formula {
-            self.undefined = undefined.greater_than(undefined.constant(0.0)).to_bitmask();
+            let point = &scratch.points[(column - self.prepared) / LANES];
+            self.undefined = point.undefined.greater_than(key.constant(0.0)).to_bitmask();
+            return point.sum;
         }
-        color
+        let (site, tint) = self.site(simd, column, carried, key);
+        let reached = Reached::starting_at(self.reached, column);
+        self.equation.illuminate_by(self.form, &site, reached, tint)
     }
 
     #[inline(always)]
@@ -253,7 +305,7 @@ pub fn shade<S: Simd>(
     target: &mut impl Target,
 ) -> u64 {
     let width = place.width as usize;
-    let (mut over, mut scratch) = (0, None);
+    let (mut over, mut scratch) = (0, LawScratch::default());
     for ((row, extent), line) in extents
         .iter()
         .enumerate()
@@ -274,8 +326,13 @@ pub fn shade<S: Simd>(
         colour.row(place.first_row + row as u32, blocks);
         let limit = Lanes::splat(simd, f32::MIN);
         for x in (first..end).step_by(LANES) {
-            let [a, b, c, key] = line[x / LANES].load(simd);
-            let rgb = colour.at(simd, x, [a, b, c], key, &mut scratch);
+            let place = x / LANES;
+            if (x - first).is_multiple_of(TOGETHER * LANES) {
+                let last = end.div_ceil(LANES).min(place + TOGETHER);
+                colour.prepare(simd, x, &line[place..last], &mut scratch);
+            }
+            let [a, b, c, key] = line[place].load(simd);
+            let rgb = colour.at(simd, x, [a, b, c], key, &scratch);
             let count = LANES.min(columns.end - x);
             let lanes = Shown {
                 covered: key.greater_than(limit),
@@ -535,7 +592,7 @@ impl Points<'_> {
     fn shade<S: Simd>(&self, simd: S, out: [&mut [f32]; 3]) {
         let scale = Lanes::splat(simd, self.scale);
         let [r, g, b] = out;
-        let mut scratch = None;
+        let mut scratch = LawScratch::default();
         for start in (0..r.len()).step_by(LANES) {
             let position = load_lanes(simd, self.position, start)
                 .scale_add(scale, V3::constant(scale, self.offset));
@@ -546,13 +603,10 @@ impl Points<'_> {
                 let V3 { x, y, z } = load_lanes(simd, self.tint, start);
                 [x, y, z]
             });
-            let (form, reached) = (
-                self.equation.form(),
-                Reached::starting_at(self.reached, start),
-            );
+            let reached = Reached::starting_at(self.reached, start);
             let (rgb, _) = self
                 .equation
-                .illuminate_by(form, &point, reached, tint, &mut scratch);
+                .illuminate_site(&point, reached, tint, &mut scratch);
             rgb[0].0.store_slice(&mut r[start..start + LANES]);
             rgb[1].0.store_slice(&mut g[start..start + LANES]);
             rgb[2].0.store_slice(&mut b[start..start + LANES]);

@@ -99,7 +99,7 @@ impl LawLines {
         color: Rgb,
         incidence: &Incidence<f64>,
     ) -> LawValues {
-        let mut registers = Registers::new(&self.program, 0.0, 1);
+        let mut registers = Registers::new(&self.program, 0.0);
         let (normal, view): (V3<f64>, V3<f64>) = (normal.into(), view.into());
         for (input, register) in &self.inputs {
             let of_point = input.of_point(normal, view, Some(color.to_array()));
@@ -129,7 +129,7 @@ impl LawLines {
         };
         LawValues {
             lines: self.formula.lines().iter().enumerate().map(line).collect(),
-            undefined: registers.undefined(0) > 0.0,
+            undefined: registers.undefined[0] > 0.0,
         }
     }
 }
