@@ -9,6 +9,7 @@ mod frame;
 mod parts;
 mod pipeline;
 mod plan;
+mod points;
 mod queries;
 mod ray_nodes;
 mod reference;

@@ -5,7 +5,7 @@ mod counted;
 use counted::{Counted, counted};
 use shading_lab::analysis::probe::probe;
 use shading_lab::illumination::{Equation, V3};
-use shading_lab::render::{Frame, Per, Renderer, Stage};
+use shading_lab::render::{Frame, Per, Renderer, Stage, Term};
 use shading_lab::scene::{
     Backfacing, Encoding, Overflow, Reflectance, Reflection, ReflectionModel, Rgb, Scene,
     ShadingMode, presets,
@@ -137,27 +137,27 @@ fn the_probe_has_the_numbers_of_the_picture() {
     assert!(compared > 60, "{compared}");
 }
 
-/// Returns the operations of the law in the plan of a picture: once, for each light, and at its points.
-fn planned(scene: &Scene) -> [u64; 3] {
+/// Returns the terms in the plan of a picture with their names, which may be equal.
+fn terms(scene: &Scene) -> Vec<(String, Term)> {
     let mut renderer = Renderer::default();
     renderer.render(scene);
+    let named = |term: Term| (term.name.to_string(), term);
+    renderer.terms().into_iter().map(named).collect()
+}
+
+/// Returns the operations of the law in the plan of a picture: once, for each light, and at its points.
+fn planned(scene: &Scene) -> [u64; 3] {
     let mut plain = scene.clone();
     plain.reflection.formula = "0".to_owned();
-    let terms = renderer.terms();
-    renderer.render(&plain);
-    let others: Vec<String> = renderer
-        .terms()
-        .iter()
-        .map(|term| term.name.to_string())
-        .collect();
-    let own = terms
-        .iter()
-        .filter(|term| !others.contains(&term.name.to_string()));
-    own.fold([0; 3], |[once, light, point], term| match term.per {
-        Per::Frame => [once + term.evaluations, light, point],
-        Per::Light => [once, light + term.evaluations, point],
-        _ => [once, light, point + term.evaluations],
-    })
+    let others = terms(&plain);
+    let mut own = terms(scene);
+    own.retain(|(name, _)| others.iter().all(|(other, _)| name != other));
+    own.iter()
+        .fold([0; 3], |[once, light, point], (_, term)| match term.per {
+            Per::Frame => [once + term.evaluations, light, point],
+            Per::Light => [once, light + term.evaluations, point],
+            _ => [once, light, point + term.evaluations],
+        })
 }
 
 /// Returns the operations of the law at one point, for all lights, as a number that counts finds them: what is done besides is
@@ -248,20 +248,11 @@ fn parts_without_effect_are_left_out_and_say_why() {
     scene.reflection.formula = PHONG.to_owned();
     scene.material.ks = Rgb::ZERO;
     scene.image.size = [32, 32];
-    let mut renderer = Renderer::default();
-    renderer.render(&scene);
-    let terms = renderer.terms();
+    let terms = terms(&scene);
     let find = |name: &str| {
-        let found = terms.iter().find(|term| term.name.to_string() == name);
-        found.unwrap_or_else(|| {
-            panic!(
-                "{name} in {:?}",
-                terms
-                    .iter()
-                    .map(|term| term.name.to_string())
-                    .collect::<Vec<_>>()
-            )
-        })
+        let found = terms.iter().find(|(own, _)| own == name);
+        let (_, term) = found.unwrap_or_else(|| panic!("{name} in {terms:#?}"));
+        term
     };
     for (name, why) in [
         ("ks * os * spot^n", "render-why-changes-nothing"),
@@ -283,22 +274,21 @@ fn parts_of_a_law_are_shown_with_all_their_parentheses() {
     let (_, _, mut own) = typed().next().expect("a scene");
     own.reflection.formula =
         "a = (N·L + 1) * (N·V)\n(a - 0.2) * ks * (N·L > 0) # a (comment".to_owned();
-    let mut renderer = Renderer::default();
-    renderer.render(&own);
-    let names: Vec<String> = renderer
-        .terms()
-        .iter()
-        .map(|term| term.name.to_string())
-        .collect();
+    let terms = terms(&own);
     for part in [
         "(N·L + 1) * (N·V)",
         "(a - 0.2) * ks",
         "(a - 0.2) * ks * (N·L > 0)",
         "N·L > 0",
     ] {
-        assert!(names.iter().any(|name| name == part), "{part} in {names:?}");
+        assert!(
+            terms.iter().any(|(name, _)| name == part),
+            "{part} in {terms:#?}"
+        );
     }
-    let hit = probe(&mut renderer, &own, 48, 48).hit.expect("the object");
+    let hit = probe(&mut Renderer::default(), &own, 48, 48)
+        .hit
+        .expect("the object");
     let law = hit.lights[0].law.as_ref().expect("the lines of the law");
     let lines: Vec<&str> = law.lines.iter().map(|line| line.formula.as_str()).collect();
     assert_eq!(lines, ["(N·L + 1) * (N·V)", "(a - 0.2) * ks * (N·L > 0)"]);

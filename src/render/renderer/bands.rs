@@ -3,8 +3,9 @@
 use super::display::{Linear, stored_pixel};
 use super::parts::Part;
 use super::plan::{Inputs, Per};
+use super::points::PointIntensities;
 use super::reference::Evaluation;
-use super::shade::{Carried, Evaluated, PointIntensities, shade, start_of_row};
+use super::shade::{Carried, Evaluated, shade, start_of_row};
 use super::target::{Stored, Target, Unstored};
 use crate::illumination::{Equation, LANES, Reached, SpecularForm};
 use crate::render::lens::pixel_centre;
