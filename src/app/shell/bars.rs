@@ -18,14 +18,14 @@ use crate::app::system;
 use crate::app::views::compare::VIEWS;
 use crate::app::views::plan::left_out;
 use crate::app::widgets::focus::{named, one_stop};
-use crate::render::StageRun;
-use crate::scene::{Choice, ReflectionModel, ShadingMode};
+use crate::render::{FrameReport, StageRun};
+use crate::scene::{Choice, ReflectionModel, Scene, ShadingMode};
 use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::containers::menu::is_in_menu;
 use eframe::egui::{
     Align, Button, ComboBox, EventFilter, Id, Key, Label, Layout, MenuBar, Modifiers, Popup,
-    RadioButton, Response, RichText, Sense, TextWrapMode, Ui, vec2,
+    RadioButton, Response, RichText, Sense, TextStyle, TextWrapMode, Ui, vec2,
 };
 
 /// The window width below which the menus fold into one, and the modes into a list, in points.
@@ -322,38 +322,11 @@ pub fn stages_ui(
             stage_ui(ui, run);
         }
         ui.separator();
-        let evaluations: u64 = report.stages.iter().map(|run| run.evaluations).sum();
         let ms = engine.nanoseconds() as f64 / 1e6;
         ui.label(RichText::new(format!("{ms:.1} ms")).monospace());
         if engine.coarser() > 1 {
             let text = text!("coarser", share = engine.coarser());
             ui.label(text).on_hover_text(text!("coarser-tip"));
-        }
-        // A notice leaves no space for the counts; nor does a narrow window.
-        let room = if session.said().is_none() {
-            ui.available_width()
-        } else {
-            0.0
-        };
-        if room > 250.0 {
-            let words = text!(
-                "evaluations",
-                count = evaluations,
-                shown = grouped(evaluations)
-            );
-            ui.label(words).on_hover_text(text!("evaluations-tip"));
-        }
-        if room > 530.0 {
-            ui.label(RichText::new(text!("triangles", count = grouped(report.triangles))).weak());
-        }
-        if report.overflowing > 0 && room.min(ui.available_width()) > 250.0 {
-            let count = grouped(report.overflowing);
-            let words = if session.shown.scene.reflection.model == ReflectionModel::Formula {
-                text!("overflowing-or-undefined", count = count)
-            } else {
-                text!("overflowing", count = count)
-            };
-            ui.label(words).on_hover_text(text!("overflowing-tip"));
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let omitted = left_out(engine, &window.appearance);
@@ -366,9 +339,55 @@ pub fn stages_ui(
                 window.show_view(ViewName::Plan);
             }
             said_ui(ui, session, requests, TextWrapMode::Truncate);
+            // A notice leaves no space for the counts.
+            if session.said().is_none() {
+                ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                    counts_ui(ui, &session.shown.scene, report);
+                });
+            }
         });
     });
     ui.add_space(2.0);
+}
+
+/// Shows those counts of the last change that have room.
+fn counts_ui(ui: &mut Ui, scene: &Scene, report: &FrameReport) {
+    let evaluations: u64 = report.stages.iter().map(|run| run.evaluations).sum();
+    let shown = grouped(evaluations);
+    let overflowing = match grouped(report.overflowing) {
+        _ if report.overflowing == 0 => String::new(),
+        count if scene.reflection.model == ReflectionModel::Formula => {
+            text!("overflowing-or-undefined", count = count)
+        }
+        count => text!("overflowing", count = count),
+    };
+    let counts = [
+        text!("evaluations", count = evaluations, shown = shown),
+        text!("triangles", count = grouped(report.triangles)),
+        overflowing,
+    ];
+    let font = TextStyle::Body.resolve(ui.style());
+    let mut room = ui.available_width();
+    let mut has_room = [false; 3];
+    for index in [0, 2, 1] {
+        let (words, color) = (counts[index].clone(), ui.visuals().text_color());
+        let set = ui.painter().layout_no_wrap(words, font.clone(), color);
+        let width = set.size().x + ui.spacing().item_spacing.x;
+        has_room[index] = !counts[index].is_empty() && width <= room;
+        room -= if has_room[index] { width } else { 0.0 };
+    }
+    let [evaluations, triangles, overflowing] = counts;
+    if has_room[0] {
+        ui.label(evaluations)
+            .on_hover_text(text!("evaluations-tip"));
+    }
+    if has_room[1] {
+        ui.weak(triangles);
+    }
+    if has_room[2] {
+        ui.label(overflowing)
+            .on_hover_text(text!("overflowing-tip"));
+    }
 }
 
 fn stage_ui(ui: &mut Ui, run: &StageRun) {

@@ -18,8 +18,8 @@ const RAISED: f32 = 1.0;
 /// The overhang of slanted letters at the end of a formula, in points.
 const SLANT: f32 = 1.5;
 
-/// Letters whose meaning in the window's formulas differs from that in textbooks.
-const AMBIGUOUS: [&str; 2] = ["S", "T"];
+/// Names that mean something else in the window's formulas than in textbooks, or than what a student calls so.
+const AMBIGUOUS: [&str; 5] = ["S", "T", "law", "lit", "spot"];
 /// Signs before which a long formula may break.
 const BREAKS: [&str; 7] = ["=", "+", "−", "≈", "<", ">", "/"];
 
@@ -164,6 +164,15 @@ mod tests {
 
     fn read(formula: &str) -> Vec<Piece> {
         pieces(&Visuals::dark(), formula).concat()
+    }
+
+    #[test]
+    fn names_that_a_student_gives_are_shown_whole() {
+        for name in ["spot", "lit", "law", "T", "s"] {
+            let pieces = read(&format!("{name} = N·L"));
+            let first = pieces.first().expect("a piece");
+            assert_eq!((&*first.text, first.symbol), (name, None));
+        }
     }
 
     #[test]
