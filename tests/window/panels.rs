@@ -5,16 +5,17 @@ mod keys;
 mod shapes;
 
 use crate::common::hands::{
-    drag, enter, named, open_view, picture_place, press, scene, undo, wait, window, window_of,
+    built_in, drag, enter, named, open_view, picture_place, press, scene, undo, wait, window,
+    window_looking, window_of,
 };
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, Modifiers, OutputCommand, vec2};
+use eframe::egui::{Key, Modifiers, OutputCommand, Rect, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use shading_lab::analysis::ANALYSES;
 use shading_lab::analysis::comparison::pane_areas;
 use shading_lab::analysis::probe::{ProbeHit, probe};
-use shading_lab::app::{App, Profiles, ViewName};
+use shading_lab::app::{App, Appearance, Profiles, ViewName};
 use shading_lab::document::load_scene;
 use shading_lab::export::{glsl_330, opengl_c, opengl_c_snippet};
 use shading_lab::geometry::tessellate;
@@ -110,6 +111,35 @@ fn code(harness: &Harness<'_, App>) -> String {
     let view = harness.query_by_role_and_label(Role::MultilineTextInput, english!("code-text"));
     view.and_then(|view| view.accesskit_node().value())
         .unwrap_or_default()
+}
+
+#[test]
+fn counts_in_the_bar_never_cover_one_another() {
+    let settings = ["reflection.model=formula", "reflection.formula=3"].map(str::to_owned);
+    for width in (880..1500).step_by(20) {
+        let mut loaded = built_in("soft-shadow");
+        loaded.scene = loaded.scene.with_overrides(&settings).expect("settings");
+        let size = [width as f32, 800.0];
+        let harness = window_looking(loaded, size, &Appearance::default(), |app| app);
+        let texts: Vec<(String, Rect)> = harness
+            .query_all_by(|node| node.label().is_some_and(|label| label.contains(' ')))
+            .map(|node| {
+                (
+                    node.accesskit_node().label().unwrap_or_default(),
+                    node.rect(),
+                )
+            })
+            .filter(|(_, rect)| rect.min.y > 770.0)
+            .collect();
+        for (index, (words, rect)) in texts.iter().enumerate() {
+            for (other, covered) in &texts[..index] {
+                let both = rect.intersect(*covered);
+                assert!(!both.is_positive(), "{words} over {other} at {width}");
+            }
+        }
+        let overflows = texts.iter().any(|(words, _)| words.contains("overflow"));
+        assert!(width < 1280 || overflows, "{texts:?}");
+    }
 }
 
 #[test]
@@ -406,7 +436,7 @@ fn the_defects_are_measured_and_the_picture_is_turned_about_the_probe() {
     let picture = picture_place(&harness);
     // The first of two panes; its knob is at the scene's 30 degrees.
     let [width, height] = pane_areas(2, [picture.width() as u32, picture.height() as u32])[0].size;
-    let pane = eframe::egui::Rect::from_min_size(picture.min, vec2(width as f32, height as f32));
+    let pane = Rect::from_min_size(picture.min, vec2(width as f32, height as f32));
     let radius = 0.46 * pane.width().min(pane.height());
     let at = |degrees: f32| {
         pane.center() + radius * vec2(degrees.to_radians().cos(), -degrees.to_radians().sin())
