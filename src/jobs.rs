@@ -16,6 +16,8 @@ use crate::analysis::{Question, Subject, Watch};
 use crate::geometry::Mesh;
 use crate::scene::Scene;
 use crate::text::{in_language, language, text};
+#[cfg(not(target_arch = "wasm32"))]
+use rayon::{ThreadPool, ThreadPoolBuilder};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::fmt::{self, Debug, Formatter};
 use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
@@ -182,6 +184,17 @@ impl<W: Work> Listener<W> {
     }
 }
 
+/// Does work whose parallel parts have threads of their own: a picture of the window does not wait for one of them to be over.
+#[cfg(not(target_arch = "wasm32"))]
+fn aside(work: impl FnOnce() + Send) {
+    static POOL: OnceLock<Option<ThreadPool>> = OnceLock::new();
+    let threads = ThreadPoolBuilder::new().num_threads(rayon::current_num_threads());
+    match POOL.get_or_init(|| threads.build().ok()) {
+        Some(pool) => pool.install(work),
+        None => work(),
+    }
+}
+
 impl<W: Work> Job<W> {
     /// Starts work on a thread. `wake` is called, with the time to wait, when there is news.
     pub fn start(work: W, wake: impl Fn(Duration) + Send + Sync + 'static) -> Self {
@@ -225,7 +238,7 @@ impl<W: Work> Job<W> {
             }
         };
         #[cfg(not(target_arch = "wasm32"))]
-        std::thread::spawn(run);
+        std::thread::spawn(|| aside(run));
         #[cfg(target_arch = "wasm32")]
         page::later(run);
         job
@@ -470,5 +483,49 @@ impl<Q: Question> Work for Request<Q> {
 
     fn run(&self, watch: &dyn Watch<Q::Answer>) -> Result<Q::Answer, String> {
         self.question.answer(&self.subject(), watch)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rayon::prelude::*;
+    use std::sync::atomic::AtomicUsize;
+
+    /// Work that keeps all its threads until it may end.
+    #[derive(Default)]
+    struct Waiting {
+        begun: AtomicUsize,
+        may_end: AtomicBool,
+    }
+
+    impl Work for Arc<Waiting> {
+        type Answer = ();
+
+        fn run(&self, _: &dyn Watch<()>) -> Result<(), String> {
+            let threads = 0..rayon::current_num_threads();
+            threads.into_par_iter().with_max_len(1).for_each(|_| {
+                self.begun.fetch_add(1, Ordering::Relaxed);
+                while !self.may_end.load(Ordering::Relaxed) {
+                    std::thread::sleep(Duration::from_millis(1));
+                }
+            });
+            Ok(())
+        }
+    }
+
+    #[test]
+    fn pictures_do_not_wait_for_work_in_the_background() {
+        let waiting = Arc::new(Waiting::default());
+        let job = Job::start(Arc::clone(&waiting), |_| {});
+        while waiting.begun.load(Ordering::Relaxed) < rayon::current_num_threads() {
+            std::thread::sleep(Duration::from_millis(1));
+        }
+        let (sender, done) = channel();
+        rayon::spawn(move || sender.send(()).unwrap_or_default());
+        let in_time = done.recv_timeout(Duration::from_secs(20));
+        waiting.may_end.store(true, Ordering::Relaxed);
+        job.wait();
+        assert_eq!(in_time, Ok(()));
     }
 }

@@ -142,7 +142,7 @@ impl FrameReport {
 }
 
 /// The time of a picture while something is dragged, nanoseconds: what the rest of the window leaves of a sixtieth of a second.
-const BUDGET: u64 = 12_000_000;
+const BUDGET: u64 = 8_000_000;
 /// The largest downscale factor: a dragged object must remain recognisable.
 pub const COARSEST: u32 = 8;
 
