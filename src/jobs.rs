@@ -52,6 +52,19 @@ pub fn nanoseconds() -> u64 {
     u64::try_from(START.get_or_init(Instant::now).elapsed().as_nanos()).unwrap_or(u64::MAX)
 }
 
+/// Does work whose parallel parts have threads of their own, so that it does not wait for those of work in the background.
+pub fn at_once<T: Send>(work: impl FnOnce() -> T + Send) -> T {
+    #[cfg(not(target_arch = "wasm32"))]
+    {
+        static POOL: OnceLock<Option<ThreadPool>> = OnceLock::new();
+        let threads = ThreadPoolBuilder::new().num_threads(rayon::current_num_threads());
+        if let Some(pool) = POOL.get_or_init(|| threads.build().ok()) {
+            return pool.install(work);
+        }
+    }
+    work()
+}
+
 /// Work to be done in the background.
 pub trait Work: Send + Sync + Sized + 'static {
     /// The type of the answer.
@@ -184,17 +197,6 @@ impl<W: Work> Listener<W> {
     }
 }
 
-/// Does work whose parallel parts have threads of their own: a picture of the window does not wait for one of them to be over.
-#[cfg(not(target_arch = "wasm32"))]
-fn aside(work: impl FnOnce() + Send) {
-    static POOL: OnceLock<Option<ThreadPool>> = OnceLock::new();
-    let threads = ThreadPoolBuilder::new().num_threads(rayon::current_num_threads());
-    match POOL.get_or_init(|| threads.build().ok()) {
-        Some(pool) => pool.install(work),
-        None => work(),
-    }
-}
-
 impl<W: Work> Job<W> {
     /// Starts work on a thread. `wake` is called, with the time to wait, when there is news.
     pub fn start(work: W, wake: impl Fn(Duration) + Send + Sync + 'static) -> Self {
@@ -238,7 +240,7 @@ impl<W: Work> Job<W> {
             }
         };
         #[cfg(not(target_arch = "wasm32"))]
-        std::thread::spawn(|| aside(run));
+        std::thread::spawn(run);
         #[cfg(target_arch = "wasm32")]
         page::later(run);
         job
@@ -515,17 +517,20 @@ mod tests {
     }
 
     #[test]
-    fn pictures_do_not_wait_for_work_in_the_background() {
+    fn what_is_done_at_once_does_not_wait_for_the_background() {
         let waiting = Arc::new(Waiting::default());
         let job = Job::start(Arc::clone(&waiting), |_| {});
         while waiting.begun.load(Ordering::Relaxed) < rayon::current_num_threads() {
             std::thread::sleep(Duration::from_millis(1));
         }
         let (sender, done) = channel();
-        rayon::spawn(move || sender.send(()).unwrap_or_default());
+        std::thread::spawn(move || {
+            let sum: i32 = at_once(|| (1..=100).into_par_iter().sum());
+            sender.send(sum).unwrap_or_default();
+        });
         let in_time = done.recv_timeout(Duration::from_secs(20));
         waiting.may_end.store(true, Ordering::Relaxed);
         job.wait();
-        assert_eq!(in_time, Ok(()));
+        assert_eq!(in_time, Ok(5050));
     }
 }

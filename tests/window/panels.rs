@@ -122,7 +122,11 @@ fn counts_in_the_bar_never_cover_one_another() {
         let size = [width as f32, 800.0];
         let harness = window_looking(loaded, size, &Appearance::default(), |app| app);
         let texts: Vec<(String, Rect)> = harness
-            .query_all_by(|node| node.label().is_some_and(|label| label.contains(' ')))
+            .query_all_by(|node| {
+                let counts = ["evaluated", "triangles", "overflow", "skipped"];
+                let label = node.label().unwrap_or_default();
+                counts.iter().any(|count| label.contains(count))
+            })
             .map(|node| {
                 (
                     node.accesskit_node().label().unwrap_or_default(),

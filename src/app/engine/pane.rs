@@ -10,7 +10,7 @@ use crate::app::session::appearance::{Appearance, Overlays};
 use crate::app::session::document::same_model;
 use crate::app::widgets::theme::TEXT;
 use crate::geometry::Mesh;
-use crate::jobs::nanoseconds;
+use crate::jobs::{at_once, nanoseconds};
 use crate::render::{DrawTime, Frame, FrameReport, Renderer, coarser_size};
 use crate::scene::{Rgb, Scene};
 use eframe::egui::{ColorImage, Context, ImageData, TextureHandle, TextureOptions};
@@ -96,7 +96,8 @@ impl Drawing {
         self.renderer.keep_linear(wanted.linear);
         let mut sized = wanted.scene.clone();
         sized.image.size = size;
-        self.renderer.render_for(&sized, SLICE);
+        let renderer = &mut self.renderer;
+        at_once(|| _ = renderer.render_for(&sized, SLICE));
         self.report = self.renderer.report().clone();
         self.report.nanoseconds += before;
         self.drawn = Some(sized);
