@@ -394,22 +394,6 @@ impl<T: Scalar> Equation<T> {
         }
     }
 
-    /// Returns a shading point at which the scene's own law is yet to be evaluated; `tint` multiplies Od.
-    #[inline(always)]
-    pub(crate) fn law_point<R: Real<Scalar = T>>(
-        &self,
-        site: ShadingPoint<R>,
-        tint: Option<[R; 3]>,
-    ) -> LawPoint<R> {
-        let (sum, color) = self.ambient_at(&site, tint);
-        LawPoint {
-            undefined: site.inverse_distance.number(0.0),
-            site,
-            color,
-            sum,
-        }
-    }
-
     /// Returns I as [`Self::illuminate`] does; `tint` multiplies Od. The second value is 1 where the scene's own law is undefined,
     /// otherwise 0; `scratch` is that of this equation's points before, or new.
     #[inline(always)]
@@ -668,17 +652,7 @@ impl Equation<f64> {
             ..LightAt::default()
         };
         if self.law.is_some() {
-            let color = Some(color.to_array());
-            let point = self.law_point(site, None);
-            let point = LawPoint {
-                color,
-                sum: [0.0; 3],
-                ..point
-            };
-            let mut scratch = LawScratch::default();
-            scratch.points.push(point);
-            self.add_law(range.clone(), reached, &mut scratch);
-            sum.diffuse = Rgb::from_array(scratch.points[0].sum);
+            sum.diffuse = self.reflected_by_law(range.clone(), &site, color, reached);
         }
         for index in range {
             let source = &self.sources[index];

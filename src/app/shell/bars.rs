@@ -24,8 +24,8 @@ use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::containers::menu::is_in_menu;
 use eframe::egui::{
-    Align, Button, ComboBox, EventFilter, Id, Key, Label, Layout, MenuBar, Modifiers, Popup,
-    RadioButton, Response, RichText, Sense, TextStyle, TextWrapMode, Ui, vec2,
+    Align, Button, Color32, ComboBox, EventFilter, Id, Key, Label, Layout, MenuBar, Modifiers,
+    Popup, RadioButton, Response, RichText, Sense, TextStyle, TextWrapMode, Ui, vec2,
 };
 
 /// The window width below which the menus fold into one, and the modes into a list, in points.
@@ -361,32 +361,37 @@ fn counts_ui(ui: &mut Ui, scene: &Scene, report: &FrameReport) {
         }
         count => text!("overflowing", count = count),
     };
+    // In their order on the screen, each with its rank: what comes last gives way first.
     let counts = [
-        text!("evaluations", count = evaluations, shown = shown),
-        text!("triangles", count = grouped(report.triangles)),
-        overflowing,
+        (
+            0,
+            text!("evaluations", count = evaluations, shown = shown),
+            text!("evaluations-tip"),
+        ),
+        (2, text!("triangles", count = grouped(report.triangles)), ""),
+        (1, overflowing, text!("overflowing-tip")),
     ];
     let font = TextStyle::Body.resolve(ui.style());
-    let mut room = ui.available_width();
-    let mut has_room = [false; 3];
-    for index in [0, 2, 1] {
-        let (words, color) = (counts[index].clone(), ui.visuals().text_color());
-        let set = ui.painter().layout_no_wrap(words, font.clone(), color);
-        let width = set.size().x + ui.spacing().item_spacing.x;
-        has_room[index] = !counts[index].is_empty() && width <= room;
-        room -= if has_room[index] { width } else { 0.0 };
-    }
-    let [evaluations, triangles, overflowing] = counts;
-    if has_room[0] {
-        ui.label(evaluations)
-            .on_hover_text(text!("evaluations-tip"));
-    }
-    if has_room[1] {
-        ui.weak(triangles);
-    }
-    if has_room[2] {
-        ui.label(overflowing)
-            .on_hover_text(text!("overflowing-tip"));
+    let width = |words: &str| {
+        let set = ui
+            .painter()
+            .layout_no_wrap(words.to_owned(), font.clone(), Color32::PLACEHOLDER);
+        set.size().x + ui.spacing().item_spacing.x
+    };
+    let widths = counts
+        .each_ref()
+        .map(|(rank, words, _)| (*rank, width(words)));
+    let room = ui.available_width();
+    for (rank, words, tip) in counts {
+        let before = widths.iter().filter(|(other, _)| *other <= rank);
+        if words.is_empty() || before.map(|(_, width)| width).sum::<f32>() > room {
+            continue;
+        }
+        if tip.is_empty() {
+            ui.weak(words);
+        } else {
+            ui.label(words).on_hover_text(tip);
+        }
     }
 }
 

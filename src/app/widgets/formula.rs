@@ -18,7 +18,7 @@ const RAISED: f32 = 1.0;
 /// The overhang of slanted letters at the end of a formula, in points.
 const SLANT: f32 = 1.5;
 
-/// Names that mean something else in the window's formulas than in textbooks, or than what a student calls so.
+/// Names to which the window's own formulas give a meaning that they do not have in textbooks or in what a student types.
 const AMBIGUOUS: [&str; 5] = ["S", "T", "law", "lit", "spot"];
 /// Signs before which a long formula may break.
 const BREAKS: [&str; 7] = ["=", "+", "−", "≈", "<", ">", "/"];

@@ -2,7 +2,8 @@
 
 use super::{Equation, Reached};
 use crate::illumination::formula::{
-    Constancy, Incidence, Law, LawLines, LawPart, LawScratch, LawSite, LawValues, TOGETHER,
+    Constancy, Incidence, Law, LawLines, LawPart, LawPoint, LawScratch, LawSite, LawValues,
+    TOGETHER,
 };
 use crate::illumination::source::BRIGHTEST;
 use crate::illumination::{LANES, Real, Scalar, ShadingPoint, Source, V3};
@@ -57,6 +58,22 @@ impl<T: Scalar> Equation<T> {
     /// Returns the parts of the scene's own law, with the numbers of their operations; none where it has none.
     pub fn law_parts(&self) -> Option<&[LawPart]> {
         self.law.as_deref().map(Law::parts)
+    }
+
+    /// Returns a shading point at which the scene's own law is yet to be evaluated; `tint` multiplies Od.
+    #[inline(always)]
+    pub(crate) fn law_point<R: Real<Scalar = T>>(
+        &self,
+        site: ShadingPoint<R>,
+        tint: Option<[R; 3]>,
+    ) -> LawPoint<R> {
+        let (sum, color) = self.ambient_at(&site, tint);
+        LawPoint {
+            undefined: site.inverse_distance.number(0.0),
+            site,
+            color,
+            sum,
+        }
     }
 
     /// Adds the parts of some sources by the scene's own law to the points of `scratch`: at most an equal share of [`BRIGHTEST`]
@@ -143,6 +160,25 @@ impl<T: Scalar> Equation<T> {
 }
 
 impl Equation<f64> {
+    /// Returns what the scene's own law reflects of some sources at a point, where Od is `color`.
+    pub(super) fn reflected_by_law(
+        &self,
+        sources: Range<usize>,
+        site: &ShadingPoint<f64>,
+        color: Rgb,
+        reached: Option<Reached<'_>>,
+    ) -> Rgb {
+        let mut scratch = LawScratch::default();
+        scratch.points.push(LawPoint {
+            site: *site,
+            color: Some(color.to_array()),
+            sum: [0.0; 3],
+            undefined: 0.0,
+        });
+        self.add_law(sources, reached, &mut scratch);
+        Rgb::from_array(scratch.points[0].sum)
+    }
+
     /// Evaluates the lines of the scene's own law for a light at a point of the world with normal `n` and the surface's colour Od
     /// there, towards the middle of an area light; none where the scene has no law of its own.
     ///
