@@ -88,6 +88,8 @@ pub struct App {
 impl App {
     /// Creates a window that shows `loaded`, with the appearance of the last run.
     pub fn new(cc: &eframe::CreationContext<'_>, loaded: Loaded) -> Self {
+        // A language that another window chooses does not reach this one.
+        set_language(language());
         theme::install(&cc.egui_ctx);
         cc.egui_ctx
             .add_plugin(fingers::Fingers::new(system::coarse()));

@@ -20,7 +20,7 @@ use crate::text::{in_language, language, text};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::fmt::{self, Debug, Formatter};
-use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU32, AtomicU64, Ordering};
 use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::Duration;
@@ -104,6 +104,8 @@ struct Progress<A> {
     cancel: AtomicBool,
     /// Share of the work done, in thousandths.
     share: AtomicU32,
+    /// Nanoseconds that the work took on a thread of this process, once it is over.
+    took: AtomicU64,
     /// The latest intermediate answer, until it is taken, which may be after a long time.
     so_far: Mutex<Option<A>>,
 }
@@ -113,6 +115,7 @@ impl<A> Default for Progress<A> {
         Self {
             cancel: AtomicBool::default(),
             share: AtomicU32::default(),
+            took: AtomicU64::default(),
             so_far: Mutex::new(None),
         }
     }
@@ -234,7 +237,10 @@ impl<W: Work> Job<W> {
         let language = language();
         let run = move || {
             if !reporter.progress.cancel.load(Ordering::Relaxed) {
+                let began = Instant::now();
                 let answer = in_language(language, || work.run(&reporter));
+                let took = u64::try_from(began.elapsed().as_nanos()).unwrap_or(u64::MAX);
+                reporter.progress.took.store(took, Ordering::Relaxed);
                 // The receiver may be gone; then the answer is dropped.
                 let _ = reporter.over.send(answer);
             }
@@ -303,6 +309,8 @@ impl<W: Work> Debug for Job<W> {
 pub struct Background<W: Work> {
     known: Option<Answered<W>>,
     job: Option<Job<W>>,
+    /// Time that the answer took on a thread of this process.
+    took: Duration,
     /// True if the work of the answer was cancelled.
     stopped: bool,
 }
@@ -312,6 +320,7 @@ impl<W: Work> Default for Background<W> {
         Self {
             known: None,
             job: None,
+            took: Duration::ZERO,
             stopped: false,
         }
     }
@@ -352,18 +361,19 @@ impl<W: Work> Background<W> {
         let news = self.job.as_ref().and_then(|job| {
             Some((
                 Arc::clone(&job.work),
-                job.progress.cancel.load(Ordering::Relaxed),
+                Arc::clone(&job.progress),
                 job.news()?,
             ))
         });
-        let Some((work, cancelled, news)) = news else {
+        let Some((work, progress, news)) = news else {
             return false;
         };
         match news {
             News::SoFar(answer) => self.known = Some((work, Ok(answer))),
             News::Over(answer) => {
                 self.known = Some((work, answer));
-                self.stopped = cancelled;
+                self.took = Duration::from_nanos(progress.took.load(Ordering::Relaxed));
+                self.stopped = progress.cancel.load(Ordering::Relaxed);
                 self.job = None;
             }
         }
@@ -394,6 +404,11 @@ impl<W: Work> Background<W> {
     /// Returns the share of the work done, from 0 to 1, while it runs.
     pub fn progress(&self) -> Option<f32> {
         self.job.as_ref().map(Job::share)
+    }
+
+    /// Returns the time that the latest answer took on a thread of this process: none before there is one.
+    pub fn took(&self) -> Duration {
+        self.took
     }
 
     /// Ends the work soon; its results so far are its answer.

@@ -13,7 +13,7 @@ mod world;
 
 pub use bounce::Bounced;
 pub use bvh::Bvh;
-pub use light_buffer::{LightBuffer, light_buffers};
+pub use light_buffer::{LightBuffer, update_light_buffers};
 pub use packet::{BLOCK, Visibility};
 pub use shadow::ShadowCaster;
 pub use solid::{PrimaryHits, Solid};

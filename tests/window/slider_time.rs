@@ -2,7 +2,7 @@
 //! window slider_time -- --ignored --nocapture --test-threads 1`.
 
 use crate::common::hands::{
-    built_in, named, picture, picture_place, scene, seen, unfold_all, window_looking,
+    built_in, named, picture, picture_place, scene, unfold_all, window_looking,
 };
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Pos2, vec2};
@@ -13,7 +13,8 @@ use shading_lab::document::{Loaded, load_scene};
 use shading_lab::render::Renderer;
 use shading_lab::scene::presets;
 use std::path::Path;
-use std::time::Instant;
+use std::thread;
+use std::time::{Duration, Instant};
 
 /// Measured drags of [`FRAMES`] frames each. The first frame does not count: it still shows the numbers of an unchanged picture.
 const DRAGS: usize = 40;
@@ -42,18 +43,26 @@ fn open(loaded: Loaded) -> Harness<'static, App> {
     harness
 }
 
-/// Drags by three points a frame, for a second; returns the times of the first frame and of 95 % of all.
-fn dragged(harness: &mut Harness<'_, App>, from: Pos2) -> [f64; 2] {
+/// Changes something in each of 60 frames while the pointer is held at `from`; returns the times of the first frame and of
+/// 95 % of all.
+fn held(
+    harness: &mut Harness<'_, App>,
+    from: Pos2,
+    mut change: impl FnMut(&Harness<'_, App>, f32),
+) -> [f64; 2] {
+    // What is asked for at rest is answered first.
+    harness.run_ok();
+    thread::sleep(Duration::from_millis(200));
+    harness.run_ok();
     harness.drag_at(from);
     harness.step();
-    let at = |frame: u8| from + vec2(3.0, 1.0) * f32::from(frame);
-    let times: Vec<f64> = (1..=60)
+    let times: Vec<f64> = (1..=60_u8)
         .map(|frame| {
-            harness.hover_at(at(frame));
+            change(harness, frame.into());
             milliseconds(|| harness.step())
         })
         .collect();
-    harness.drop_at(at(60));
+    harness.drop_at(from);
     harness.run_ok();
     [times[0], percentile(times, 0.95)]
 }
@@ -64,18 +73,19 @@ fn every_scene_answers_while_something_is_dragged() {
     for preset in presets::ALL {
         let mut harness = open(built_in(preset.name));
         let middle = picture_place(&harness).center();
-        let camera = dragged(&mut harness, middle);
+        let camera = held(&mut harness, middle, |harness, frame| {
+            harness.hover_at(middle + vec2(3.0, 1.0) * frame);
+        });
         let before = scene(&harness).lights.clone();
-        let handle = before
-            .first()
-            .and_then(|light| seen(&harness, light.position));
-        let light = handle.map(|handle| dragged(&mut harness, handle));
-        let moved = scene(&harness).lights != before;
-        println!(
-            "{:24} camera {camera:.1?} light {:.1?}",
-            preset.name,
-            light.filter(|_| moved)
-        );
+        let light = (!before.is_empty()).then(|| {
+            held(&mut harness, middle, |harness, frame| {
+                harness
+                    .get_by_role_and_label(Role::SpinButton, named("light.0.color.red"))
+                    .set_value_accesskit(0.5 + f64::from(frame) / 200.0);
+            })
+        });
+        assert_eq!(light.is_some(), scene(&harness).lights != before);
+        println!("{:24} camera {camera:.1?} light {light:.1?}", preset.name);
     }
 }
 

@@ -7,7 +7,7 @@ use crate::app::session::action::{Action, Requests};
 use crate::app::session::document::Document;
 use crate::app::session::notice::Notice;
 use crate::app::session::window::WindowState;
-use crate::app::widgets::background::{progress_ui, wake};
+use crate::app::widgets::background::{ask, progress_ui, wake};
 use crate::app::widgets::drawing::{height, plot_style, plot_ui};
 use crate::app::widgets::letter::lettered;
 use crate::app::widgets::table::rows_ui;
@@ -319,9 +319,8 @@ impl<Q: Question> Pending<Q> {
     pub fn ask(&mut self, ctx: &Context, document: &Document, size: [u32; 2], question: &Q) {
         let Document { scene, model, .. } = document;
         let same = |asked: &Request<Q>| asked.is(question, scene, model.as_ref(), size);
-        let new = self.work.ask(wake(ctx), same, || {
-            Request::new(question.clone(), scene, model.as_ref(), size)
-        });
+        let work = || Request::new(question.clone(), scene, model.as_ref(), size);
+        let new = ask(&mut self.work, ctx, same, work);
         let again = new || !self.view.is_current();
         if let Some(answer) = self.work.answer().filter(|_| again) {
             self.view

@@ -13,6 +13,24 @@ pub fn wake(ctx: &Context) -> impl Fn(Duration) + Send + Sync + use<> {
     move |after| ctx.request_repaint_after(after)
 }
 
+/// Minimum duration of long work: a frame of 60 a second, which would be slower if it ran beside one.
+const LONG: Duration = Duration::from_millis(16);
+
+/// Asks for work as [`Background::ask`] does, but for long work only once nothing is dragged: until then its latest answer
+/// stays.
+pub fn ask<W: Work>(
+    background: &mut Background<W>,
+    ctx: &Context,
+    same: impl Fn(&W) -> bool,
+    work: impl FnOnce() -> W,
+) -> bool {
+    if background.took() > LONG && ctx.input(|input| input.pointer.any_down()) {
+        background.take()
+    } else {
+        background.ask(wake(ctx), same, work)
+    }
+}
+
 /// Background work given as a function.
 pub struct Task<A>(Box<Run<A>>);
 
@@ -117,4 +135,55 @@ pub fn progress_ui<W: Work>(ui: &mut Ui, background: &Background<W>, tip: &str) 
         );
     });
     true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{LONG, Task, ask};
+    use crate::jobs::Background;
+    use eframe::egui::{Context, Event, Modifiers, PointerButton, Pos2, RawInput};
+    use std::thread;
+    use std::time::Duration;
+
+    #[test]
+    fn long_work_waits_until_nothing_is_dragged_and_short_work_does_not() {
+        let ctx = Context::default();
+        // Asks in one frame for work of that duration; returns whether it runs.
+        let asked = |background: &mut Background<Task<()>>, events, duration| {
+            let input = RawInput {
+                events,
+                ..RawInput::default()
+            };
+            let work = || {
+                Task::new(move |_| {
+                    thread::sleep(duration);
+                    Ok(())
+                })
+            };
+            let mut output = ctx.run_ui(input, |ui| {
+                ask(background, ui.ctx(), |_| false, work);
+            });
+            output.textures_delta.clear();
+            background.progress().is_some()
+        };
+        let button = |pressed| Event::PointerButton {
+            pos: Pos2::ZERO,
+            button: PointerButton::Primary,
+            pressed,
+            modifiers: Modifiers::default(),
+        };
+        for (duration, waits) in [
+            (LONG + Duration::from_millis(20), true),
+            (Duration::ZERO, false),
+        ] {
+            let mut background = Background::default();
+            let pressed = vec![Event::PointerMoved(Pos2::ZERO), button(true)];
+            assert!(asked(&mut background, pressed, duration), "the first time");
+            while !background.take() {
+                thread::yield_now();
+            }
+            assert_eq!(asked(&mut background, vec![], duration), !waits);
+            assert!(asked(&mut background, vec![button(false)], duration));
+        }
+    }
 }

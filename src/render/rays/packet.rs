@@ -30,8 +30,15 @@ impl Packet {
     }
 }
 
-pub fn rays_of(bits: u32) -> impl Iterator<Item = usize> {
-    (0..RAYS).filter(move |ray| bits >> ray & 1 == 1)
+/// Returns the numbers of the bits that are set, the lowest first.
+#[inline(always)]
+pub fn rays_of(mut bits: u32) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let ray = bits.trailing_zeros() as usize;
+        let any = bits != 0;
+        bits &= bits.wrapping_sub(1);
+        any.then_some(ray)
+    })
 }
 
 /// The points shown by a row of pixels, or a block of vertices or faces.

@@ -306,9 +306,11 @@ impl<'a> ShadowCaster<'a> {
                             self.solid
                                 .blocks(triangle, self.ray(group, first + ray, source))
                         };
-                        dark |= u32::from(buffer.hides(simd, &seen, ray, meets)) << ray;
+                        if let Some(hides) = buffer.hides(simd, &seen, ray, meets) {
+                            dark |= u32::from(hides) << ray;
+                            unknown &= !(1 << ray);
+                        }
                     }
-                    unknown &= !seen.sound;
                 }
                 self.wait(simd, group, unknown, source, visible, queue);
             }

@@ -394,7 +394,7 @@ impl<'a> Facet<'a> {
     }
 
     /// Returns the point shown at a position in the picture; the plane's middle stands for a triangle that is seen edge-on.
-    #[inline]
+    #[inline(always)]
     pub fn at(&self, place: DVec2) -> PrimaryHit {
         let (p, d) = self.lens.ray(place);
         let differing = if self.lens.perspective { d } else { p };

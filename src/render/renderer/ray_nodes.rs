@@ -10,7 +10,7 @@ use crate::render::node::{Memory, Node, capacity};
 use crate::render::raster::Coverage;
 use crate::render::rays::{
     Bounced, Bvh, DiffuseSurface, LightBuffer, LightScratch, PrimaryHits, ShadowCaster, Solid,
-    Transmission, Visibility, World, light_buffers, matt_scene,
+    Transmission, Visibility, World, matt_scene, update_light_buffers,
 };
 use crate::scene::{
     Ambient, AmbientSource, FaceMaterial, Light, Material, Pattern, PatternKind, Reflection, Rgb,
@@ -318,7 +318,7 @@ impl RayNodes {
             let shining = |light: &Light| light.shines(soloing).then(|| place(light));
             let lights: Vec<Option<Light>> = scene.lights.iter().map(shining).collect();
             self.buffers.update((object, lights.clone()), |buffers| {
-                *buffers = light_buffers(inputs.level, inputs.triangles.model, &lights);
+                update_light_buffers(buffers, inputs.level, inputs.triangles.model, &lights);
             });
         } else {
             self.buffers.release();
