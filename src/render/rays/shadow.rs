@@ -169,16 +169,23 @@ impl<'a> ShadowCaster<'a> {
             .words
             .par_chunks_mut(ROWS * block)
             .zip(coverage.parts());
-        bands.for_each_init(<(Vec<PointRow>, Waiting)>::default, |(rows, waiting), (words, (band, fragments))| {
-            rows.resize_with(ROWS, PointRow::default);
-            rows.iter_mut().for_each(|row| row.clear(width));
-            hits.walk(band, fragments, |x, row, PrimaryHit { normal, lifted, .. }| {
-                rows[row].set(x, self.relative(lifted), normal);
-            });
-            for (row, words) in rows.iter().zip(words.chunks_mut(block)) {
-                dispatch!(self.solid.level, simd => self.mark_row(simd, row, stride, words, waiting));
-            }
-        });
+        bands.for_each_init(
+            <(Vec<PointRow>, Waiting)>::default,
+            |(rows, waiting), (words, (band, fragments))| {
+                rows.resize_with(ROWS, PointRow::default);
+                rows.iter_mut().for_each(|row| row.clear(width));
+                hits.walk(
+                    band,
+                    fragments,
+                    |x, row, PrimaryHit { normal, lifted, .. }| {
+                        rows[row].set(x, self.relative(lifted), normal);
+                    },
+                );
+                for (row, words) in rows.iter().zip(words.chunks_mut(block)) {
+                    self.mark_row(row, stride, words, waiting);
+                }
+            },
+        );
     }
 
     /// Marks the sources visible from each of `count` vertices or faces; `point` gives a point, world, and its normal.
@@ -191,14 +198,17 @@ impl<'a> ShadowCaster<'a> {
         visibility.clear(count.div_ceil(BLOCK), BLOCK, self.targets.len());
         let (block, stride) = (visibility.block, visibility.stride);
         let chunks = visibility.words.par_chunks_mut(block).enumerate();
-        chunks.for_each_init(<(PointRow, Waiting)>::default, |(row, waiting), (chunk, words)| {
-            row.clear(BLOCK);
-            for index in 0..BLOCK.min(count - chunk * BLOCK) {
-                let (point, normal) = point(chunk * BLOCK + index);
-                row.set(index, self.relative(point), normal);
-            }
-            dispatch!(self.solid.level, simd => self.mark_row(simd, row, stride, words, waiting));
-        });
+        chunks.for_each_init(
+            <(PointRow, Waiting)>::default,
+            |(row, waiting), (chunk, words)| {
+                row.clear(BLOCK);
+                for index in 0..BLOCK.min(count - chunk * BLOCK) {
+                    let (point, normal) = point(chunk * BLOCK + index);
+                    row.set(index, self.relative(point), normal);
+                }
+                self.mark_row(row, stride, words, waiting);
+            },
+        );
     }
 
     /// Converts a point of the world to the coordinates of rows.
@@ -207,8 +217,18 @@ impl<'a> ShadowCaster<'a> {
     }
 
     /// Clears the bits of the sources that are hidden from a row's points; a source has `stride` words.
+    pub fn mark_row(
+        &self,
+        row: &PointRow,
+        stride: usize,
+        words: &mut [u64],
+        waiting: &mut Waiting,
+    ) {
+        dispatch!(self.solid.level, simd => self.mark_in_lanes(simd, row, stride, words, waiting));
+    }
+
     #[inline(always)]
-    pub fn mark_row<S: Simd>(
+    fn mark_in_lanes<S: Simd>(
         &self,
         simd: S,
         row: &PointRow,

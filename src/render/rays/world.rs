@@ -10,7 +10,7 @@ use crate::scene::{
     Backfacing, FaceMaterial, Ground, Material, Pattern, PatternKind, Reflectance, Reflection,
     ReflectionModel, Rgb, Scene,
 };
-use fearless_simd::{dispatch, f64x8, prelude::*};
+use fearless_simd::{f64x8, prelude::*};
 use glam::{DVec2, DVec3, Vec3};
 
 /// Everything that rays meet.
@@ -284,7 +284,7 @@ impl<'a> DiffuseSurface<'a> {
         let caster = self.caster.as_ref()?;
         words.clear();
         words.resize(caster.words(stride), u64::MAX);
-        dispatch!(caster.solid.level, simd => caster.mark_row(simd, row, stride, words, waiting));
+        caster.mark_row(row, stride, words, waiting);
         Some(Reached {
             words,
             stride,
