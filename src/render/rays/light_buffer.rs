@@ -4,8 +4,8 @@
 //! Space is mapped so that the rays to the light become parallel: with the unit vector W from the middle of the object to a light
 //! at distance d, a place p has the coordinates (p·U, p·V, p·W) / (1 − p·W/d), which keep lines and planes as they are. A triangle
 //! hides a point if it lies above the point. In single precision that is certain for most points; the others are decided
-//! in double precision, as everywhere, so that a buffer changes no answer. Of a closed object those triangles suffice that
-//! face the light: what hides a point ends with one of them.
+//! in double precision, as everywhere, so that a buffer changes no answer. Of a closed object the triangles that
+//! face the light suffice, since a ray that meets the object on its way to the light leaves it through one of them.
 
 use super::packet::{RAYS, Vectors, bits, dot, rays_of};
 use crate::geometry::{cross, dot as dot3, load, splat, sub};
@@ -32,7 +32,6 @@ const MOST_ENTRIES: [usize; 2] = [16, 4096];
 const ROUNDINGS: f32 = 16.0 * f32::EPSILON;
 /// The error of a point, as a part of the object's size, beyond which its cell is not known.
 const MARGIN: f64 = 1.0 / 4096.0;
-
 /// The roundings of a triangle's area as the light sees it, generously, as a part of the object's size times the length of its sides.
 const AREA_ROUNDINGS: f64 = 1e-12;
 
