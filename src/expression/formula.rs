@@ -87,12 +87,21 @@ impl Formula {
 
     /// Returns whether a name appears in it whose index among the given names `holds`.
     pub fn names_any(&self, holds: &dyn Fn(usize) -> bool) -> bool {
-        fn any(part: &Typed, holds: &dyn Fn(usize) -> bool) -> bool {
-            match &part.term {
-                Term::Name(index) => holds(*index),
-                Term::Call(_, parts) => parts.iter().any(|part| any(part, holds)),
-                _ => false,
-            }
+        self.any_term(&|term| matches!(term, Term::Name(index) if holds(*index)))
+    }
+
+    /// Returns whether it has an operation that `holds`.
+    pub fn calls_any(&self, holds: &dyn Fn(&Operator) -> bool) -> bool {
+        self.any_term(&|term| matches!(term, Term::Call(operator, _) if holds(operator)))
+    }
+
+    fn any_term(&self, holds: &dyn Fn(&Term) -> bool) -> bool {
+        fn any(part: &Typed, holds: &dyn Fn(&Term) -> bool) -> bool {
+            let within = match &part.term {
+                Term::Call(_, parts) => &parts[..],
+                _ => &[],
+            };
+            holds(&part.term) || within.iter().any(|part| any(part, holds))
         }
         self.lines.iter().any(|line| any(&line.value, holds))
     }

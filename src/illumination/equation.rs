@@ -340,8 +340,7 @@ impl<T: Scalar> Equation<T> {
             turned.normal = site.normal.scale(sign);
             n_dot_l = n_dot_l.abs();
         }
-        let [height, cosine] = self.grazing.map(|min| zero.constant(min));
-        let lit = n_dot_l.greater_than(nearness.mul_add(height, cosine));
+        let lit = n_dot_l.greater_than(self.grazing_at(nearness));
         let specular = if form != SpecularForm::None && R::any(lit) {
             let factor = form.factor(&turned, l, n_dot_l, &self.lobe);
             R::select(lit, factor * strength, zero)
@@ -358,6 +357,13 @@ impl<T: Scalar> Equation<T> {
             specular,
             incidence: form.incidence(site, l, n_dot_l),
         }
+    }
+
+    /// Returns the N·L from which a source counts at a point, where its distance is that from which [`Source::reach`] has `nearness`.
+    #[inline(always)]
+    pub(crate) fn grazing_at<R: Real<Scalar = T>>(&self, nearness: R) -> R {
+        let [height, cosine] = self.grazing.map(|min| nearness.constant(min));
+        nearness.mul_add(height, cosine)
     }
 
     /// Returns I at a shading point, per channel. Sources that are not among `reached` are in shadow; without `reached`

@@ -78,6 +78,8 @@ pub struct LawOperation {
 struct OfMaterial {
     operations: LawOperations,
     equation: Equation<f64>,
+    /// The equation of the picture.
+    single: Equation<f32>,
 }
 
 /// A pixel after its examination.
@@ -121,11 +123,13 @@ pub fn law_stability(
         };
         LawOperations::of(own, color)
     });
+    let equations = equations.into_iter().zip(renderer.shining_equations(scene));
     let laws = operations.into_iter().zip(equations);
-    let laws = laws.map(|(operations, equation)| {
+    let laws = laws.map(|(operations, (equation, single))| {
         operations.map(|operations| OfMaterial {
             operations,
             equation,
+            single,
         })
     });
     let laws: Vec<OfMaterial> = laws
@@ -257,7 +261,7 @@ impl OfMaterial {
         let mut sums = [[0.0; 3]; 3];
         let mut undefined = vec![];
         for part in &parts {
-            let factors = values.evaluate(&self.operations, part);
+            let factors = values.evaluate(&self.operations, part, &self.single);
             for (sums, factors) in sums.iter_mut().zip(factors) {
                 for (channel, sum) in sums.iter_mut().enumerate() {
                     *sum += taken(factors[channel]) * part.coefficients[channel];
@@ -302,7 +306,7 @@ impl OfMaterial {
     fn blame(&self, parts: &[SourcePart], values: &mut Values) -> Option<(Range<usize>, Blamed)> {
         let mut blame = Blame::new(&self.operations, parts.len());
         for part in parts {
-            let [_, _, exact] = values.evaluate(&self.operations, part);
+            let [_, _, exact] = values.evaluate(&self.operations, part, &self.single);
             for (channel, factor) in exact.into_iter().enumerate() {
                 let coefficient = 255.0 * part.coefficients[channel];
                 // How far a part is beyond white is not seen: its error is measured in parts of its size.

@@ -334,6 +334,7 @@ fn typed(law: &LawOperations, n: Vec3, v: Vec3, (l, distance): (Vec3, f32)) -> V
         incidence: Incidence {
             l: vector(l),
             distance,
+            grazing: 0.0,
         },
     };
     Vec3::from_array(law.factors_at(&site))

@@ -241,6 +241,7 @@ fn typed(
         incidence: Incidence {
             l: vector(l),
             distance,
+            grazing: Precise::default(),
         },
     })
 }

@@ -51,6 +51,22 @@ pub enum Operator {
 }
 
 impl Operator {
+    /// Returns whether its result jumps where an operand is a certain number.
+    pub fn is_step(&self) -> bool {
+        matches!(
+            self,
+            Self::Floor
+                | Self::Round
+                | Self::Step
+                | Self::Less
+                | Self::LessEqual
+                | Self::Greater
+                | Self::GreaterEqual
+                | Self::Equal
+                | Self::NotEqual
+        )
+    }
+
     /// Returns the operation of a function of the grammar; none for one that formulas do not have.
     pub(super) fn of(function: Function) -> Option<Self> {
         Some(match function.0 {

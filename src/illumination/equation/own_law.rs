@@ -20,6 +20,8 @@ pub(crate) struct SourcePart {
     pub site: LawSite<f64>,
     /// `f·Ip` times the spot's part, per channel.
     pub coefficients: [f64; 3],
+    /// The reciprocal of the source's distance in camera distances; 0 for parallel rays.
+    pub nearness: f64,
 }
 
 /// Prepares the law of `scene`; one that cannot be read reflects nothing. `parallel` says whether the rays of each light are.
@@ -47,8 +49,11 @@ impl<T: Scalar> Equation<T> {
             let known = self.sources.iter().filter_map(|source| {
                 let l = source.parallel()?.map(T::to_f64);
                 let distance = FARTHEST * self.unit;
-                let l = V3::from(DVec3::from(l));
-                Some(law.known(&Incidence { l, distance }))
+                Some(law.known(&Incidence {
+                    l: V3::from(DVec3::from(l)),
+                    distance,
+                    grazing: self.grazing[1].to_f64(),
+                }))
             });
             let rounded = |known: Vec<f64>| known.into_iter().map(T::from_f64).collect();
             self.known = known.map(rounded).collect();
@@ -155,7 +160,13 @@ impl<T: Scalar> Equation<T> {
             let nearest = nearness.max(like.number(1.0 / FARTHEST));
             distance = like.number(1.0) / nearest * T::from_f64(self.unit);
         }
-        (Incidence { l, distance }, attenuation * source.spot(l))
+        let grazing = self.grazing_at(nearness);
+        let incidence = Incidence {
+            l,
+            distance,
+            grazing,
+        };
+        (incidence, attenuation * source.spot(l))
     }
 }
 
@@ -202,6 +213,7 @@ impl Equation<f64> {
         let incidence = Incidence {
             l: V3::from(at.l),
             distance: distance.min(FARTHEST * self.unit),
+            grazing: self.grazing_at(self.unit / distance),
         };
         Some(lines.at([n, at.v], od, &incidence))
     }
@@ -220,6 +232,7 @@ impl Equation<f64> {
         });
         let part = |(_, source)| {
             let (incidence, strength) = self.incidence(source, &site);
+            let (_, _, nearness) = source.reach(site.position, site.inverse_distance);
             SourcePart {
                 site: LawSite {
                     normal: V3::from(n),
@@ -228,6 +241,7 @@ impl Equation<f64> {
                     incidence,
                 },
                 coefficients: source.diffuse.map(|ip| ip * strength),
+                nearness,
             }
         };
         reaching.map(part).collect()

@@ -340,6 +340,11 @@ impl Builder {
         self.two(Code::Greater, a, b)
     }
 
+    /// Returns a, 0 where |a| ≤ b.
+    pub fn beyond(&mut self, a: Value, b: Value) -> Value {
+        self.two(Code::Beyond, a, b)
+    }
+
     /// Returns a function of one number.
     pub fn function(&mut self, code: Code, a: Value) -> Value {
         if code == Code::Abs && self.is_never_negative(a) {
@@ -383,10 +388,12 @@ impl Builder {
             Code::Max => a.known().is_some_and(|a| a >= 0.0) || b.known().is_some_and(|b| b >= 0.0),
             Code::Min | Code::Divide => a_is && b_is,
             Code::Multiply => a == b || (a_is && b_is),
+            Code::Beyond => a_is,
             _ => false,
         };
         let not_positive = match code {
             Code::Min => a_not || b_not,
+            Code::Beyond => a_not,
             Code::Multiply => a_is && b_not || a_not && b_is,
             _ => false,
         };

@@ -53,6 +53,8 @@ pub enum Code {
     Atan,
     /// 1 where a > b, otherwise 0.
     Greater,
+    /// a, 0 where |a| ≤ b.
+    Beyond,
 }
 
 /// Runs `$body` with the constant `$one` for the operation `$code`, so that the choice is made outside of a loop.
@@ -60,7 +62,7 @@ macro_rules! for_code {
     ($code:expr, $one:ident => $body:expr) => {
         $crate::illumination::formula::code::for_code!(@all $code, $one => $body;
             Negate Add Subtract Multiply MultiplyAdd MultiplySubtract SubtractProduct Divide Min Max Abs Floor Sqrt
-            InverseSqrt Exp2 Log2 PowerOfPositive Power Sin Cos Asin Acos Atan Greater)
+            InverseSqrt Exp2 Log2 PowerOfPositive Power Sin Cos Asin Acos Atan Greater Beyond)
     };
     (@all $code:expr, $one:ident => $body:expr; $($name:ident)+) => {
         match $code {
@@ -172,6 +174,7 @@ impl Code {
             }
             Self::Atan => a.atan_in_degrees(),
             Self::Greater => R::select(a.greater_than(b), one, zero),
+            Self::Beyond => R::select(a.abs().greater_than(b), a, zero),
         }
     }
 

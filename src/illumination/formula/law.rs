@@ -46,6 +46,7 @@ struct InputPlaces {
     color: Option<[u16; 3]>,
     light: Option<[u16; 3]>,
     distance: Option<u16>,
+    grazing: Option<u16>,
     /// Those of what is computed once for each light, in its order.
     known: Vec<u16>,
 }
@@ -68,6 +69,7 @@ impl InputPlaces {
             color: vector(Input::Color),
             light: vector(Input::Light),
             distance: place(Input::Distance),
+            grazing: place(Input::Grazing),
             known: (0..)
                 .map_while(|index| place(Input::Known(index)))
                 .collect(),
@@ -221,8 +223,13 @@ impl<R: Real> LawAt<'_, R> {
         if let Some(light) = places.light {
             self.registers.set_vector(light, group, &incidence.l);
         }
-        if let Some(register) = places.distance {
-            self.registers.set(register, group, incidence.distance);
+        for (register, value) in [
+            (places.distance, incidence.distance),
+            (places.grazing, incidence.grazing),
+        ] {
+            if let Some(register) = register {
+                self.registers.set(register, group, value);
+            }
         }
         let undefined = self.undefined[group];
         for (register, known) in places.known.iter().zip(known) {

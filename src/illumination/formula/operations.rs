@@ -40,6 +40,7 @@ impl LawSite<f64> {
             incidence: Incidence {
                 l: vector(self.incidence.l),
                 distance: number(self.incidence.distance),
+                grazing: number(self.incidence.grazing),
             },
         }
     }

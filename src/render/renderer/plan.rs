@@ -5,7 +5,7 @@
 //! explains it to the reader, term by term.
 
 use crate::geometry::Surface;
-use crate::illumination::{Equation, SpecularForm, lights_backs};
+use crate::illumination::{Equation, Scalar, SpecularForm, lights_backs};
 use crate::render::face_materials::{any_transmits, for_each_material};
 use crate::render::lens::{Lens, NEAR};
 use crate::render::model::Model;
@@ -252,13 +252,13 @@ impl Inputs<'_> {
     }
 }
 
-/// Returns the equation of each material in double precision, lengths in units of `unit`, with the lights that `kept` names.
-pub fn equations(
+/// Returns the equation of each material, lengths in units of `unit`, with the lights that `kept` names.
+pub fn equations<T: Scalar>(
     scene: &Scene,
     materials: &[FaceMaterial],
     unit: f64,
     kept: &[bool],
-) -> Vec<Equation<f64>> {
+) -> Vec<Equation<T>> {
     for_each_material(scene, materials, |scene| {
         let mut equation = Equation::in_units(scene, unit);
         equation.retain_lights(|light| kept[light]);

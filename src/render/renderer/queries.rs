@@ -5,7 +5,7 @@ use super::pipeline::{PlannedFrame, Renderer};
 use super::plan::{Inputs, Per, Plan, equations};
 use super::ray_nodes::Mixture;
 use super::reference::{Evaluation, WeightedPoint};
-use crate::illumination::Equation;
+use crate::illumination::{Equation, Scalar};
 use crate::render::face_materials::{any_transmits, for_each_material};
 use crate::render::lens::{Lens, NEAR, pixel_centre};
 use crate::render::raster::{PlacedTriangles, UNPLACED};
@@ -71,9 +71,8 @@ impl Renderer {
         )
     }
 
-    /// Returns the equation of each material in double precision, with the lights that the picture of `scene`, the last one, is
-    /// shaded with.
-    pub(crate) fn shining_equations(&self, scene: &Scene) -> Vec<Equation<f64>> {
+    /// Returns the equation of each material, with the lights that the picture of `scene`, the last one, is shaded with.
+    pub(crate) fn shining_equations<T: Scalar>(&self, scene: &Scene) -> Vec<Equation<T>> {
         let model = &self.model.output;
         let (materials, unit) = (
             model.face_materials.materials(scene),

@@ -110,7 +110,7 @@ impl<'a> Blame<'a> {
             }
         }
         let mut after = number(ROUNDOFF * (slope * value).abs());
-        if matches!(code, Code::Greater | Code::Floor) {
+        if matches!(code, Code::Greater | Code::Floor | Code::Beyond) {
             // A step has no derivative: it loses all digits where rounding takes it to the other side.
             let jump = (f64::from(values.single[index]) - value).abs();
             if jump > 0.0 {
@@ -166,6 +166,7 @@ fn derivatives(code: Code, [a, b, _]: [Precise; 3], result: Precise) -> [f64; 3]
         Code::Min => chosen(a <= b),
         Code::Max => chosen(a >= b),
         Code::Abs => of_one(x.signum()),
+        Code::Beyond => of_one(1.0),
         Code::Sqrt if x >= 0.0 => of_one(0.5 / value),
         Code::InverseSqrt if x > 0.0 => of_one(-0.5 * value / x),
         Code::Exp2 => of_one(LN_2 * value),

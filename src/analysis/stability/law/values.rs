@@ -1,7 +1,7 @@
 //! The values of a law's operations in three number types.
 
 use crate::analysis::stability::precise::Precise;
-use crate::illumination::{LawOperations, SourcePart};
+use crate::illumination::{Equation, LawOperations, SourcePart};
 
 /// The values of all operations in the three number types.
 #[derive(Default)]
@@ -12,10 +12,18 @@ pub struct Values {
 }
 
 impl Values {
-    /// Evaluates the law in all three number types, and returns its factors in `f32`, in `f64`, and in 106 bits as `f64`.
-    pub fn evaluate(&mut self, operations: &LawOperations, part: &SourcePart) -> [[f64; 3]; 3] {
+    /// Evaluates the law in all three number types, and returns its factors in `f32`, in `f64`, and in 106 bits as `f64`. In `f32`
+    /// N·L counts as 0 where it does in the picture, whose equation is `single`.
+    pub fn evaluate(
+        &mut self,
+        operations: &LawOperations,
+        part: &SourcePart,
+        single: &Equation<f32>,
+    ) -> [[f64; 3]; 3] {
         let like = (0.0_f32, 0.0_f64, Precise::default());
-        operations.evaluate(&part.site.rounded_to(like.0), &mut self.single);
+        let mut rounded = part.site.rounded_to(like.0);
+        rounded.incidence.grazing = single.grazing_at(part.nearness as f32);
+        operations.evaluate(&rounded, &mut self.single);
         operations.evaluate(&part.site, &mut self.double);
         operations.evaluate(&part.site.rounded_to(like.2), &mut self.exact);
         [

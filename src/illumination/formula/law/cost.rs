@@ -59,7 +59,13 @@ fn counts_of(code: Code) -> [u32; 4] {
         Code::MultiplyAdd | Code::MultiplySubtract | Code::SubtractProduct => [1, 1, 0, 0],
         Code::Divide | Code::Sqrt => [0, 0, 1, 0],
         Code::InverseSqrt => [0, 0, 2, 0],
-        Code::Negate | Code::Min | Code::Max | Code::Abs | Code::Floor | Code::Greater => [0; 4],
+        Code::Negate
+        | Code::Min
+        | Code::Max
+        | Code::Abs
+        | Code::Floor
+        | Code::Greater
+        | Code::Beyond => [0; 4],
         Code::Exp2
         | Code::Log2
         | Code::PowerOfPositive

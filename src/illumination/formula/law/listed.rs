@@ -1,7 +1,7 @@
 //! The operations of a law, listed from its text.
 
 use super::named::{Constancy, Named};
-use crate::expression::{Formula, FormulaError};
+use crate::expression::{Formula, FormulaError, Operator};
 use crate::illumination::formula::builder::{Builder, Value};
 use crate::illumination::formula::lower::{Lowered, lower};
 use crate::scene::{Rgb, Scene};
@@ -21,7 +21,12 @@ impl<'a> Listed<'a> {
     pub fn of(scene: &'a Scene, color: Rgb, constancy: Constancy) -> Result<Self, FormulaError> {
         let formula = scene.reflection.law()?;
         let mut builder = Builder::default();
-        let mut named = Named::new(scene, color, constancy);
+        let mut named = Named::new(
+            scene,
+            color,
+            constancy,
+            formula.calls_any(&Operator::is_step),
+        );
         let lines = [0, 1, 2].map(|channel| {
             named.channel = channel;
             lower(&mut builder, &formula, &mut named)

@@ -14,6 +14,8 @@ pub struct Incidence<R> {
     pub l: V3<R>,
     /// The distance to the light, world units.
     pub distance: R,
+    /// The |N·L| up to which rounding decides on which side of the surface the light is.
+    pub grazing: R,
 }
 
 /// What is the same at all points of a picture.
@@ -43,6 +45,8 @@ pub enum Input {
     View(usize),
     Light(usize),
     Distance,
+    /// The |N·L| that counts as 0.
+    Grazing,
     /// What multiplies Od of a channel at a point.
     Color(usize),
     /// What is computed once for each light.
@@ -59,7 +63,7 @@ impl Input {
             Self::Color(channel) => {
                 Some(color.map_or(normal.x.number(1.0), |color| color[channel]))
             }
-            Self::Light(_) | Self::Distance | Self::Known(_) => None,
+            Self::Light(_) | Self::Distance | Self::Grazing | Self::Known(_) => None,
         }
     }
 
@@ -69,6 +73,7 @@ impl Input {
         match self {
             Self::Light(axis) => Some(incidence.l.axis(axis)),
             Self::Distance => Some(incidence.distance),
+            Self::Grazing => Some(incidence.grazing),
             Self::Known(place) => Some(incidence.distance.constant(known[usize::from(place)])),
             Self::Normal(_) | Self::View(_) | Self::Color(_) => None,
         }
@@ -81,17 +86,20 @@ pub struct Named<'a> {
     /// Od, or what it is times that of the point where it is not constant.
     color: Rgb,
     constancy: Constancy,
+    /// True if the law has steps: N·L is exactly 0 where rounding alone decides its sign, so that it decides on no step.
+    has_steps: bool,
     /// The channel whose numbers the names have.
     pub channel: usize,
     pub made: Vec<(Input, Value)>,
 }
 
 impl<'a> Named<'a> {
-    pub fn new(scene: &'a Scene, color: Rgb, constancy: Constancy) -> Self {
+    pub fn new(scene: &'a Scene, color: Rgb, constancy: Constancy, has_steps: bool) -> Self {
         Self {
             scene,
             color,
             constancy,
+            has_steps,
             channel: 0,
             made: vec![],
         }
@@ -113,7 +121,9 @@ impl<'a> Named<'a> {
         let rate = match input {
             Input::Normal(_) | Input::View(_) | Input::Color(_) => Rate::Point,
             _ if self.constancy.lights => Rate::Light,
-            Input::Light(_) | Input::Distance | Input::Known(_) => Rate::PointLight,
+            Input::Light(_) | Input::Distance | Input::Grazing | Input::Known(_) => {
+                Rate::PointLight
+            }
         };
         let value = builder.input(rate);
         self.made.push((input, value));
@@ -157,7 +167,11 @@ impl<'a> Named<'a> {
         }
         let (a, b) = name.split_once('·').unwrap_or(("N", "L"));
         let (a, b) = (self.vector(builder, a), self.vector(builder, b));
-        let cosine = dot(builder, a, b);
+        let mut cosine = dot(builder, a, b);
+        if self.has_steps && name == "N·L" {
+            let grazing = self.input(builder, Input::Grazing);
+            cosine = builder.beyond(cosine, grazing);
+        }
         builder.cosines.push(cosine);
         cosine
     }
