@@ -472,6 +472,11 @@ fn pixels_where_a_law_is_undefined_are_counted_and_hatched() {
         ("sphere", ShadingMode::Exact),
         ("infinite", ShadingMode::Phong),
         ("torus", ShadingMode::Phong),
+        ("torus", ShadingMode::Flat),
+        ("torus", ShadingMode::Gouraud),
+        ("torus", ShadingMode::Interpolated),
+        ("balls", ShadingMode::Flat),
+        ("cube", ShadingMode::Gouraud),
         ("balls", ShadingMode::Phong),
         ("vertex-normals", ShadingMode::Exact),
     ] {
@@ -502,10 +507,16 @@ fn pixels_where_a_law_is_undefined_are_counted_and_hatched() {
         let all = hatched.iter().filter(|hatched| **hatched).count() as u64;
         assert_eq!(all, counted, "{name} {mode:?}");
         // The other law is drawn by another way; beside the line N·L = ½, both may round. Models have ambient light of their own.
-        let expected = there.pixels.iter().map(|[r, ..]| *r > 100);
+        // Where vertices carry intensities, a part of the other law's value shows where it is not 0 at a corner.
+        let at_corners = matches!(mode, ShadingMode::Gouraud | ShadingMode::Interpolated);
+        let least = if at_corners { 0 } else { 100 };
+        let expected = there.pixels.iter().map(|[r, ..]| *r > least);
         let apart = hatched.iter().zip(expected).filter(|(a, b)| **a != *b);
         let apart = apart.count();
-        assert!(all > 30 && apart <= 3, "{name} {mode:?}: {all}, {apart}");
+        assert!(
+            all > 30 && apart <= if at_corners { 20 } else { 3 },
+            "{name} {mode:?}: {all}, {apart}"
+        );
     }
 }
 
@@ -515,10 +526,15 @@ fn a_law_that_is_undefined_everywhere_marks_the_whole_object() {
     for name in ["depth-cueing", "glass-ball", "one-bounce", "cone"] {
         let mut scene = presets::find(name).expect("a scene").scene();
         scene.image.size = [97, 80];
-        (scene.shading.mode, scene.shading.shadows) = (ShadingMode::Phong, false);
+        scene.shading.shadows = false;
         scene.reflection.model = ReflectionModel::Formula;
-        for overflow in [Overflow::Mark, Overflow::Clamp] {
-            scene.display.overflow = overflow;
+        let modes = [ShadingMode::Flat, ShadingMode::Gouraud, ShadingMode::Phong];
+        let overflows = [Overflow::Mark, Overflow::Clamp];
+        for (mode, overflow) in modes
+            .into_iter()
+            .flat_map(|mode| overflows.map(|own| (mode, own)))
+        {
+            (scene.shading.mode, scene.display.overflow) = (mode, overflow);
             let mut marked = |law: &str| {
                 scene.reflection.formula = law.to_owned();
                 renderer.render(&scene);
@@ -528,7 +544,7 @@ fn a_law_that_is_undefined_everywhere_marks_the_whole_object() {
             let (before, covered) = marked("0.1 * (N·L > 0)");
             let (all, same) = marked("0.1 * (N·L > 0) + sqrt(N·L - 2)");
             assert!(covered > 500 && same == covered, "{name}: {covered}");
-            assert_eq!((before, all), (0, covered), "{name} {overflow:?}");
+            assert_eq!((before, all), (0, covered), "{name} {mode:?} {overflow:?}");
         }
     }
 }

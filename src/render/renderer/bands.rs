@@ -273,8 +273,7 @@ impl BandPainter<'_> {
                 self.interpolate(task.band, task.fragments, &carried[index]);
                 lap(1);
             }
-            let intensity = self.intensity.get(index).map(|own| &own.planes);
-            overflowing += self.shade(&mut task, part, intensity);
+            overflowing += self.shade(&mut task, part, self.intensity.get(index));
             lap(2);
         }
         tally[3] = overflowing;
@@ -322,7 +321,12 @@ impl BandPainter<'_> {
     }
 
     /// Shades a part of a band; returns the number of overflowing pixels.
-    fn shade(&self, task: &mut BandTask<'_>, part: &Part, intensity: Option<&Planes>) -> u64 {
+    fn shade(
+        &self,
+        task: &mut BandTask<'_>,
+        part: &Part,
+        intensity: Option<&PointIntensities>,
+    ) -> u64 {
         let encoding = self.inputs.scene.display.encoding;
         let background = self.inputs.scene.image.background;
         if task.linear.is_empty() {
@@ -356,7 +360,7 @@ impl BandPainter<'_> {
         &self,
         (band, [fragments, tints]): (&Band, [&[Block]; 2]),
         part: &Part,
-        intensity: Option<&Planes>,
+        intensity: Option<&PointIntensities>,
         mut target: impl Target,
     ) -> u64 {
         let Inputs {
@@ -376,7 +380,15 @@ impl BandPainter<'_> {
             let carried = Carried {
                 by_key: plan.carries && plan.perspective,
             };
-            return dispatch!(level, simd => shade(simd, band, fragments, columns, carried, &mut target));
+            let over = dispatch!(level, simd => shade(simd, band, fragments, columns, carried, &mut target));
+            let marked = self.mark_undefined(
+                (band, fragments),
+                columns,
+                carried,
+                intensity.map_or(&[], |own| &own.undefined),
+                &mut target,
+            );
+            return over + marked;
         }
         if !triangles.model.face_materials.faces.is_empty() {
             return GATHERED.with_borrow_mut(|batch| {
@@ -392,6 +404,54 @@ impl BandPainter<'_> {
             reached: None,
         };
         self.shade_pixels(&part.equations[0], &pixels, &mut target)
+    }
+
+    /// Marks the pixels to which a vertex carries an intensity where the scene's own law is `undefined`; returns how many of them do
+    /// not overflow besides.
+    fn mark_undefined(
+        &self,
+        (band, fragments): (&Band, &[Block]),
+        columns: &Range<usize>,
+        carried: Carried,
+        undefined: &[u32],
+        target: &mut impl Target,
+    ) -> u64 {
+        if undefined.is_empty() {
+            return 0;
+        }
+        let Inputs {
+            level,
+            plan,
+            triangles,
+            ..
+        } = self.inputs;
+        let (width, blocks) = (band.place.width as usize, Block::count(band.place.width));
+        let is_undefined = |point: &u32| undefined.binary_search(point).is_ok();
+        let mut count = 0;
+        for run in &band.runs {
+            let face = triangles.face(run.triangle);
+            // A scan line goes from edge to edge of the whole polygon.
+            let is_marked = if plan.carries && !plan.scanline {
+                let triangle = triangles.whole(run.triangle);
+                triangles.model.triangles[triangle].iter().any(is_undefined)
+            } else {
+                self.face_is_undefined(face, undefined)
+            };
+            if !is_marked {
+                continue;
+            }
+            let row = usize::from(run.row);
+            let line = &fragments[row * blocks..][..blocks];
+            for x in usize::from(run.x0).max(columns.start)..usize::from(run.x1).min(columns.end) {
+                let color = carried.of(fragment(line, x));
+                let at = row * width + x;
+                let [(_, overflows), ink] = [false, true]
+                    .map(|undefined| dispatch!(level, simd => target.ink(simd, color, undefined)));
+                target.fill(at..at + 1, ink);
+                count += u64::from(!overflows);
+            }
+        }
+        count
     }
 
     /// Evaluates a material's equation at pixels.
@@ -533,7 +593,9 @@ impl BandPainter<'_> {
         simd: S,
         band: &Band,
         columns: &Range<usize>,
-        intensity: &Planes,
+        PointIntensities {
+            planes, undefined, ..
+        }: &PointIntensities,
         mut target: impl Target,
     ) -> u64 {
         let width = band.place.width as usize;
@@ -550,7 +612,8 @@ impl BandPainter<'_> {
         }
         let mut over = 0;
         for (face, runs) in band.runs_by_face(&self.inputs.triangles) {
-            let ink = target.ink(simd, self.face_intensity(face, intensity), false);
+            let is_undefined = self.face_is_undefined(face, undefined);
+            let ink = target.ink(simd, self.face_intensity(face, planes), is_undefined);
             for run in runs {
                 let row = usize::from(run.row) * width;
                 let [x0, x1] = [run.x0, run.x1].map(|x| row + inside(usize::from(x)));
@@ -558,6 +621,28 @@ impl BandPainter<'_> {
             }
         }
         over
+    }
+
+    /// Returns whether the scene's own law is `undefined` at a point that gives a face its colour.
+    #[inline(always)]
+    fn face_is_undefined(&self, face: u32, undefined: &[u32]) -> bool {
+        if undefined.is_empty() {
+            return false;
+        }
+        let Inputs {
+            triangles,
+            scene,
+            plan,
+            ..
+        } = &self.inputs;
+        let is_undefined = |point: &u32| undefined.binary_search(point).is_ok();
+        let corners = triangles.model.face(face);
+        match scene.shading.flat_at {
+            _ if plan.carries => corners.iter().any(is_undefined),
+            FlatAt::Centre => is_undefined(&face),
+            FlatAt::ProvokingVertex => corners.first().is_some_and(is_undefined),
+            FlatAt::VertexMean => corners.iter().any(is_undefined),
+        }
     }
 
     #[inline(always)]

@@ -2,7 +2,7 @@
 
 use super::plan::{Inputs, Per};
 use super::shade::within_reach;
-use crate::illumination::{Equation, LANES, Lanes, LawScratch, Reached, V3};
+use crate::illumination::{Equation, LANES, Lanes, LawScratch, Reached, Real, V3};
 use crate::render::face_materials::ByMaterial;
 use crate::render::lens::FARTHEST;
 use crate::render::model::{Model, PADDING, Planes};
@@ -45,6 +45,8 @@ pub fn face_points(model: &Model) -> [Planes; 3] {
 #[derive(Default)]
 pub struct PointIntensities {
     pub planes: Planes,
+    /// The points where the scene's own law is undefined, in order.
+    pub undefined: Vec<u32>,
     /// Whether each chunk is yet to be shaded.
     pending: Vec<bool>,
 }
@@ -54,6 +56,7 @@ impl PointIntensities {
     pub fn begin(&mut self) {
         self.pending.clear();
         self.pending.push(true);
+        self.undefined.clear();
     }
 
     /// Returns whether there are points that are yet to be shaded.
@@ -62,12 +65,12 @@ impl PointIntensities {
     }
 
     /// Shades `count` points in chunks of `length` that are not shaded yet, one at least and then until `passed`: `shade` is given the
-    /// first point of each and its part of the planes.
+    /// first point of each and its part of the planes, and returns the points where the law is undefined, counted from the first.
     fn shade(
         &mut self,
         [count, length]: [usize; 2],
         passed: &(impl Fn() -> bool + Sync),
-        shade: impl Fn(usize, [&mut [f32]; 3]) + Sync,
+        shade: impl Fn(usize, [&mut [f32]; 3]) -> Vec<u32> + Sync,
     ) {
         for plane in &mut self.planes {
             // Without more capacity than needed.
@@ -82,14 +85,20 @@ impl PointIntensities {
             .zip(g.par_chunks_mut(length))
             .zip(b.par_chunks_mut(length))
             .zip(self.pending.par_iter_mut());
-        chunks
+        let undefined = chunks
             .enumerate()
-            .for_each(|(chunk, (((r, g), b), pending))| {
-                if *pending && (Some(chunk) == least || !passed()) {
-                    shade(chunk * length, [r, g, b]);
-                    *pending = false;
+            .flat_map_iter(|(chunk, (((r, g), b), pending))| {
+                if !*pending || Some(chunk) != least && passed() {
+                    return vec![];
                 }
+                *pending = false;
+                let first = (chunk * length) as u32;
+                let mut undefined = shade(chunk * length, [r, g, b]);
+                undefined.iter_mut().for_each(|point| *point += first);
+                undefined
             });
+        self.undefined.par_extend(undefined);
+        self.undefined.sort_unstable();
     }
 }
 
@@ -127,6 +136,7 @@ pub fn shade_points(
             let reached = visibility.and_then(|bits| bits.at(first / BLOCK, 0));
             return shader.shade(0, all, reached, [r, g, b]);
         }
+        let mut undefined = vec![];
         let materials =
             &materials[range.start.min(materials.len())..range.end.min(materials.len())];
         let own = materials.iter().map(|material| usize::from(*material));
@@ -150,11 +160,13 @@ pub fn shade_points(
                 .each_ref()
                 .map(|planes| planes.each_ref().map(Vec::as_slice));
             let out = colors.each_mut().map(Vec::as_mut_slice);
-            shader.shade(material, gathered, reached, out);
+            let found = shader.shade(material, gathered, reached, out);
+            undefined.extend(found.iter().filter_map(|own| points.get(*own as usize)));
             for (own, point) in points.iter().map(|point| *point as usize).enumerate() {
                 [r[point], g[point], b[point]] = colors.each_ref().map(|plane| plane[own]);
             }
         }
+        undefined
     });
 }
 
@@ -167,14 +179,14 @@ struct PointShader<'a> {
 }
 
 impl PointShader<'_> {
-    /// Evaluates a material's equation at points.
+    /// Evaluates a material's equation at points; returns those where the scene's own law is undefined.
     fn shade(
         &self,
         material: usize,
         [position, normal, tint]: [[&[f32]; 3]; 3],
         reached: Option<Reached<'_>>,
         out: [&mut [f32]; 3],
-    ) {
+    ) -> Vec<u32> {
         let points = Points {
             equation: &self.equations[material],
             scale: self.scale,
@@ -184,7 +196,7 @@ impl PointShader<'_> {
             tint,
             reached,
         };
-        dispatch!(self.level, simd => points.shade(simd, out));
+        dispatch!(self.level, simd => points.shade(simd, out))
     }
 }
 
@@ -223,7 +235,7 @@ pub fn shade_points_in_double(
         let reached = inputs
             .visibility
             .and_then(|bits| bits.at(index / BLOCK, index % BLOCK));
-        let (point, normal) = (
+        let at = (
             inputs.triangles.model.origin + at(position, index),
             at(normal, index),
         );
@@ -233,16 +245,24 @@ pub fn shade_points_in_double(
             Per::Face => model.face_tint(index as u32),
             _ => model.tint(index as u32),
         };
-        equations[material.map_or(0, |material| usize::from(*material))]
-            .illuminate_tinted((point, normal), tint, None, reached)
-            .as_vec3()
-            .to_array()
+        let equation = &equations[material.map_or(0, |material| usize::from(*material))];
+        let color = equation.illuminate_tinted(at, tint, None, reached);
+        (
+            color.as_vec3().to_array(),
+            equation.is_undefined(at, tint, reached),
+        )
     };
     let chunks = [position[0].len(), LENGTH];
     intensities.shade(chunks, passed, |first, [r, g, b]| {
+        let mut undefined = vec![];
         for place in 0..r.len() {
-            [r[place], g[place], b[place]] = shaded(first + place);
+            let (color, is_undefined) = shaded(first + place);
+            [r[place], g[place], b[place]] = color;
+            if is_undefined {
+                undefined.push(place as u32);
+            }
         }
+        undefined
     });
 }
 
@@ -258,7 +278,8 @@ struct Points<'a> {
 
 impl Points<'_> {
     #[inline(always)]
-    fn shade<S: Simd>(&self, simd: S, out: [&mut [f32]; 3]) {
+    fn shade<S: Simd>(&self, simd: S, out: [&mut [f32]; 3]) -> Vec<u32> {
+        let mut undefined = vec![];
         let scale = Lanes::splat(simd, self.scale);
         let [r, g, b] = out;
         let mut scratch = LawScratch::default();
@@ -273,13 +294,17 @@ impl Points<'_> {
                 [x, y, z]
             });
             let reached = Reached::starting_at(self.reached, start);
-            let (rgb, _) = self
-                .equation
-                .illuminate_site(&point, reached, tint, &mut scratch);
+            let (rgb, is_undefined) =
+                self.equation
+                    .illuminate_site(&point, reached, tint, &mut scratch);
             rgb[0].0.store_slice(&mut r[start..start + LANES]);
             rgb[1].0.store_slice(&mut g[start..start + LANES]);
             rgb[2].0.store_slice(&mut b[start..start + LANES]);
+            let lanes = is_undefined.greater_than(scale.constant(0.0)).to_bitmask();
+            let lanes = (0..LANES).filter(|lane| lanes >> lane & 1 == 1);
+            undefined.extend(lanes.map(|lane| (start + lane) as u32));
         }
+        undefined
     }
 }
 

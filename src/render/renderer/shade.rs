@@ -6,7 +6,7 @@ use crate::illumination::{
     Equation, LANES, Lanes, LawScratch, Reached, Real, ShadingPoint, SpecularForm, TOGETHER, V3,
 };
 use crate::render::lens::{FARTHEST, Lens, pixel_centre};
-use crate::render::raster::{Band, Block, SHORTEST_NORMAL};
+use crate::render::raster::{Band, Block, Fragment, SHORTEST_NORMAL};
 use fearless_simd::prelude::*;
 use glam::DVec3;
 use std::ops::Range;
@@ -53,6 +53,18 @@ pub trait Colour {
 pub struct Carried {
     /// True if they were multiplied by the depth key.
     pub by_key: bool,
+}
+
+impl Carried {
+    /// Returns the colour that one pixel shows.
+    pub fn of(self, [r, g, b, key]: Fragment) -> [f32; 3] {
+        let factor = if self.by_key {
+            1.0 / key.max((1.0 / FARTHEST) as f32)
+        } else {
+            1.0
+        };
+        [r, g, b].map(|carried| carried * factor)
+    }
 }
 
 impl Colour for Carried {

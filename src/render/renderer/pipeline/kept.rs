@@ -83,7 +83,7 @@ impl Renderer {
             .points
             .output
             .iter()
-            .map(|own| capacity_of_planes(&own.planes))
+            .map(|own| capacity_of_planes(&own.planes) + capacity(&own.undefined))
             .sum::<u64>();
         // Each run has a pixel of its own at least, so that runs grow with the pixels.
         memory.pixels += self
