@@ -266,7 +266,7 @@ fn what_is_the_same_everywhere_is_computed_once_for_a_light() {
     let mut scene = presets::find("infinite").expect("a scene").scene();
     scene.reflection.model = ReflectionModel::Formula;
     scene.reflection.formula = BLINN.to_owned();
-    scene.camera.eye = glam::DVec3::new(1.0, 1.5, 4.0);
+    scene.camera.eye = DVec3::new(1.0, 1.5, 4.0);
     let lights = scene.lights.len() as u64;
     assert!(lights > 0 && scene.lights.iter().all(|light| !light.kind.has_position()));
     // L + V, its length and three quotients.
