@@ -301,8 +301,10 @@ impl Points<'_> {
             rgb[1].0.store_slice(&mut g[start..start + LANES]);
             rgb[2].0.store_slice(&mut b[start..start + LANES]);
             let lanes = is_undefined.greater_than(scale.constant(0.0)).to_bitmask();
-            let lanes = (0..LANES).filter(|lane| lanes >> lane & 1 == 1);
-            undefined.extend(lanes.map(|lane| (start + lane) as u32));
+            if lanes != 0 {
+                let lanes = (0..LANES).filter(|lane| lanes >> lane & 1 == 1);
+                undefined.extend(lanes.map(|lane| (start + lane) as u32));
+            }
         }
         undefined
     }
