@@ -119,7 +119,7 @@ impl<T: Scalar> Equation<T> {
                     }
                     let mut strengths = [zero; TOGETHER];
                     for (group, (point, own)) in points.iter().zip(&mut strengths).enumerate() {
-                        let (incidence, strength) = self.incidence(source, &point.site);
+                        let (incidence, strength, _) = self.incidence(source, &point.site);
                         at.put(group, &incidence, known);
                         *own = strength;
                     }
@@ -146,13 +146,14 @@ impl<T: Scalar> Equation<T> {
         );
     }
 
-    /// Returns what the law knows of a source at a point, its distance only if the law depends on it; and the attenuation times the spot's part.
+    /// Returns what the law knows of a source at a point, its distance only if the law depends on it; the attenuation times the spot's part;
+    /// and the reciprocal of the distance in camera distances, 0 for parallel rays.
     #[inline(always)]
     fn incidence<R: Real<Scalar = T>>(
         &self,
         source: &Source<T>,
         site: &ShadingPoint<R>,
-    ) -> (Incidence<R>, R) {
+    ) -> (Incidence<R>, R, R) {
         let like = site.inverse_distance;
         let (l, attenuation, nearness) = source.reach(site.position, site.inverse_distance);
         let mut distance = like.number(0.0);
@@ -166,7 +167,7 @@ impl<T: Scalar> Equation<T> {
             distance,
             grazing,
         };
-        (incidence, attenuation * source.spot(l))
+        (incidence, attenuation * source.spot(l), nearness)
     }
 }
 
@@ -231,8 +232,7 @@ impl Equation<f64> {
             reached.is_none_or(|reached| reached.holds(*index)) && source.diffuse != [0.0; 3]
         });
         let part = |(_, source)| {
-            let (incidence, strength) = self.incidence(source, &site);
-            let (_, _, nearness) = source.reach(site.position, site.inverse_distance);
+            let (incidence, strength, nearness) = self.incidence(source, &site);
             SourcePart {
                 site: LawSite {
                     normal: V3::from(n),

@@ -1,5 +1,7 @@
 //! Coverage, interpolation and shading, band by band: a band goes through all three while it is in a core's cache.
 
+mod colours;
+
 use super::display::{Linear, stored_pixel};
 use super::parts::Part;
 use super::plan::{Inputs, Per};
@@ -15,7 +17,6 @@ use crate::render::raster::{
     BAND, Band, BandExtent, Block, DepthScratch, Fragment, PlacedTriangles, ROWS, Run, carry,
     fragment, interpolate, is_seen, meet_band, put,
 };
-use crate::scene::FlatAt;
 use fearless_simd::{Simd, dispatch};
 use rayon::prelude::*;
 use std::cell::RefCell;
@@ -381,14 +382,8 @@ impl BandPainter<'_> {
                 by_key: plan.carries && plan.perspective,
             };
             let over = dispatch!(level, simd => shade(simd, band, fragments, columns, carried, &mut target));
-            let marked = self.mark_undefined(
-                (band, fragments),
-                columns,
-                carried,
-                intensity.map_or(&[], |own| &own.undefined),
-                &mut target,
-            );
-            return over + marked;
+            let mark = |own| self.mark((band, fragments), columns, carried, own, &mut target);
+            return over + intensity.map_or(0, mark);
         }
         if !triangles.model.face_materials.faces.is_empty() {
             return GATHERED.with_borrow_mut(|batch| {
@@ -404,54 +399,6 @@ impl BandPainter<'_> {
             reached: None,
         };
         self.shade_pixels(&part.equations[0], &pixels, &mut target)
-    }
-
-    /// Marks the pixels to which a vertex carries an intensity where the scene's own law is `undefined`; returns how many of them do
-    /// not overflow besides.
-    fn mark_undefined(
-        &self,
-        (band, fragments): (&Band, &[Block]),
-        columns: &Range<usize>,
-        carried: Carried,
-        undefined: &[u32],
-        target: &mut impl Target,
-    ) -> u64 {
-        if undefined.is_empty() {
-            return 0;
-        }
-        let Inputs {
-            level,
-            plan,
-            triangles,
-            ..
-        } = self.inputs;
-        let (width, blocks) = (band.place.width as usize, Block::count(band.place.width));
-        let is_undefined = |point: &u32| undefined.binary_search(point).is_ok();
-        let mut count = 0;
-        for run in &band.runs {
-            let face = triangles.face(run.triangle);
-            // A scan line goes from edge to edge of the whole polygon.
-            let is_marked = if plan.carries && !plan.scanline {
-                let triangle = triangles.whole(run.triangle);
-                triangles.model.triangles[triangle].iter().any(is_undefined)
-            } else {
-                self.face_is_undefined(face, undefined)
-            };
-            if !is_marked {
-                continue;
-            }
-            let row = usize::from(run.row);
-            let line = &fragments[row * blocks..][..blocks];
-            for x in usize::from(run.x0).max(columns.start)..usize::from(run.x1).min(columns.end) {
-                let color = carried.of(fragment(line, x));
-                let at = row * width + x;
-                let [(_, overflows), ink] = [false, true]
-                    .map(|undefined| dispatch!(level, simd => target.ink(simd, color, undefined)));
-                target.fill(at..at + 1, ink);
-                count += u64::from(!overflows);
-            }
-        }
-        count
     }
 
     /// Evaluates a material's equation at pixels.
@@ -584,86 +531,6 @@ impl BandPainter<'_> {
             batch.put(first, lines, pixel, shown, starts[row]);
         }
         groups
-    }
-
-    /// Fills each run with its face's colour, for flat shading.
-    #[inline(always)]
-    fn fill_faces<S: Simd>(
-        &self,
-        simd: S,
-        band: &Band,
-        columns: &Range<usize>,
-        PointIntensities {
-            planes, undefined, ..
-        }: &PointIntensities,
-        mut target: impl Target,
-    ) -> u64 {
-        let width = band.place.width as usize;
-        let inside = |x: usize| x.clamp(columns.start, columns.end);
-        for (row, extent) in band.extents.iter().enumerate() {
-            let line = row * width;
-            // There are no gaps between runs that are not sorted.
-            if band.sorted || extent.is_empty() {
-                target.clear(line + columns.start..line + columns.end);
-            } else {
-                target.clear(line + columns.start..line + inside(extent.start as usize));
-                target.clear(line + inside(extent.end as usize)..line + columns.end);
-            }
-        }
-        let mut over = 0;
-        for (face, runs) in band.runs_by_face(&self.inputs.triangles) {
-            let is_undefined = self.face_is_undefined(face, undefined);
-            let ink = target.ink(simd, self.face_intensity(face, planes), is_undefined);
-            for run in runs {
-                let row = usize::from(run.row) * width;
-                let [x0, x1] = [run.x0, run.x1].map(|x| row + inside(usize::from(x)));
-                over += target.fill(x0..x1, ink);
-            }
-        }
-        over
-    }
-
-    /// Returns whether the scene's own law is `undefined` at a point that gives a face its colour.
-    #[inline(always)]
-    fn face_is_undefined(&self, face: u32, undefined: &[u32]) -> bool {
-        if undefined.is_empty() {
-            return false;
-        }
-        let Inputs {
-            triangles,
-            scene,
-            plan,
-            ..
-        } = &self.inputs;
-        let is_undefined = |point: &u32| undefined.binary_search(point).is_ok();
-        let corners = triangles.model.face(face);
-        match scene.shading.flat_at {
-            _ if plan.carries => corners.iter().any(is_undefined),
-            FlatAt::Centre => is_undefined(&face),
-            FlatAt::ProvokingVertex => corners.first().is_some_and(is_undefined),
-            FlatAt::VertexMean => corners.iter().any(is_undefined),
-        }
-    }
-
-    #[inline(always)]
-    fn face_intensity(&self, face: u32, intensity: &Planes) -> [f32; 3] {
-        let Inputs {
-            triangles, scene, ..
-        } = &self.inputs;
-        let at = |point: u32| intensity.each_ref().map(|plane| plane[point as usize]);
-        let corners = triangles.model.face(face);
-        match scene.shading.flat_at {
-            FlatAt::Centre => at(face),
-            FlatAt::ProvokingVertex => at(corners.first().copied().unwrap_or_default()),
-            FlatAt::VertexMean => {
-                let share = 1.0 / corners.len().max(1) as f32;
-                let sum = corners
-                    .iter()
-                    .map(|&v| at(v))
-                    .fold([0.0; 3], |a, b| [a[0] + b[0], a[1] + b[1], a[2] + b[2]]);
-                sum.map(|v| v * share)
-            }
-        }
     }
 
     fn shade_in_double(

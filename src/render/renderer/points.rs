@@ -64,6 +64,26 @@ impl PointIntensities {
         self.pending.contains(&true)
     }
 
+    /// Returns the mean intensity of some points.
+    #[inline(always)]
+    pub fn mean(&self, points: &[u32]) -> [f32; 3] {
+        let at = |point: u32| self.planes.each_ref().map(|plane| plane[point as usize]);
+        if let [point] = points {
+            return at(*point);
+        }
+        let share = 1.0 / points.len().max(1) as f32;
+        let add = |a: [f32; 3], b: [f32; 3]| [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+        let sum = points.iter().map(|point| at(*point)).fold([0.0; 3], add);
+        sum.map(|v| v * share)
+    }
+
+    /// Returns whether the scene's own law is undefined at any of some points.
+    #[inline(always)]
+    pub fn is_undefined_at(&self, points: &[u32]) -> bool {
+        let is_undefined = |point: &u32| self.undefined.binary_search(point).is_ok();
+        !self.undefined.is_empty() && points.iter().any(is_undefined)
+    }
+
     /// Shades `count` points in chunks of `length` that are not shaded yet, one at least and then until `passed`: `shade` is given the
     /// first point of each and its part of the planes, and returns the points where the law is undefined, counted from the first.
     fn shade(

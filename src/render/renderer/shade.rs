@@ -6,7 +6,7 @@ use crate::illumination::{
     Equation, LANES, Lanes, LawScratch, Reached, Real, ShadingPoint, SpecularForm, TOGETHER, V3,
 };
 use crate::render::lens::{FARTHEST, Lens, pixel_centre};
-use crate::render::raster::{Band, Block, Fragment, SHORTEST_NORMAL};
+use crate::render::raster::{Band, Block, SHORTEST_NORMAL};
 use fearless_simd::prelude::*;
 use glam::DVec3;
 use std::ops::Range;
@@ -56,14 +56,17 @@ pub struct Carried {
 }
 
 impl Carried {
-    /// Returns the colour that one pixel shows.
-    pub fn of(self, [r, g, b, key]: Fragment) -> [f32; 3] {
+    /// Returns the colour of a pixel, or those of several side by side.
+    #[inline(always)]
+    pub fn color<R: Real<Scalar = f32>>(self, carried: [R; 3], key: R) -> [R; 3] {
+        // Rounding may leave nothing of the key of a far point beside that of a near one.
         let factor = if self.by_key {
-            1.0 / key.max((1.0 / FARTHEST) as f32)
+            key.number(1.0) / key.max(key.number(1.0 / FARTHEST))
         } else {
-            1.0
+            key.number(1.0)
         };
-        [r, g, b].map(|carried| carried * factor)
+        let [r, g, b] = carried;
+        [r * factor, g * factor, b * factor]
     }
 }
 
@@ -71,21 +74,13 @@ impl Colour for Carried {
     #[inline(always)]
     fn at<S: Simd>(
         &mut self,
-        simd: S,
+        _: S,
         _: usize,
         carried: [Lanes<S>; 3],
         key: Lanes<S>,
         _: &LawScratch<Lanes<S>>,
     ) -> [Lanes<S>; 3] {
-        // Rounding may leave nothing of the key of a far point beside that of a near one.
-        let min_key = Lanes::splat(simd, (1.0 / FARTHEST) as f32);
-        let factor = if self.by_key {
-            Lanes::splat(simd, 1.0) / key.max(min_key)
-        } else {
-            Lanes::splat(simd, 1.0)
-        };
-        let [r, g, b] = carried;
-        [r * factor, g * factor, b * factor]
+        self.color(carried, key)
     }
 }
 
