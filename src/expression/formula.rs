@@ -91,7 +91,7 @@ impl Formula {
     }
 
     /// Returns whether it has an operation that `holds`.
-    pub fn calls_any(&self, holds: &dyn Fn(&Operator) -> bool) -> bool {
+    pub(crate) fn calls_any(&self, holds: &dyn Fn(&Operator) -> bool) -> bool {
         self.any_term(&|term| matches!(term, Term::Call(operator, _) if holds(operator)))
     }
 

@@ -13,7 +13,6 @@ use bounds::{Bounds, Value, bounds};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 use shading_lab::analysis::probe::probe;
-use shading_lab::expression::Operator;
 use shading_lab::illumination::Equation;
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
@@ -24,8 +23,6 @@ use std::env;
 
 /// Pixels to a side.
 const SIDE: u32 = 24;
-/// The height over a surface to which a point is known: 1/256 of a pixel and some rounding.
-const GRID: f64 = 1.01 * 2.0 / SIDE as f64 / 256.0;
 /// The error of a unit vector's components in single precision.
 const INPUT: f64 = 1e-6;
 /// The code values by which a law may change through rounding, so that its pixels are compared.
@@ -113,14 +110,8 @@ fn site(scene: &Scene, index: u32) -> Site {
     }
 }
 
-/// Returns the bounds of a name of the law, for a light and a channel. N·L may count as 0 in a law that `has_steps`.
-fn named(
-    (scene, has_steps): (&Scene, bool),
-    site: Site,
-    light: &Light,
-    channel: usize,
-    index: usize,
-) -> Value {
+/// Returns the bounds of a name of the law, for a light and a channel.
+fn named(scene: &Scene, site: Site, light: &Light, channel: usize, index: usize) -> Value {
     let n = site.normal;
     let v = (scene.camera.eye - site.point).normalize();
     let (l, distance) = match light.kind {
@@ -131,12 +122,6 @@ fn named(
         }
     };
     let (r, h) = (2.0 * n.dot(l) * n - l, (l + v).normalize());
-    let grazing = GRID / distance + INPUT;
-    let zeroed = if has_steps && n.dot(l).abs() <= grazing {
-        grazing
-    } else {
-        0.0
-    };
     let vector = |name: &str| match name {
         "N" => n,
         "L" => l,
@@ -145,23 +130,17 @@ fn named(
         _ => h,
     };
     if let Some(index) = index.checked_sub(LAW_NUMBERS.len()) {
-        let name = LAW_VECTORS[index];
-        let error = if name == "R" {
-            INPUT + 2.0 * zeroed
-        } else {
-            INPUT
-        };
-        let components = vector(name).to_array();
-        return Value::Vector(components.map(|x| Bounds::input(x, error)));
+        let components = vector(LAW_VECTORS[index]).to_array();
+        return Value::Vector(components.map(|x| Bounds::input(x, INPUT)));
     }
     let material = &scene.material;
     let own = |color: Rgb| Bounds::known(color.to_array()[channel]);
-    let cosine = |a: DVec3, b: DVec3, error: f64| Bounds::input(a.dot(b), INPUT + error);
+    let cosine = |a: DVec3, b: DVec3| Bounds::input(a.dot(b), INPUT);
     let angle = |cosine: Bounds| cosine.acos().unwrap_or(Bounds::input(0.0, f64::INFINITY));
     Value::Number(match LAW_NUMBERS[index] {
         "d" => Bounds::input(distance, INPUT * distance),
-        "theta" => angle(cosine(n, l, zeroed)),
-        "phi" => angle(cosine(r, v, 2.0 * zeroed)),
+        "theta" => angle(cosine(n, l)),
+        "phi" => angle(cosine(r, v)),
         "ka" => own(material.ka),
         "kd" => own(material.kd),
         "ks" => own(material.ks),
@@ -172,12 +151,7 @@ fn named(
         "n" => Bounds::known(material.n),
         product => {
             let (a, b) = product.split_once('·').expect("a product");
-            let error = match product {
-                "N·L" => zeroed,
-                "R·V" => 2.0 * zeroed,
-                _ => 0.0,
-            };
-            cosine(vector(a), vector(b), error)
+            cosine(vector(a), vector(b))
         }
     })
 }
@@ -198,12 +172,11 @@ type Factors = Vec<[Option<[f64; 2]>; 3]>;
 /// Returns the bounds of the law's factors, summed over the lights.
 fn factors(scene: &Scene) -> Factors {
     let formula = scene.reflection.law().expect("a law");
-    let has_steps = formula.calls_any(&Operator::is_step);
     let of_pixel = |index| {
         let site = site(scene, index);
         [0, 1, 2].map(|channel| {
             scene.lights.iter().try_fold([0.0; 2], |sum, light| {
-                let name = |index| named((scene, has_steps), site, light, channel, index);
+                let name = |index| named(scene, site, light, channel, index);
                 let own = bounds(&formula, &name)?;
                 Some([sum[0] + own.low, sum[1] + own.high])
             })

@@ -52,7 +52,7 @@ pub enum Operator {
 
 impl Operator {
     /// Returns whether its result jumps where an operand is a certain number.
-    pub fn is_step(&self) -> bool {
+    pub(crate) fn is_step(&self) -> bool {
         matches!(
             self,
             Self::Floor
