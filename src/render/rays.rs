@@ -11,7 +11,7 @@ mod transmission;
 mod traverse;
 mod world;
 
-pub use bounce::Bounced;
+pub use bounce::{Bounced, Receivers};
 pub use bvh::Bvh;
 pub use light_buffer::{LightBuffer, update_light_buffers};
 pub use packet::{BLOCK, Visibility};

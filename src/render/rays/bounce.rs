@@ -7,11 +7,11 @@
 
 use super::packet::{Packet, RAYS};
 use super::world::{Beyond, DiffuseSurface, FloorScratch, LightScratch, LitPoint, World, in_range};
-use crate::illumination::{Equation, LANES, Lanes, Real, V3};
+use crate::illumination::{LANES, Lanes, Real, V3};
 use crate::render::lens::FARTHEST;
 use crate::render::node::{Memory, capacity};
 use crate::render::raster::{Coverage, ROWS};
-use crate::scene::{FaceMaterial, Material, Rgb};
+use crate::scene::{FaceMaterial, Rgb};
 use fearless_simd::{dispatch, prelude::*};
 use glam::{DVec3, Vec3};
 use rayon::prelude::*;
@@ -20,7 +20,6 @@ use std::ops::Range;
 
 /// The directions from a point: rows times columns.
 const DIRECTIONS: [usize; 2] = [8, 8];
-const ALL: u32 = u32::MAX >> (32 - RAYS);
 /// The points of the grid along the picture's longer side: light from other surfaces changes over the object, not over pixels.
 const POINTS: usize = 72;
 /// The fewest of them, of a coarser picture that stands for a finer one.
@@ -32,22 +31,44 @@ const WIDTH: f32 = 2.5;
 /// The cells on either side within that distance.
 const NEIGHBOURS: usize = 2;
 
+/// What a pixel shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+enum Shown {
+    #[default]
+    Beyond,
+    Floor,
+    /// The object, where its material has this index.
+    Object(u32),
+}
+
+/// A point that a pixel shows.
 #[derive(Clone, Copy, Debug, Default)]
 struct Receiver {
+    shown: Shown,
     /// The position relative to the eye, camera distances.
     place: Vec3,
-    /// The unit normal; zero where there is no surface.
+    /// The unit normal.
     normal: Vec3,
-    /// The index of the material of the object there; `None` on the floor.
-    on_object: Option<usize>,
     /// The colour that tints Od there.
     tint: Vec3,
 }
 
-impl Receiver {
-    fn is_there(&self) -> bool {
-        self.normal != Vec3::ZERO
-    }
+/// The points that scatter light to a receiver.
+#[derive(Default)]
+struct Senders {
+    on_object: Vec<LitPoint>,
+    on_floor: Vec<LitPoint>,
+}
+
+/// The points that the pixels show, and those that scatter light to a grid of them: all that stays while lights move.
+#[derive(Default)]
+pub struct Receivers {
+    /// The point of each pixel of a picture `width` wide.
+    pixels: Vec<Receiver>,
+    width: usize,
+    grid: Grid,
+    /// The senders of each of the grid's points.
+    senders: Vec<Senders>,
 }
 
 /// The light that arrives at the pixels from other surfaces, and the constant that approximates it best.
@@ -57,74 +78,109 @@ pub struct Bounced {
     pub scattered: Vec<Vec3>,
     /// The Ia whose constant term differs least from it: least squares over all pixels that show a surface.
     pub fit: Option<Rgb>,
-    /// The points where the pixels gather; kept to reuse its capacity.
-    receivers: Vec<Receiver>,
 }
 
-/// The buffers that a thread reuses from one receiver to the next.
-#[derive(Default)]
-struct Scratch {
-    on_object: Vec<LitPoint>,
-    on_floor: Vec<LitPoint>,
-    light: LightScratch,
+impl Receivers {
+    pub fn count(&self, memory: &mut Memory) {
+        memory.pixels +=
+            capacity(&self.pixels) + capacity(&self.grid.points) + capacity(&self.senders);
+        let points = |senders: &Senders| capacity(&senders.on_object) + capacity(&senders.on_floor);
+        memory.pixels += self.senders.iter().map(points).sum::<u64>();
+    }
+
+    /// Finds the points that the pixels of a picture show that stands for a finer one of `coarser` times its sides, and the
+    /// senders of those in a grid.
+    pub fn run(&mut self, world: &World<'_>, coverage: Coverage<'_>, coarser: u32) {
+        let [width, height] = world.scene.image.size.map(|side| side as usize);
+        self.width = width;
+        self.pixels.clear();
+        self.pixels.resize(width * height, Receiver::default());
+        find_receivers(world, coverage, width, &mut self.pixels);
+        let points = (POINTS / coarser as usize).max(FEWEST_POINTS);
+        self.grid = Grid::new(&self.pixels, [width, height], points);
+        self.senders
+            .resize_with(self.grid.points.len(), Senders::default);
+        let points = self.senders.par_iter_mut().zip(&self.grid.points);
+        points
+            .enumerate()
+            .for_each(|(cell, (senders, receiver))| senders.find(world, receiver, cell));
+    }
 }
 
 impl Bounced {
     pub fn count(&self, memory: &mut Memory) {
-        memory.pixels += capacity(&self.scattered) + capacity(&self.receivers);
+        memory.pixels += capacity(&self.scattered);
     }
 
-    /// Gathers light at every pixel of a picture that stands for a finer one of `coarser` times its sides; neither the floor nor `object`, whose `materials` these are, has the ambient light that the
-    /// bounce replaces.
+    /// Gathers light at every pixel; neither the floor nor `object`, whose `materials` these are, has the ambient light that
+    /// the bounce replaces.
     pub fn run(
         &mut self,
         world: &World<'_>,
         (object, materials): (&DiffuseSurface<'_>, &[FaceMaterial]),
-        coverage: Coverage<'_>,
-        coarser: u32,
+        receivers: &Receivers,
     ) {
-        let (scene, lens) = (world.scene, world.hits.lens);
-        let [width, height] = scene.image.size.map(|side| side as usize);
-        let Self {
-            scattered,
-            receivers,
-            ..
-        } = self;
-        receivers.clear();
-        receivers.resize(width * height, Receiver::default());
-        find_receivers(world, coverage, width, receivers);
-        let points = (POINTS / coarser as usize).max(FEWEST_POINTS);
-        gather(world, object, receivers, [width, points], scattered);
-        let share = ROWS * width;
-        let parts = scattered
-            .par_chunks_mut(share)
-            .zip(receivers.par_chunks(share));
-        let sums: Vec<[Rgb; 2]> = parts
-            .map(|(part, receivers)| {
+        let Receivers {
+            pixels,
+            width,
+            grid,
+            senders,
+        } = receivers;
+        let (ground, lens) = (&world.scene.ground, world.hits.lens);
+        let arriving: Vec<Vec3> = senders
+            .par_iter()
+            .map_init(LightScratch::default, |scratch, senders| {
+                senders.arriving(world, object, scratch)
+            })
+            .collect();
+        let returned = |receiver: &Receiver| match receiver.shown {
+            Shown::Object(own) => {
+                let (equation, material) = (
+                    &object.equations[own as usize],
+                    &materials[own as usize].material,
+                );
+                let color = if equation.has_pattern() {
+                    equation.pattern_color(lens.world(receiver.place.as_dvec3()))
+                } else {
+                    material.color
+                } * receiver.tint.as_dvec3();
+                [material.ka * color, material.kd * color]
+            }
+            Shown::Floor | Shown::Beyond => [ground.color * ground.ka, ground.color * ground.kd],
+        };
+        self.scattered.resize(pixels.len(), Vec3::ZERO);
+        let bands = self
+            .scattered
+            .par_chunks_mut(ROWS * width.max(&1))
+            .zip(pixels.par_chunks(ROWS * width.max(&1)));
+        let of_band =
+            |(scratch, own): &mut (LightScratch, Senders),
+             (band, (light, receivers)): (usize, (&mut [Vec3], &[Receiver]))| {
                 let (mut products, mut squares) = (Rgb::ZERO, Rgb::ZERO);
-                for (light, receiver) in part
-                    .iter_mut()
-                    .zip(receivers)
-                    .filter(|(_, receiver)| receiver.is_there())
-                {
-                    let point = lens.world(receiver.place.as_dvec3());
-                    let [constant, diffuse] = match receiver.on_object {
-                        Some(own) => {
-                            let own = (&object.equations[own], &materials[own].material);
-                            returned(own, receiver.tint.as_dvec3(), point)
+                let rows = light.chunks_mut(*width).zip(receivers.chunks(*width));
+                for (y, (light, receivers)) in (band * ROWS..).zip(rows) {
+                    dispatch!(world.hits.solid.level, simd => grid.carry_row(simd, y, &arriving, receivers, light));
+                    for (x, (light, receiver)) in light.iter_mut().zip(receivers).enumerate() {
+                        if receiver.shown == Shown::Beyond {
+                            *light = Vec3::ZERO;
+                            continue;
                         }
-                        None => {
-                            let ground = &scene.ground;
-                            [ground.color * ground.ka, ground.color * ground.kd]
+                        if light.is_nan() {
+                            own.find(world, receiver, y * width + x);
+                            *light = own.arriving(world, object, scratch);
                         }
-                    };
-                    let returned = light.as_dvec3() * diffuse;
-                    products += constant * returned;
-                    squares += constant * constant;
-                    *light = in_range(returned);
+                        let [constant, diffuse] = returned(receiver);
+                        let returned = light.as_dvec3() * diffuse;
+                        products += constant * returned;
+                        squares += constant * constant;
+                        *light = in_range(returned);
+                    }
                 }
                 [products, squares]
-            })
+            };
+        let sums: Vec<[Rgb; 2]> = bands
+            .enumerate()
+            .map_init(Default::default, of_band)
             .collect();
         // Added in the order of the bands, whichever was done first.
         let [products, squares] = sums
@@ -134,16 +190,6 @@ impl Bounced {
             });
         self.fit = (squares.min_element() > 0.0).then(|| products / squares);
     }
-}
-
-/// Returns the light that the object reflects of the constant ambient light, and of light from other surfaces.
-fn returned((pattern, material): (&Equation<f64>, &Material), tint: Rgb, point: DVec3) -> [Rgb; 2] {
-    let color = if pattern.has_pattern() {
-        pattern.pattern_color(point)
-    } else {
-        material.color
-    } * tint;
-    [material.ka * color, material.kd * color]
 }
 
 /// Finds the points of the object and the floor that pixels show.
@@ -163,121 +209,59 @@ fn find_receivers(
     let parts = receivers.par_chunks_mut(ROWS * width).zip(coverage.parts());
     parts.for_each_init(FloorScratch::default, |scratch, (part, (band, fragments))| {
         hits.walk(band, fragments, |x, row, hit| {
-            part[row * width + x] = Receiver { place: near(hit.point), normal: hit.normal.as_vec3(), on_object: Some(hit.material), tint: hit.tint.as_vec3() };
+            part[row * width + x] = Receiver { place: near(hit.point), normal: hit.normal.as_vec3(), shown: Shown::Object(hit.material as u32), tint: hit.tint.as_vec3() };
         });
         if world.ground.is_none() {
             return;
         }
         for (y, line) in (band.place.first_row as usize..).zip(part.chunks_mut(width)) {
             dispatch!(hits.solid.level, simd => {
-                world.find_row(simd, y, width, #[inline(always)] |x| line[x].on_object.is_none(), scratch)
+                world.find_row(simd, y, width, #[inline(always)] |x| line[x].shown == Shown::Beyond, scratch)
             });
             for (x, receiver) in line.iter_mut().enumerate() {
                 if let Some(place) = scratch.seen(x) {
-                    *receiver = Receiver { place, normal: Vec3::Y, on_object: None, tint: Vec3::ONE };
+                    *receiver = Receiver { place, normal: Vec3::Y, shown: Shown::Floor, tint: Vec3::ONE };
                 }
             }
         }
     });
 }
 
-/// Computes the mean intensity that arrives from other surfaces at every pixel of a picture `width` wide, from that at `points` along
-/// its longer side.
-fn gather(
-    world: &World<'_>,
-    object: &DiffuseSurface<'_>,
-    receivers: &[Receiver],
-    [width, points]: [usize; 2],
-    gathered: &mut Vec<Vec3>,
-) {
-    gathered.resize(receivers.len(), Vec3::ZERO);
-    if receivers.is_empty() || width == 0 {
-        return;
-    }
-    let height = receivers.len() / width;
-    let step = (width.max(height) / points).max(1);
-    let columns = width.div_ceil(step);
-    let at = |receiver: &Receiver, salt: usize, scratch: &mut Scratch| {
-        arriving(world, object, receiver, salt, scratch)
-            .min(Rgb::splat(1e36))
-            .as_vec3()
-    };
-    let pick = |column: usize, row: usize| {
-        let (x, y) = (
-            (column * step + step / 2).min(width - 1),
-            (row * step + step / 2).min(height - 1),
-        );
-        receivers[y * width + x]
-    };
-    let points: Vec<(Receiver, Vec3)> = (0..height.div_ceil(step) * columns)
-        .into_par_iter()
-        .map_init(Scratch::default, |scratch, cell| {
-            let receiver = pick(cell % columns, cell / columns);
-            let light = if receiver.is_there() {
-                at(&receiver, cell, scratch)
-            } else {
-                Vec3::ZERO
-            };
-            (receiver, light)
-        })
-        .collect();
-    let grid = Grid {
-        points,
-        columns,
-        step,
-    };
-    let lines = gathered
-        .par_chunks_mut(width)
-        .zip(receivers.par_chunks(width))
-        .enumerate();
-    lines.for_each_init(Scratch::default, |scratch, (y, (line, receivers))| {
-        dispatch!(world.hits.solid.level, simd => grid.carry_row(simd, y, receivers, line));
-        for (x, (light, receiver)) in line.iter_mut().zip(receivers).enumerate() {
-            if !receiver.is_there() {
-                *light = Vec3::ZERO;
-            } else if light.is_nan() {
-                *light = at(receiver, y * width + x, scratch);
+impl Senders {
+    /// Finds the points that scatter light to a receiver. `salt` turns the directions, so that their number does not show as
+    /// steps.
+    fn find(&mut self, world: &World<'_>, receiver: &Receiver, salt: usize) {
+        let Self {
+            on_object,
+            on_floor,
+        } = self;
+        on_object.clear();
+        on_floor.clear();
+        if receiver.shown == Shown::Beyond {
+            return;
+        }
+        let (lens, solid) = (world.hits.lens, &world.hits.solid);
+        let n = receiver.normal.as_dvec3();
+        let start = lens.world(receiver.place.as_dvec3()) + n * solid.clearance();
+        let from = start - solid.ball().0;
+        // A convex solid lies behind the tangent plane of each of its points.
+        let alone = receiver.shown != Shown::Floor && solid.is_convex();
+        let may_meet = |direction: &DVec3| !alone && !solid.is_passed(from, *direction);
+        let (towards, past): (Vec<DVec3>, Vec<DVec3>) =
+            directions(n, salt).into_iter().partition(may_meet);
+        let mut see_past = |direction: DVec3| {
+            if let Beyond::Floor(point) = world.meet(start, direction) {
+                on_floor.push(LitPoint::of_floor(point));
             }
-        }
-    });
-}
-
-/// Returns the mean intensity from other surfaces at a receiver. `salt` turns the directions, so that their number does not
-/// show as steps.
-fn arriving(
-    world: &World<'_>,
-    object: &DiffuseSurface<'_>,
-    receiver: &Receiver,
-    salt: usize,
-    scratch: &mut Scratch,
-) -> Rgb {
-    let (lens, solid) = (world.hits.lens, &world.hits.solid);
-    let n = receiver.normal.as_dvec3();
-    let start = lens.world(receiver.place.as_dvec3()) + n * solid.clearance();
-    let (middle, _) = solid.ball();
-    let directions = directions(n, salt);
-    let Scratch {
-        on_object,
-        on_floor,
-        light,
-    } = scratch;
-    on_object.clear();
-    on_floor.clear();
-    let mut see_past = |direction: DVec3| {
-        if let Beyond::Floor(point) = world.meet(start, direction) {
-            on_floor.push(LitPoint::of_floor(point));
-        }
-    };
-    // A convex solid lies behind the tangent plane of each of its points.
-    if receiver.on_object.is_some() && solid.is_convex() {
-        directions.into_iter().for_each(see_past);
-    } else {
+        };
+        past.into_iter().for_each(&mut see_past);
         let mut packet = Packet::default();
-        for directions in directions.chunks_exact(RAYS) {
+        for directions in towards.chunks(RAYS) {
             for (ray, direction) in directions.iter().enumerate() {
-                packet.set(ray, start - middle, *direction, f64::INFINITY);
+                packet.set(ray, from, *direction, f64::INFINITY);
             }
-            solid.nearest(&packet, ALL, |ray, hit| match hit {
+            let all = u32::MAX >> (32 - directions.len());
+            solid.nearest(&packet, all, |ray, hit| match hit {
                 Some(hit) => on_object.push(LitPoint {
                     point: hit.point,
                     normal: hit.normal,
@@ -289,12 +273,22 @@ fn arriving(
             });
         }
     }
-    let mut sum = Rgb::ZERO;
-    object.light(on_object, light, |_, intensity| sum += intensity);
-    world
-        .floor
-        .light(on_floor, light, |_, intensity| sum += intensity);
-    sum / directions.len() as f64
+
+    /// Returns the mean intensity that arrives from them.
+    fn arriving(
+        &self,
+        world: &World<'_>,
+        object: &DiffuseSurface<'_>,
+        scratch: &mut LightScratch,
+    ) -> Vec3 {
+        let mut sum = Rgb::ZERO;
+        object.light(&self.on_object, scratch, |_, intensity| sum += intensity);
+        world
+            .floor
+            .light(&self.on_floor, scratch, |_, intensity| sum += intensity);
+        let count: usize = DIRECTIONS.iter().product();
+        (sum / count as f64).min(Rgb::splat(1e36)).as_vec3()
+    }
 }
 
 /// Returns directions about `n`, distributed by the cosine to it and turned by `salt`.
@@ -311,9 +305,10 @@ fn directions(n: DVec3, salt: usize) -> [DVec3; DIRECTIONS[0] * DIRECTIONS[1]] {
     })
 }
 
-/// The points of the picture at which light was gathered: the middles of square cells.
+/// The points of the picture at which light is gathered: the middles of square cells.
+#[derive(Default)]
 struct Grid {
-    points: Vec<(Receiver, Vec3)>,
+    points: Vec<Receiver>,
     columns: usize,
     step: usize,
 }
@@ -327,27 +322,60 @@ struct Pixels<S: Simd> {
 }
 
 impl Grid {
-    /// Computes the weighted mean of the grid's points about each pixel of row `y`; NaN where none lies on the same surface.
+    /// Creates a grid of `points` along the picture's longer side.
+    fn new(pixels: &[Receiver], [width, height]: [usize; 2], points: usize) -> Self {
+        let step = (width.max(height) / points).max(1);
+        let place = |cell: usize, side: usize| (cell * step + step / 2).min(side - 1);
+        let middles = |side: usize| (0..side.div_ceil(step)).map(move |cell| place(cell, side));
+        let points =
+            middles(height).flat_map(|y| middles(width).map(move |x| pixels[y * width + x]));
+        Self {
+            points: points.collect(),
+            columns: width.div_ceil(step),
+            step,
+        }
+    }
+
+    /// Computes the weighted mean of the light that arrives at the grid's points about each pixel of row `y`; NaN where none
+    /// lies on the same surface.
     #[inline(always)]
-    fn carry_row<S: Simd>(&self, simd: S, y: usize, receivers: &[Receiver], light: &mut [Vec3]) {
+    fn carry_row<S: Simd>(
+        &self,
+        simd: S,
+        y: usize,
+        arriving: &[Vec3],
+        receivers: &[Receiver],
+        light: &mut [Vec3],
+    ) {
         let rows = self.around(y, y, self.points.len() / self.columns);
         for (x, (receivers, light)) in (0..)
             .step_by(LANES)
             .zip(receivers.chunks(LANES).zip(light.chunks_mut(LANES)))
         {
-            if !receivers.iter().any(Receiver::is_there) {
+            let all = |shown: Shown| receivers.iter().all(|receiver| receiver.shown == shown);
+            if all(Shown::Beyond) {
                 continue;
             }
+            let on_floor = all(Shown::Floor);
             let pixels = Pixels::load(simd, x, receivers);
             let zero = Lanes::splat(simd, 0.0);
+            let columns = self.around(x, x + receivers.len() - 1, self.columns);
+            let mut tents = [zero; LANES + 2 * NEIGHBOURS];
+            for (tent, column) in tents.iter_mut().zip(columns.clone()) {
+                *tent = pixels.tent(self.middle(column), self.step as f32);
+            }
             let (mut sum, mut weights) = (V3::new(zero, zero, zero), zero);
             for row in rows.clone() {
                 let share = self.tent(row, y);
-                for column in self.around(x, x + receivers.len() - 1, self.columns) {
-                    let (other, arriving) = &self.points[row * self.columns + column];
-                    if share > 0.0 && other.is_there() {
-                        let across = pixels.tent(self.middle(column), self.step as f32) * share;
-                        let weight = across * pixels.likeness(other);
+                let cells = row * self.columns + columns.start..row * self.columns + columns.end;
+                let points = self.points[cells.clone()].iter().zip(&arriving[cells]);
+                for ((other, arriving), tent) in points.zip(&tents) {
+                    if share > 0.0 && other.shown != Shown::Beyond {
+                        let mut weight = *tent * share;
+                        // Points of the floor are in one plane.
+                        if !(on_floor && other.shown == Shown::Floor) {
+                            weight = weight * pixels.likeness(other);
+                        }
                         sum = V3::constant(zero, arriving.to_array()).scale_add(weight, sum);
                         weights = weights + weight;
                     }

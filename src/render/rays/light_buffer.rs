@@ -519,71 +519,109 @@ mod tests {
         ]
     }
 
+    /// Returns the way from a point, relative to the middle of the object, to a light, and the end of its parameter.
+    fn way(model: &Model, light: &Light, from: DVec3) -> (DVec3, f64) {
+        match light.kind {
+            LightKind::Directional => (-light.direction, f64::MAX),
+            _ => (light.position - model.origin - from, 1.0),
+        }
+    }
+
+    /// Asserts that the buffer's answers are those of the boxes; returns how many points are hidden, have an answer, and have none.
+    fn compare(model: &Model, buffer: &LightBuffer, light: &Light, points: &[DVec3]) -> [u32; 3] {
+        let bvh = Bvh::new(model);
+        let [mut hidden, mut known, mut unknown] = [0; 3];
+        for points in points.chunks(RAYS) {
+            let mut packet = Packet::default();
+            let mut planes = [[0.0_f32; RAYS]; 3];
+            for (ray, origin) in points.iter().enumerate() {
+                for (plane, place) in planes.iter_mut().zip(origin.to_array()) {
+                    plane[ray] = place as f32;
+                }
+                let (direction, t_max) = way(model, light, *origin);
+                packet.set(ray, *origin, direction, t_max);
+            }
+            let all = u32::MAX >> (32 - points.len());
+            for level in [Level::new(), Level::baseline()] {
+                let blocked = dispatch!(level, simd => bvh.blocked(simd, &packet, all));
+                let (mut found, mut none) = (0, 0);
+                let seen = dispatch!(level, simd => {
+                    let from: Vectors<_> = load(simd, &planes, 0);
+                    buffer.see(simd, &from, dot(&from, &from).sqrt())
+                });
+                for ray in rays_of(seen.sound & !seen.clear & all) {
+                    let meets = |triangle: u32| {
+                        let corners = model.triangles[triangle as usize].map(|v| model.place(v));
+                        let (origin, direction, t_max) = packet.ray(ray);
+                        meet(&corners, origin, direction, t_max).is_some()
+                    };
+                    match dispatch!(level, simd => buffer.hides(simd, &seen, ray, meets)) {
+                        Some(hides) => found |= u32::from(hides) << ray,
+                        None => none |= 1 << ray,
+                    }
+                }
+                let answered = seen.sound & all & !none;
+                assert_eq!(found, blocked & answered, "{:?}", light.position);
+                hidden += found.count_ones();
+                known += answered.count_ones();
+                unknown += none.count_ones();
+            }
+        }
+        [hidden, known, unknown]
+    }
+
     #[test]
     fn a_buffer_hides_what_the_boxes_hide() {
         let part = |k: usize, factor: f64| (k as f64 * factor).fract() * 2.0 - 1.0;
+        let point = |k: usize| {
+            // Near the object, and some far below.
+            let far = if k.is_multiple_of(7) { 20.0 } else { 1.6 };
+            DVec3::new(part(k, 0.618_034), part(k, 0.754_877), part(k, 0.569_84)) * far
+        };
+        let points: Vec<DVec3> = (1..=4000).map(point).collect();
         for kind in [ObjectKind::Torus, ObjectKind::Teapot, ObjectKind::Plane] {
-            let (model, bvh) = {
-                let model = model(kind);
-                let bvh = Bvh::new(&model);
-                (model, bvh)
-            };
+            let model = model(kind);
             let mut used = Vec::new();
             for light in lights() {
                 let buffer =
                     LightBuffer::new(Level::new(), &model, &light, used).expect("a buffer");
-                let (mut hidden, mut known) = (0, 0);
-                for first in (0..4000).step_by(RAYS) {
-                    let point = |ray: usize| {
-                        let k = first + ray + 1;
-                        // Near the object, and some far below.
-                        let far = if k.is_multiple_of(7) { 20.0 } else { 1.6 };
-                        DVec3::new(part(k, 0.618_034), part(k, 0.754_877), part(k, 0.569_84)) * far
-                    };
-                    let mut packet = Packet::default();
-                    let mut planes = [[0.0_f32; RAYS]; 3];
-                    for ray in 0..RAYS {
-                        let origin = point(ray);
-                        for (plane, place) in planes.iter_mut().zip(origin.to_array()) {
-                            plane[ray] = place as f32;
-                        }
-                        let (direction, t_max) = match light.kind {
-                            LightKind::Directional => (-light.direction, f64::MAX),
-                            _ => (light.position - model.origin - origin, 1.0),
-                        };
-                        packet.set(ray, origin, direction, t_max);
-                    }
-                    for level in [Level::new(), Level::baseline()] {
-                        let blocked = dispatch!(level, simd => bvh.blocked(simd, &packet, 0xffff));
-                        let (mut found, mut unknown) = (0, 0);
-                        let seen = dispatch!(level, simd => {
-                            let from: Vectors<_> = load(simd, &planes, 0);
-                            buffer.see(simd, &from, dot(&from, &from).sqrt())
-                        });
-                        for ray in rays_of(seen.sound & !seen.clear) {
-                            let meets = |triangle: u32| {
-                                let corners =
-                                    model.triangles[triangle as usize].map(|v| model.place(v));
-                                let (origin, direction, t_max) = packet.ray(ray);
-                                meet(&corners, origin, direction, t_max).is_some()
-                            };
-                            match dispatch!(level, simd => buffer.hides(simd, &seen, ray, meets)) {
-                                Some(hides) => found |= u32::from(hides) << ray,
-                                None => unknown |= 1 << ray,
-                            }
-                        }
-                        let answered = seen.sound & !unknown;
-                        assert_eq!(found, blocked & answered, "{kind:?} {:?}", light.position);
-                        hidden += found.count_ones();
-                        known += answered.count_ones();
-                    }
-                }
+                let [hidden, known, _] = compare(&model, &buffer, &light, &points);
                 assert!(
                     hidden > 100 && known > 7000,
                     "{kind:?}: {hidden} of {known}"
                 );
                 used = buffer.packs;
             }
+        }
+    }
+
+    #[test]
+    fn a_buffer_has_no_answer_where_a_triangle_that_it_lacks_may_decide() {
+        let model = model(ObjectKind::Torus);
+        for light in lights() {
+            let buffer = LightBuffer::new(Level::new(), &model, &light, vec![]).expect("a buffer");
+            let mut points = Vec::new();
+            for triangle in &model.triangles {
+                let corners = triangle.map(|vertex| model.place(vertex).as_dvec3());
+                for (from, to) in
+                    [(0, 1), (1, 2), (2, 0)].map(|(from, to)| (corners[from], corners[to]))
+                {
+                    let on_edge = from.lerp(to, 0.37);
+                    let (towards, _) = way(&model, &light, on_edge);
+                    let aside = (to - from).cross(towards).normalize_or_zero();
+                    // Around the distance by which the boxes' test widens a triangle.
+                    for distance in (1..24).map(|k| 1e-10 * f64::from(k)) {
+                        let near = on_edge + aside * distance * (to - from).length();
+                        points.push(near - towards.normalize());
+                        points.push(near - aside * distance * 2.0 - towards.normalize());
+                    }
+                }
+            }
+            let [hidden, known, unknown] = compare(&model, &buffer, &light, &points);
+            assert!(
+                hidden > 100 && unknown > 100,
+                "{hidden} of {known}, {unknown}"
+            );
         }
     }
 

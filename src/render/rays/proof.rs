@@ -15,7 +15,7 @@ use glam::{DVec3, Vec3};
 /// The roundings of a point on a ray, generously, as a part of the distances.
 const ROUNDINGS: f32 = 16.0 * f32::EPSILON;
 /// A factor by which something lies outside by more than any rounding.
-const WIDER: f64 = 1.0 + 1e-5;
+pub const WIDER: f64 = 1.0 + 1e-5;
 /// The range of the object's radii, and of squares of lengths, whose products stay far from the ends of single precision.
 const RADII: [f32; 2] = [1e-6, 1e9];
 const SQUARES: [f32; 2] = [1e-24, 1e24];

@@ -4,6 +4,7 @@
 use super::bvh::Bvh;
 use super::light_buffer::LightBuffer;
 use super::packet::{Packet, RAYS, rays_of};
+use super::proof::WIDER;
 use super::traverse::meet;
 use crate::geometry::{Ray, Surface, SurfaceHit, TOGETHER};
 use crate::render::lens::{Lens, pixel_centre};
@@ -19,6 +20,8 @@ use std::ops::Range;
 const CLEAR_OF_POLYGONS: f64 = 1e-6;
 /// The clearance for the true surface: the teapot's patches are iterated to about 10⁻⁹.
 const CLEAR_OF_SURFACE: f64 = 1e-5;
+/// The roundings of a point on a ray, generously, as a part of the distances.
+const ROUNDINGS: f64 = 16.0 * f64::EPSILON;
 
 /// The object, prepared for rays.
 #[derive(Clone, Copy)]
@@ -78,6 +81,14 @@ impl Solid<'_> {
             Some(_) => -Surface::BOUND,
             None => self.model.origin.y + self.bvh.lowest(),
         }
+    }
+
+    /// Returns whether a ray certainly passes the ball about the object; `start` is relative to its middle, `direction` unit.
+    pub fn is_passed(&self, start: DVec3, direction: DVec3) -> bool {
+        let (_, radius) = self.ball();
+        let nearest = start + direction * (-start.dot(direction)).max(0.0);
+        let outer = radius * WIDER + start.length() * ROUNDINGS;
+        nearest.length_squared() > outer * outer
     }
 
     /// Returns the radius of a ball about the middle of [`Solid::ball`] that lies within the object, so that a ray from

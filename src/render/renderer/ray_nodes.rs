@@ -9,8 +9,8 @@ use crate::render::lens::pixel_centre;
 use crate::render::node::{Memory, Node, capacity};
 use crate::render::raster::Coverage;
 use crate::render::rays::{
-    Bounced, Bvh, DiffuseSurface, LightBuffer, LightScratch, PrimaryHits, ShadowCaster, Solid,
-    Transmission, Visibility, World, matt_scene, update_light_buffers,
+    Bounced, Bvh, DiffuseSurface, LightBuffer, LightScratch, PrimaryHits, Receivers, ShadowCaster,
+    Solid, Transmission, Visibility, World, matt_scene, update_light_buffers,
 };
 use crate::scene::{
     Ambient, AmbientSource, FaceMaterial, Light, Material, Pattern, PatternKind, Reflection, Rgb,
@@ -25,6 +25,7 @@ pub struct RayNodes {
     buffers: Node<Vec<Option<LightBuffer>>>,
     visibility: Node<Visibility>,
     background: Node<Vec<Vec3>>,
+    receivers: Node<Receivers>,
     bounced: Node<Bounced>,
 }
 
@@ -215,6 +216,7 @@ impl RayNodes {
         self.buffers.forget();
         self.visibility.forget();
         self.background.forget();
+        self.receivers.forget();
         self.bounced.forget();
     }
 
@@ -228,6 +230,7 @@ impl RayNodes {
             self.background.release();
         }
         if !bounces {
+            self.receivers.release();
             self.bounced.release();
         }
         if !(plan.shadows || plan.follows_rays()) {
@@ -251,6 +254,7 @@ impl RayNodes {
             .iter()
             .flatten()
             .for_each(|buffer| buffer.count(memory));
+        self.receivers.output.count(memory);
         self.bounced.output.count(memory);
     }
 
@@ -328,6 +332,7 @@ impl RayNodes {
             buffers,
             visibility,
             background,
+            receivers,
             bounced,
         } = self;
         let searched = Searched {
@@ -371,20 +376,22 @@ impl RayNodes {
                 .iter()
                 .map(|FaceMaterial { material: own, .. }| (own.ka, own.kd, own.color))
                 .collect();
+            let world = || World::new((scene, materials), inputs.hits(searched), 0.0, true);
+            let height = ground.visible.then_some(ground.height);
+            ran |= receivers.update(
+                (object, covered, smooth, *lens, height, wall, plan.coarser),
+                |receivers| receivers.run(&world(), coverage, plan.coarser),
+            );
             ran |= bounced.update(
                 (
-                    object,
-                    covered,
-                    smooth,
-                    *lens,
+                    receivers.stamp,
                     ground.clone(),
-                    wall,
-                    (surface, scene.pattern.clone()),
+                    surface,
+                    scene.pattern.clone(),
                     scene.lights.clone(),
-                    plan.coarser,
                 ),
                 |bounced| {
-                    let world = World::new((scene, materials), inputs.hits(searched), 0.0, true);
+                    let world = world();
                     let matt = for_each_material(scene, materials, |scene| {
                         let Material { kd, color, .. } = scene.material;
                         let coefficients = [Rgb::ZERO, kd, color];
@@ -393,7 +400,7 @@ impl RayNodes {
                     });
                     let solid = world.hits.solid;
                     let object = DiffuseSurface::of_materials(scene, matt, solid, true);
-                    bounced.run(&world, (&object, materials), coverage, plan.coarser);
+                    bounced.run(&world, (&object, materials), &receivers.output);
                 },
             );
         }
