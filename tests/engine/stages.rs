@@ -186,14 +186,63 @@ fn what_is_kept_is_what_would_be_drawn_on_any_way() {
         ],
         &["image.size=[47, 33]", "image.size=[40, 40]"],
     ];
-    let mut renderer = Renderer::default();
     let mut scene = scene(ShadingMode::Phong);
     (scene.object.segments, scene.object.rings) = (9, 6);
     scene.lights.push(scene.lights[0].clone());
+    compare_kept(scene, &CHANGES, 3000);
+}
+
+#[test]
+fn a_bounce_that_is_kept_is_what_would_be_gathered() {
+    const CHANGES: [&[&str]; 15] = [
+        &[
+            "ambient.source=constant",
+            "ambient.source=bounce",
+            "ambient.source=split",
+        ],
+        &["reflection.backfacing=clamp", "reflection.backfacing=flip"],
+        &[
+            "light.0.position=[2, 3, 1]",
+            "light.0.position=[0.3, -0.6, 0.8]",
+            "light.0.position=[0, 1, -4]",
+        ],
+        &["light.0.color=[1, 1, 1]", "light.0.color=[0.2, 0.9, 0.4]"],
+        &["light.0.mute=true", "light.0.mute=false"],
+        &[
+            "ground.visible=true",
+            "ground.visible=true",
+            "ground.visible=false",
+        ],
+        &["ground.height=-1", "ground.height=-0.4"],
+        &["ground.kd=0.9", "ground.kd=0.3"],
+        &["backdrop.pattern=none", "backdrop.pattern=checker"],
+        &["backdrop.distance=1", "backdrop.distance=3"],
+        &["material.kd=0.2", "material.kd=0.7"],
+        &["pattern.kind=none", "pattern.kind=checker"],
+        &[
+            "shading.mode=flat",
+            "shading.mode=phong",
+            "shading.mode=exact",
+        ],
+        &["camera.eye=[0, 1, 3]", "camera.eye=[2, 1, 3]"],
+        &[
+            "object.kind=sphere",
+            "object.kind=torus",
+            "object.kind=plane",
+        ],
+    ];
+    let mut scene = scene(ShadingMode::Phong);
+    (scene.object.segments, scene.object.rings) = (9, 6);
+    compare_kept(scene, &CHANGES, 400);
+}
+
+/// Asserts that a scene is drawn after each of some changes as a renderer draws it that has never seen it.
+fn compare_kept(mut scene: Scene, changes: &[&[&str]], count: usize) {
+    let mut renderer = Renderer::default();
     let mut dice = Dice(99);
     let mut way = std::collections::VecDeque::new();
-    for _ in 0..3000 {
-        let choices = dice.of(&CHANGES);
+    for _ in 0..count {
+        let choices = dice.of(changes);
         let change = dice.of(choices);
         scene = scene.with_override(change).expect(change);
         way.push_back(change);
