@@ -18,6 +18,6 @@ pub use mesh::{Corner, Mesh, NO_NORMAL, VertexMesh};
 pub use mtl::{ModelMaterial, NO_MATERIAL, Remark};
 pub use obj::{ObjError, OpenLibrary, read_model, read_obj};
 pub use primitives::{divisions_for, tessellate, triangles};
-pub use surface::{Ray, Surface, SurfaceHit, TOGETHER};
+pub use surface::{RAYS_TOGETHER, Ray, Surface, SurfaceHit};
 pub(crate) use vector::{angle, cross, dot, load, splat, sub};
 pub use vertex_normals::{FaceShare, NormalOrigin, VertexShares};

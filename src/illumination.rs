@@ -16,7 +16,8 @@ mod specular;
 pub(crate) use equation::SourcePart;
 pub use equation::{Equation, LightAt, LightResponse, Reached};
 pub(crate) use formula::{
-    Code, Incidence, LawOperations, LawScratch, LawSite, Operation, TOGETHER, Value, lights_backs,
+    Code, GROUPS_TOGETHER, Incidence, LawOperations, LawScratch, LawSite, Operation, Value,
+    lights_backs,
 };
 pub use formula::{
     Counterexample, Domain, FormulaFunction, LawLine, LawPart, LawValues, LineNumbers, Outcome,

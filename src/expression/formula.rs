@@ -114,7 +114,8 @@ impl Formula {
 
 /// Returns a part of a formula with the parentheses at its ends, which the part itself leaves out.
 pub(crate) fn with_parentheses(formula: &str, mut span: Range<usize>) -> &str {
-    let part = formula.get(span.clone()).unwrap_or_default();
+    let signs = without_comments(formula);
+    let part = signs.get(span.clone()).unwrap_or_default();
     let (mut open, mut closed) = (0, 0);
     for sign in part.chars() {
         match sign {
@@ -125,14 +126,27 @@ pub(crate) fn with_parentheses(formula: &str, mut span: Range<usize>) -> &str {
         }
     }
     for _ in 0..open {
-        let rest = formula.get(span.end..).and_then(|rest| rest.find(')'));
+        let rest = signs.get(span.end..).and_then(|rest| rest.find(')'));
         span.end += rest.map_or(0, |more| more + 1);
     }
     for _ in 0..closed {
-        let before = formula.get(..span.start).and_then(|text| text.rfind('('));
+        let before = signs.get(..span.start).and_then(|text| text.rfind('('));
         span.start = before.unwrap_or(span.start);
     }
     formula.get(span).unwrap_or_default().trim()
+}
+
+/// Returns a formula with spaces in place of its comments, byte for byte.
+fn without_comments(formula: &str) -> String {
+    let mut text = String::with_capacity(formula.len());
+    for line in formula.split_inclusive('\n') {
+        let begins = |at: &usize| line[*at..].starts_with('#') || line[*at..].starts_with("//");
+        let mut places = line.char_indices().map(|(at, _)| at);
+        let at = places.find(begins).unwrap_or(line.len());
+        text.push_str(&line[..at]);
+        text.extend(std::iter::repeat_n(' ', line.len() - at));
+    }
+    text
 }
 
 /// Reads the lines of a formula; `fits` refuses a value at the end that is not wanted.
@@ -236,4 +250,19 @@ fn name_of_line(
         return Err((begins, text!("formula-name-taken", name = name)));
     }
     Ok(Some(name))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parentheses_in_comments_are_not_those_of_a_part() {
+        let formula = "(kd # (Lambert, für ☀\n + Od) * 2 // )";
+        let at = |text: &str| formula.find(text).expect("a part of the formula");
+        let sum = with_parentheses(formula, at("kd")..at(") * 2"));
+        assert_eq!(sum, "kd # (Lambert, für ☀\n + Od");
+        let product = with_parentheses(formula, at("kd")..at(" //"));
+        assert_eq!(product, &formula[..at(" //")]);
+    }
 }

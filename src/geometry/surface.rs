@@ -18,7 +18,7 @@ use glam::DVec3;
 use std::slice;
 
 /// The most rays intersected at a time.
-pub const TOGETHER: usize = 8;
+pub const RAYS_TOGETHER: usize = 8;
 
 /// Half a line: the points `origin + t · direction` for t > 0.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -79,19 +79,19 @@ impl Surface {
         self.intersect_all(Level::new(), slice::from_ref(ray), t_min)[0]
     }
 
-    /// Returns the nearest points, as [`Self::intersect`] does, for at most [`TOGETHER`] rays; neither the level nor the
+    /// Returns the nearest points, as [`Self::intersect`] does, for at most [`RAYS_TOGETHER`] rays; neither the level nor the
     /// other rays change an answer.
     pub fn intersect_all(
         &self,
         level: Level,
         rays: &[Ray],
         t_min: f64,
-    ) -> [Option<SurfaceHit>; TOGETHER] {
-        let mut near = [UnitRay::default(); TOGETHER];
+    ) -> [Option<SurfaceHit>; RAYS_TOGETHER] {
+        let mut near = [UnitRay::default(); RAYS_TOGETHER];
         // The conversion from the length along the unit ray to t.
-        let mut scale = [(0.0, 1.0); TOGETHER];
+        let mut scale = [(0.0, 1.0); RAYS_TOGETHER];
         let mut requested = 0;
-        for (k, ray) in rays.iter().enumerate().take(TOGETHER) {
+        for (k, ray) in rays.iter().enumerate().take(RAYS_TOGETHER) {
             let length = ray.direction.length();
             let direction = ray.direction / length;
             let shift = -ray.origin.dot(direction);
@@ -107,17 +107,17 @@ impl Surface {
                 requested |= 1 << k;
             }
         }
-        let mut meetings = [None; TOGETHER];
+        let mut meetings = [None; RAYS_TOGETHER];
         if self.kind == ObjectKind::Teapot {
             if requested != 0 {
                 meetings = dispatch!(level, simd => patches::teapot(simd, &near, requested));
             }
         } else {
-            for k in (0..TOGETHER).filter(|k| requested >> k & 1 == 1) {
+            for k in (0..RAYS_TOGETHER).filter(|k| requested >> k & 1 == 1) {
                 meetings[k] = self.meet(&near[k]);
             }
         }
-        let mut hits = [None; TOGETHER];
+        let mut hits = [None; RAYS_TOGETHER];
         for (k, (meeting, (shift, length))) in meetings.into_iter().zip(scale).enumerate() {
             hits[k] = meeting.map(|meeting: Meeting| SurfaceHit {
                 t: (meeting.s + shift) / length,

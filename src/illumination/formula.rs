@@ -23,7 +23,7 @@ pub(super) use law::{Constancy, Law};
 pub(crate) use law::{Incidence, LawPoint, LawScratch, lights_backs};
 pub use law::{LawLine, LawLines, LawPart, LawValues, LineNumbers, Unneeded, law_operations};
 pub(crate) use operations::{LawOperations, LawSite};
-pub(crate) use program::TOGETHER;
+pub(crate) use program::GROUPS_TOGETHER;
 pub use rate::Rate;
 
 #[cfg(test)]

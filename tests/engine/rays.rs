@@ -445,6 +445,23 @@ fn split_is_half_the_constant_picture_and_half_the_bounce() {
 }
 
 #[test]
+fn a_surface_of_two_sides_scatters_light_from_behind_it() {
+    let mut scene = presets::find("one-bounce").expect("a scene").scene();
+    (scene.image.size, scene.object.kind) = ([100, 75], ObjectKind::Plane);
+    scene.ambient.source = AmbientSource::Bounce;
+    // The floor before the plane lies in its shadow.
+    scene.lights[0].position = DVec3::new(0.3, 0.6, -1.5);
+    let [clamped, flipped] = [Backfacing::Clamp, Backfacing::Flip].map(|backfacing| {
+        scene.reflection.backfacing = backfacing;
+        let [r, g, _, _] = Renderer::default().render(&scene).pixels[70 * 100 + 50];
+        [r, g].map(u32::from)
+    });
+    assert_eq!(clamped, [0, 0]);
+    let [r, g] = flipped;
+    assert!(r > 5 && r > 3 * g, "{r} {g}");
+}
+
+#[test]
 fn without_lamps_nothing_bounces() {
     let mut renderer = Renderer::default();
     for mut scene in patterned_scenes() {

@@ -19,7 +19,7 @@ const SAME: f64 = 1e-9;
 /// Half the distance over which slopes are taken, pixels: short beside polygons, long beside rounding errors.
 const DELTA: f64 = 1.0 / 64.0;
 /// Share of the line within which ends of pieces count as one place.
-const TOGETHER: f64 = 1e-9;
+const ADJOINING: f64 = 1e-9;
 
 /// A place of the line.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -253,7 +253,7 @@ impl<'a> Source<'a> {
         let before = std::iter::once(None).chain(self.pieces.iter().map(Some));
         let after = self.pieces.iter().map(Some).chain([None]);
         let joints = before.zip(after).flat_map(|sides| match sides {
-            (Some(a), Some(b)) if b.from - a.to <= TOGETHER => vec![(b.from, [Some(a), Some(b)])],
+            (Some(a), Some(b)) if b.from - a.to <= ADJOINING => vec![(b.from, [Some(a), Some(b)])],
             (a, b) => {
                 let left = a.map(|a| (a.to, [Some(a), None]));
                 let right = b.map(|b| (b.from, [None, Some(b)]));
@@ -262,7 +262,7 @@ impl<'a> Source<'a> {
         });
         // Where the followed line begins or ends on the object there is no border.
         let [low, high] = self.line.span();
-        let inside = (low + TOGETHER).max(0.0)..=(high - TOGETHER).min(1.0);
+        let inside = (low + ADJOINING).max(0.0)..=(high - ADJOINING).min(1.0);
         joints.filter(|(t, _)| inside.contains(t)).collect()
     }
 

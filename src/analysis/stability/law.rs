@@ -21,7 +21,7 @@ use std::ops::Range;
 use values::Values;
 
 /// Rows that are examined between two looks at whether to go on.
-const TOGETHER: u32 = 8;
+const ROWS_TOGETHER: u32 = 8;
 
 /// Colour of a pixel where an operation is undefined.
 const UNDEFINED: [u8; 4] = [255, 170, 0, 255];
@@ -142,11 +142,11 @@ pub fn law_stability(
     };
     let (renderer, divisor) = (&*renderer, renderer.report().divisor);
     let [width, height] = scene.image.size;
-    for first in (0..height).step_by(TOGETHER as usize) {
+    for first in (0..height).step_by(ROWS_TOGETHER as usize) {
         if !goes_on(first as f32 / height as f32) {
             break;
         }
-        let rows = first..height.min(first + TOGETHER);
+        let rows = first..height.min(first + ROWS_TOGETHER);
         let examine = |values: &mut Values, y: u32| -> Vec<Examined> {
             let evaluated = (0..width).filter_map(|x| Some(([x, y], renderer.evaluation(x, y)?)));
             evaluated

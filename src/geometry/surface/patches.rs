@@ -3,7 +3,7 @@
 //! A box holds the control points of its patches and with them the patches themselves, so the tree loses nothing of the
 //! outline.
 
-use super::TOGETHER;
+use super::RAYS_TOGETHER;
 use super::leaf::{Leaf, QUAD, Quad};
 use super::patch_ray::meet;
 use super::solids::{Meeting, UnitRay};
@@ -43,9 +43,9 @@ static TREE: LazyLock<Tree> = LazyLock::new(Tree::of_teapot);
 #[inline(always)]
 pub fn teapot<S: Simd>(
     simd: S,
-    rays: &[UnitRay; TOGETHER],
+    rays: &[UnitRay; RAYS_TOGETHER],
     requested: u32,
-) -> [Option<Meeting>; TOGETHER] {
+) -> [Option<Meeting>; RAYS_TOGETHER] {
     let tree = &*TREE;
     let found = tree.nearest(simd, rays, requested);
     let meeting = |ray: usize| {
@@ -84,9 +84,12 @@ struct Rays<S: Simd> {
 
 impl<S: Simd> Rays<S> {
     #[inline(always)]
-    fn new(simd: S, rays: &[UnitRay; TOGETHER]) -> Self {
-        let (mut origin, mut reciprocal, mut s_min) =
-            ([[0.0; TOGETHER]; 3], [[0.0; TOGETHER]; 3], [0.0; TOGETHER]);
+    fn new(simd: S, rays: &[UnitRay; RAYS_TOGETHER]) -> Self {
+        let (mut origin, mut reciprocal, mut s_min) = (
+            [[0.0; RAYS_TOGETHER]; 3],
+            [[0.0; RAYS_TOGETHER]; 3],
+            [0.0; RAYS_TOGETHER],
+        );
         for (k, ray) in rays.iter().enumerate() {
             for axis in 0..3 {
                 let d = ray.direction[axis];
@@ -209,9 +212,9 @@ impl Tree {
     fn nearest<S: Simd>(
         &self,
         simd: S,
-        rays: &[UnitRay; TOGETHER],
+        rays: &[UnitRay; RAYS_TOGETHER],
         requested: u32,
-    ) -> [LeafHit; TOGETHER] {
+    ) -> [LeafHit; RAYS_TOGETHER] {
         /// The largest depth: the tree is halved at every level, so its depth is the logarithm of the number of leaves.
         const DEPTH: usize = 40;
         let lanes = Rays::new(simd, rays);
@@ -220,7 +223,7 @@ impl Tree {
             leaf: None,
             uv: DVec2::ZERO,
         };
-        let mut found = [nothing; TOGETHER];
+        let mut found = [nothing; RAYS_TOGETHER];
         let mut s_max = f64x8::splat(simd, f64::INFINITY);
         let mut waiting = [(0, 0); DEPTH];
         let mut count = 0;
@@ -271,10 +274,10 @@ impl Tree {
     fn meet_leaf<S: Simd>(
         &self,
         simd: S,
-        rays: &[UnitRay; TOGETHER],
+        rays: &[UnitRay; RAYS_TOGETHER],
         index: usize,
         among: u32,
-        found: &mut [LeafHit; TOGETHER],
+        found: &mut [LeafHit; RAYS_TOGETHER],
     ) -> bool {
         let leaf = &self.leaves[index];
         let mut nearer = false;
@@ -326,12 +329,12 @@ mod tests {
     #[test]
     fn rays_side_by_side_meet_what_each_meets_alone_leaf_by_leaf() {
         let mut met = 0;
-        for first in (0..1600).step_by(TOGETHER) {
-            let rays: [UnitRay; TOGETHER] = array::from_fn(|k| ray(first + k));
+        for first in (0..1600).step_by(RAYS_TOGETHER) {
+            let rays: [UnitRay; RAYS_TOGETHER] = array::from_fn(|k| ray(first + k));
             for level in [Level::new(), Level::baseline()] {
                 let together = dispatch!(level, simd => teapot(simd, &rays, 0xff));
                 for (ray, meeting) in rays.iter().zip(together) {
-                    let alone = [*ray; TOGETHER];
+                    let alone = [*ray; RAYS_TOGETHER];
                     let alone = dispatch!(level, simd => teapot(simd, &alone, 1))[0];
                     let bits = |meeting: Option<Meeting>| meeting.map(|m| (m.s, m.normal));
                     assert_eq!(bits(alone), bits(meeting));

@@ -2,8 +2,8 @@
 
 use super::{Equation, Reached};
 use crate::illumination::formula::{
-    Constancy, Incidence, Law, LawLines, LawPart, LawPoint, LawScratch, LawSite, LawValues,
-    TOGETHER,
+    Constancy, GROUPS_TOGETHER, Incidence, Law, LawLines, LawPart, LawPoint, LawScratch, LawSite,
+    LawValues,
 };
 use crate::illumination::source::BRIGHTEST;
 use crate::illumination::{LANES, Real, Scalar, ShadingPoint, Source, V3};
@@ -117,7 +117,7 @@ impl<T: Scalar> Equation<T> {
                     if (0..points.len()).all(is_dark) {
                         continue;
                     }
-                    let mut strengths = [zero; TOGETHER];
+                    let mut strengths = [zero; GROUPS_TOGETHER];
                     for (group, (point, own)) in points.iter().zip(&mut strengths).enumerate() {
                         let (incidence, strength, _) = self.incidence(source, &point.site);
                         at.put(group, &incidence, known);

@@ -2,7 +2,7 @@
 
 use super::builder::{Builder, Value};
 use super::lower::{Inputs, Lowered, lower};
-use super::program::{Program, Registers, TOGETHER, schedule};
+use super::program::{GROUPS_TOGETHER, Program, Registers, schedule};
 use super::rate::Rate;
 use crate::expression::{Formula, FormulaError, Names};
 
@@ -93,8 +93,8 @@ impl FormulaFunction {
     pub fn at_all<P: AsRef<[f64]>>(&self, points: &[P]) -> Vec<Outcome> {
         let mut registers = Registers::new(&self.program, 0.0);
         let mut all = Vec::with_capacity(points.len());
-        for points in points.chunks(TOGETHER) {
-            registers.undefined = [0.0; TOGETHER];
+        for points in points.chunks(GROUPS_TOGETHER) {
+            registers.undefined = [0.0; GROUPS_TOGETHER];
             for (index, register) in &self.program.inputs {
                 for (group, point) in points.iter().enumerate() {
                     let value = point.as_ref().get(*index as usize).copied();

@@ -15,7 +15,7 @@ pub use named::{Constancy, Incidence, Input};
 pub use parts::{LawPart, Unneeded};
 
 use super::builder::{Operation, Value};
-use super::program::{Program, Registers, TOGETHER, schedule};
+use super::program::{GROUPS_TOGETHER, Program, Registers, schedule};
 use super::rate::Rate;
 use crate::expression::FormulaError;
 use crate::illumination::{Real, ShadingPoint, V3};
@@ -148,7 +148,7 @@ impl Law {
         numbers.chain([registers.undefined[0]]).collect()
     }
 
-    /// Begins at the first [`TOGETHER`] groups of points: computes what is the same for all lights. `registers` are those of this
+    /// Begins at the first [`GROUPS_TOGETHER`] groups of points: computes what is the same for all lights. `registers` are those of this
     /// law's points before, or none.
     #[inline(always)]
     pub fn at<'a, R: Real>(
@@ -170,7 +170,7 @@ impl Law {
                 registers.set_vector(places, group, &V3 { x, y, z });
             }
         }
-        registers.undefined = [like.number(0.0); TOGETHER];
+        registers.undefined = [like.number(0.0); GROUPS_TOGETHER];
         registers.run(&self.program.sections[POINT], points.len());
         LawAt {
             law: self,
@@ -212,7 +212,7 @@ pub struct LawAt<'a, R> {
     law: &'a Law,
     registers: &'a mut Registers<R>,
     /// 1 where an operation that is the same for all lights was undefined, otherwise 0.
-    undefined: [R; TOGETHER],
+    undefined: [R; GROUPS_TOGETHER],
 }
 
 impl<R: Real> LawAt<'_, R> {

@@ -220,23 +220,23 @@ impl Allocation {
 }
 
 /// The most groups of points that code runs over at once: an operation is chosen once for all of them.
-pub const TOGETHER: usize = 4;
+pub const GROUPS_TOGETHER: usize = 4;
 
 /// The registers of a program, each with a number for each of several groups of points.
 pub struct Registers<R> {
-    numbers: Vec<[R; TOGETHER]>,
+    numbers: Vec<[R; GROUPS_TOGETHER]>,
     /// 1 where an operation was undefined, otherwise 0.
-    pub undefined: [R; TOGETHER],
+    pub undefined: [R; GROUPS_TOGETHER],
 }
 
 impl<R: Real> Registers<R> {
     /// Returns the registers of a program, with its constants.
     #[inline(always)]
     pub fn new(program: &Program, like: R) -> Self {
-        let zero = [like.number(0.0); TOGETHER];
+        let zero = [like.number(0.0); GROUPS_TOGETHER];
         let mut numbers = Vec::with_capacity(program.registers);
         for constant in &program.constants {
-            numbers.push([like.number(*constant); TOGETHER]);
+            numbers.push([like.number(*constant); GROUPS_TOGETHER]);
         }
         numbers.resize(program.registers, zero);
         Self {
@@ -291,7 +291,7 @@ impl<R: Real> Registers<R> {
                         // Operands that an operation does not have are not looked up.
                         let b = if CODE.operands() > 1 { place(b) } else { a };
                         let c = if CODE.operands() > 2 { place(c) } else { a };
-                        for group in 0..count.min(TOGETHER) {
+                        for group in 0..count.min(GROUPS_TOGETHER) {
                             let [a, b, c] = [a[group].get(), b[group].get(), c[group].get()];
                             result[group].set(CODE.apply(a, b, c));
                         }

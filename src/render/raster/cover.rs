@@ -4,7 +4,7 @@
 use super::fragments::{Block, Fragment, fragment, open, put};
 use super::grid::{BAND, BandExtent, GridPosition, HALF, SUBPIXELS, scan};
 use super::triangles::Triangles;
-use crate::geometry::{Ray, Surface, SurfaceHit, TOGETHER};
+use crate::geometry::{RAYS_TOGETHER, Ray, Surface, SurfaceHit};
 use crate::render::lens::{Lens, NEAR, pixel_centre};
 use fearless_simd::Level;
 use glam::{DVec2, DVec3};
@@ -260,6 +260,8 @@ impl DepthScratch {
 }
 
 pub const ROWS: usize = BAND as usize;
+/// The most bands that a thread takes at a time.
+const BANDS_TOGETHER: usize = 3;
 
 /// The bands of a picture from the top, with their fragments where these are stored.
 #[derive(Clone, Copy)]
@@ -270,10 +272,11 @@ pub struct Coverage<'a> {
 }
 
 impl<'a> Coverage<'a> {
-    /// Returns the bands one by one, each with its fragments.
+    /// Returns the bands, each with its fragments. Threads take a few at a time, since some show much more of the object than others.
     pub fn parts(self) -> impl IndexedParallelIterator<Item = (&'a Band, &'a [Block])> {
         let share = ROWS * Block::count(self.size[0]);
-        self.bands.par_iter().enumerate().map(move |(index, band)| {
+        let bands = self.bands.par_iter().with_max_len(BANDS_TOGETHER);
+        bands.enumerate().map(move |(index, band)| {
             let fragments = &self.fragments[(index * share).min(self.fragments.len())..];
             (band, &fragments[..share.min(fragments.len())])
         })
@@ -327,13 +330,13 @@ pub fn meet_band(
     let [width, rows] = [place.width, place.rows].map(|count| count as usize);
     let blocks = Block::count(place.width);
     fragments.chunks_exact_mut(blocks).take(rows).for_each(open);
-    let mut rays = Vec::with_capacity(TOGETHER);
+    let mut rays = Vec::with_capacity(RAYS_TOGETHER);
     for first_row in (0..rows).step_by(TILE[1]) {
         for first in (0..width).step_by(TILE[0]) {
             // Square by square.
             let pixel = |k: usize| [first + k % 2 + k / 4 * 2, first_row + k / 2 % 2];
             let pixels = || {
-                (0..TOGETHER)
+                (0..RAYS_TOGETHER)
                     .map(pixel)
                     .filter(|[x, row]| *x < width && *row < rows)
             };

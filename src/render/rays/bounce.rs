@@ -93,7 +93,6 @@ impl Receivers {
     pub fn run(&mut self, world: &World<'_>, coverage: Coverage<'_>, coarser: u32) {
         let [width, height] = world.scene.image.size.map(|side| side as usize);
         self.width = width;
-        self.pixels.clear();
         self.pixels.resize(width * height, Receiver::default());
         find_receivers(world, coverage, width, &mut self.pixels);
         let points = (POINTS / coarser as usize).max(FEWEST_POINTS);
@@ -208,6 +207,7 @@ fn find_receivers(
     };
     let parts = receivers.par_chunks_mut(ROWS * width).zip(coverage.parts());
     parts.for_each_init(FloorScratch::default, |scratch, (part, (band, fragments))| {
+        part.fill(Receiver::default());
         hits.walk(band, fragments, |x, row, hit| {
             part[row * width + x] = Receiver { place: near(hit.point), normal: hit.normal.as_vec3(), shown: Shown::Object(hit.material as u32), tint: hit.tint.as_vec3() };
         });

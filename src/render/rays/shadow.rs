@@ -246,11 +246,7 @@ impl<'a> ShadowCaster<'a> {
         let heights = [self.ground.unwrap_or(f64::NEG_INFINITY), min_height]
             .map(|height| height - self.middle.y);
         // Where light counts from either side, a ray starts on the side of its source.
-        let sides: &[f64] = if self.own && self.flip {
-            &[1.0, -1.0]
-        } else {
-            &[1.0]
-        };
+        let sides: &[f64] = if self.flip { &[1.0, -1.0] } else { &[1.0] };
         for packet in (0..row.present.len()).filter(|packet| row.present[*packet] != 0) {
             for &side in sides {
                 let lift = [side, self.solid.clearance()];
@@ -306,12 +302,7 @@ impl<'a> ShadowCaster<'a> {
         for source in lamp.sources.clone() {
             let target = &self.targets[source];
             let way = points.way_to(simd, target);
-            let both = self.flip && !self.own;
-            let facing = if both {
-                present
-            } else {
-                present & points.facing(simd, &way)
-            };
+            let facing = present & points.facing(simd, &way);
             let mut dark = facing & (hidden | points.beyond_floor(simd, target));
             let unknown = facing & mixed & !dark;
             if unknown != 0 {

@@ -6,7 +6,7 @@ use super::light_buffer::LightBuffer;
 use super::packet::{Packet, RAYS, rays_of};
 use super::proof::WIDER;
 use super::traverse::meet;
-use crate::geometry::{Ray, Surface, SurfaceHit, TOGETHER};
+use crate::geometry::{RAYS_TOGETHER, Ray, Surface, SurfaceHit};
 use crate::render::lens::{Lens, pixel_centre};
 use crate::render::model::Model;
 use crate::render::raster::{Band, Block, Fragment, Triangles, fragment, is_seen};
@@ -140,7 +140,7 @@ impl Solid<'_> {
         }
         let count = requested.count_ones() as usize;
         let hits = rays[..count]
-            .chunks(TOGETHER)
+            .chunks(RAYS_TOGETHER)
             .flat_map(|rays| surface.intersect_all(self.level, rays, 0.0));
         rays_of(requested)
             .zip(hits)

@@ -191,14 +191,14 @@ impl World<'_> {
         let (hits, passes) = (&self.hits, any_transmits(self.materials));
         let width = coverage.size[0] as usize;
         seen.resize(width * coverage.size[1] as usize, Vec3::ZERO);
-        // Only the pixels of these columns are unset.
-        for line in seen.chunks_mut(width.max(1)) {
-            line[columns.clone()].fill(Vec3::NAN);
-        }
         let parts = seen.par_chunks_mut(ROWS * width).zip(coverage.parts());
         parts.for_each_init(
             <(LightScratch, FloorScratch)>::default,
             |(scratch, floor_scratch), (part, (band, fragments))| {
+                // Only the pixels of these columns are unset.
+                for line in part.chunks_mut(width) {
+                    line[columns.clone()].fill(Vec3::NAN);
+                }
                 let first_row = band.place.first_row as usize;
                 hits.walk_covered(band, fragments, |row, covered| {
                     let (start, end) = (covered.start.max(columns.start), covered.end.min(columns.end));

@@ -1,7 +1,7 @@
 //! The renderer: a picture in nine steps, each of which runs only when its inputs have changed.
 
 mod kept;
-mod points;
+mod point_shading;
 
 use super::bands::{BandPainter, Canvas, Interpolated, Stale};
 use super::cue::{CueLayer, fade_pixels};

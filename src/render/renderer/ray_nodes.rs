@@ -388,18 +388,20 @@ impl RayNodes {
                     ground.clone(),
                     surface,
                     scene.pattern.clone(),
+                    scene.reflection.backfacing,
                     scene.lights.clone(),
                 ),
                 |bounced| {
                     let world = world();
-                    let matt = for_each_material(scene, materials, |scene| {
+                    let matt = |scene: &Scene| {
                         let Material { kd, color, .. } = scene.material;
-                        let coefficients = [Rgb::ZERO, kd, color];
-                        let matt = matt_scene(scene, coefficients, scene.pattern.clone());
-                        Equation::in_units(&matt, lens.unit)
+                        matt_scene(scene, [Rgb::ZERO, kd, color], scene.pattern.clone())
+                    };
+                    let equations = for_each_material(scene, materials, |scene| {
+                        Equation::in_units(&matt(scene), lens.unit)
                     });
-                    let solid = world.hits.solid;
-                    let object = DiffuseSurface::of_materials(scene, matt, solid, true);
+                    let (solid, matt) = (world.hits.solid, matt(scene));
+                    let object = DiffuseSurface::of_materials(&matt, equations, solid, true);
                     bounced.run(&world, (&object, materials), &receivers.output);
                 },
             );

@@ -3,7 +3,8 @@
 use super::plan::Inputs;
 use super::target::{Shown, Target};
 use crate::illumination::{
-    Equation, LANES, Lanes, LawScratch, Reached, Real, ShadingPoint, SpecularForm, TOGETHER, V3,
+    Equation, GROUPS_TOGETHER, LANES, Lanes, LawScratch, Reached, Real, ShadingPoint, SpecularForm,
+    V3,
 };
 use crate::render::lens::{FARTHEST, Lens, pixel_centre};
 use crate::render::raster::{Band, Block, SHORTEST_NORMAL};
@@ -19,7 +20,7 @@ pub trait Colour {
     #[inline(always)]
     fn row(&mut self, _y: u32, _blocks: Range<usize>) {}
 
-    /// Prepares the pixels from `column` on for the scene's own law, at most [`TOGETHER`] blocks of them.
+    /// Prepares the pixels from `column` on for the scene's own law, at most [`GROUPS_TOGETHER`] blocks of them.
     #[inline(always)]
     fn prepare<S: Simd>(
         &mut self,
@@ -329,8 +330,8 @@ pub fn shade<S: Simd>(
         let limit = Lanes::splat(simd, f32::MIN);
         for x in (first..end).step_by(LANES) {
             let place = x / LANES;
-            if (x - first).is_multiple_of(TOGETHER * LANES) {
-                let last = end.div_ceil(LANES).min(place + TOGETHER);
+            if (x - first).is_multiple_of(GROUPS_TOGETHER * LANES) {
+                let last = end.div_ceil(LANES).min(place + GROUPS_TOGETHER);
                 colour.prepare(simd, x, &line[place..last], &mut scratch);
             }
             let [a, b, c, key] = line[place].load(simd);
