@@ -31,9 +31,9 @@ const WIDTH: f32 = 2.5;
 /// The cells on either side within that distance.
 const NEIGHBOURS: usize = 2;
 
-/// What a pixel shows.
+/// The surface that a pixel shows, if any.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-enum Shown {
+enum ReceiverKind {
     #[default]
     Beyond,
     Floor,
@@ -44,7 +44,7 @@ enum Shown {
 /// A point that a pixel shows.
 #[derive(Clone, Copy, Debug, Default)]
 struct Receiver {
-    shown: Shown,
+    kind: ReceiverKind,
     /// The position relative to the eye, camera distances.
     place: Vec3,
     /// The unit normal.
@@ -132,8 +132,8 @@ impl Bounced {
                 senders.arriving(world, object, scratch)
             })
             .collect();
-        let returned = |receiver: &Receiver| match receiver.shown {
-            Shown::Object(own) => {
+        let returned = |receiver: &Receiver| match receiver.kind {
+            ReceiverKind::Object(own) => {
                 let (equation, material) = (
                     &object.equations[own as usize],
                     &materials[own as usize].material,
@@ -145,7 +145,9 @@ impl Bounced {
                 } * receiver.tint.as_dvec3();
                 [material.ka * color, material.kd * color]
             }
-            Shown::Floor | Shown::Beyond => [ground.color * ground.ka, ground.color * ground.kd],
+            ReceiverKind::Floor | ReceiverKind::Beyond => {
+                [ground.color * ground.ka, ground.color * ground.kd]
+            }
         };
         self.scattered.resize(pixels.len(), Vec3::ZERO);
         let bands = self
@@ -160,7 +162,7 @@ impl Bounced {
                 for (y, (light, receivers)) in (band * ROWS..).zip(rows) {
                     dispatch!(world.hits.solid.level, simd => grid.carry_row(simd, y, &arriving, receivers, light));
                     for (x, (light, receiver)) in light.iter_mut().zip(receivers).enumerate() {
-                        if receiver.shown == Shown::Beyond {
+                        if receiver.kind == ReceiverKind::Beyond {
                             *light = Vec3::ZERO;
                             continue;
                         }
@@ -209,18 +211,18 @@ fn find_receivers(
     parts.for_each_init(FloorScratch::default, |scratch, (part, (band, fragments))| {
         part.fill(Receiver::default());
         hits.walk(band, fragments, |x, row, hit| {
-            part[row * width + x] = Receiver { place: near(hit.point), normal: hit.normal.as_vec3(), shown: Shown::Object(hit.material as u32), tint: hit.tint.as_vec3() };
+            part[row * width + x] = Receiver { place: near(hit.point), normal: hit.normal.as_vec3(), kind: ReceiverKind::Object(hit.material as u32), tint: hit.tint.as_vec3() };
         });
         if world.ground.is_none() {
             return;
         }
         for (y, line) in (band.place.first_row as usize..).zip(part.chunks_mut(width)) {
             dispatch!(hits.solid.level, simd => {
-                world.find_row(simd, y, width, #[inline(always)] |x| line[x].shown == Shown::Beyond, scratch)
+                world.find_row(simd, y, width, #[inline(always)] |x| line[x].kind == ReceiverKind::Beyond, scratch)
             });
             for (x, receiver) in line.iter_mut().enumerate() {
                 if let Some(place) = scratch.seen(x) {
-                    *receiver = Receiver { place, normal: Vec3::Y, shown: Shown::Floor, tint: Vec3::ONE };
+                    *receiver = Receiver { place, normal: Vec3::Y, kind: ReceiverKind::Floor, tint: Vec3::ONE };
                 }
             }
         }
@@ -237,7 +239,7 @@ impl Senders {
         } = self;
         on_object.clear();
         on_floor.clear();
-        if receiver.shown == Shown::Beyond {
+        if receiver.kind == ReceiverKind::Beyond {
             return;
         }
         let (lens, solid) = (world.hits.lens, &world.hits.solid);
@@ -245,7 +247,7 @@ impl Senders {
         let start = lens.world(receiver.place.as_dvec3()) + n * solid.clearance();
         let from = start - solid.ball().0;
         // A convex solid lies behind the tangent plane of each of its points.
-        let alone = receiver.shown != Shown::Floor && solid.is_convex();
+        let alone = receiver.kind != ReceiverKind::Floor && solid.is_convex();
         let may_meet = |direction: &DVec3| !alone && !solid.is_passed(from, *direction);
         let (towards, past): (Vec<DVec3>, Vec<DVec3>) =
             directions(n, salt).into_iter().partition(may_meet);
@@ -352,11 +354,11 @@ impl Grid {
             .step_by(LANES)
             .zip(receivers.chunks(LANES).zip(light.chunks_mut(LANES)))
         {
-            let all = |shown: Shown| receivers.iter().all(|receiver| receiver.shown == shown);
-            if all(Shown::Beyond) {
+            let all = |kind: ReceiverKind| receivers.iter().all(|receiver| receiver.kind == kind);
+            if all(ReceiverKind::Beyond) {
                 continue;
             }
-            let on_floor = all(Shown::Floor);
+            let on_floor = all(ReceiverKind::Floor);
             let pixels = Pixels::load(simd, x, receivers);
             let zero = Lanes::splat(simd, 0.0);
             let columns = self.around(x, x + receivers.len() - 1, self.columns);
@@ -370,10 +372,10 @@ impl Grid {
                 let cells = row * self.columns + columns.start..row * self.columns + columns.end;
                 let points = self.points[cells.clone()].iter().zip(&arriving[cells]);
                 for ((other, arriving), tent) in points.zip(&tents) {
-                    if share > 0.0 && other.shown != Shown::Beyond {
+                    if share > 0.0 && other.kind != ReceiverKind::Beyond {
                         let mut weight = *tent * share;
                         // Points of the floor are in one plane.
-                        if !(on_floor && other.shown == Shown::Floor) {
+                        if !(on_floor && other.kind == ReceiverKind::Floor) {
                             weight = weight * pixels.likeness(other);
                         }
                         sum = V3::constant(zero, arriving.to_array()).scale_add(weight, sum);
