@@ -158,6 +158,7 @@ fn a_class_is_led_with_two_keys_and_asks_for_frames_only_when_something_happens(
     remote(&mut harness, Key::PageDown);
     assert_eq!(phase(&harness), (1, Phase::Ask, 1));
     assert_eq!(decoded_code(&harness), address);
+    assert!(says(&harness, "Tap the place"), "phones have no mouse");
     answer(&harness, ada, Answer::Point([0.2233, 0.0]));
     answer(&harness, bob, Answer::Point([0.0, 0.0]));
     hands::settle(&mut harness);

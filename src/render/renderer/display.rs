@@ -15,8 +15,9 @@ pub type Linear = [f32; 4];
 pub const UNDEFINED: f32 = 65_536.0;
 
 /// Returns whether the display marks a pixel: it overflows, or it has no value.
-pub fn is_marked([r, g, b, seen]: Linear) -> bool {
-    r.max(g).max(b).max(seen) > 1.0
+pub fn is_marked(pixel: Linear) -> bool {
+    // Not by `max`, which handles NaN and is a call on the web page.
+    pixel.iter().any(|&value| value > 1.0)
 }
 
 /// Composes the equation's value, the view beyond and the light that other surfaces scatter; returns the number of
