@@ -1,11 +1,11 @@
-//! Imports run downwards: the order of the folders, and no cycle between files.
+//! Imports run downwards: the order of the folders, and no cycle between files; and the documents name files that exist.
 //!
 //! Reads the `use` declarations of every file in `src`, except in tests. A name that a module only re-exports counts as an import
 //! from the file that defines it.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use syn::{Attribute, Item, UseTree, Visibility};
 
 /// Folders and files right below `src`, from the bottom up: each may import from those before it.
@@ -145,36 +145,65 @@ fn lines(items: &BTreeSet<String>) -> String {
 fn modules() -> BTreeMap<ModulePath, Vec<Import>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let mut modules = BTreeMap::new();
-    let mut folders = vec![root.clone()];
-    while let Some(folder) = folders.pop() {
-        for entry in fs::read_dir(&folder).expect("a folder of sources") {
-            let file = entry.expect("an entry").path();
-            if file.is_dir() {
-                folders.push(file);
-                continue;
-            }
-            if file.extension().is_none_or(|ending| ending != "rs") {
-                continue;
-            }
-            let relative = file
-                .strip_prefix(&root)
-                .expect("below src")
-                .with_extension("");
-            let path: ModulePath = relative
-                .iter()
-                .map(|part| part.to_string_lossy().into_owned())
-                .collect();
-            if path != ["lib"] && path != ["main"] {
-                let source = fs::read_to_string(&file).expect("a source");
-                let source = syn::parse_file(&source)
-                    .unwrap_or_else(|error| panic!("{}: {error}", file.display()));
-                let mut imports = Vec::new();
-                collect(&source.items, &path, &mut imports);
-                modules.insert(path, imports);
-            }
+    for file in sources("src") {
+        let relative = file
+            .strip_prefix(&root)
+            .expect("below src")
+            .with_extension("");
+        let path: ModulePath = relative
+            .iter()
+            .map(|part| part.to_string_lossy().into_owned())
+            .collect();
+        if path != ["lib"] && path != ["main"] {
+            let source = fs::read_to_string(&file).expect("a source");
+            let source = syn::parse_file(&source)
+                .unwrap_or_else(|error| panic!("{}: {error}", file.display()));
+            let mut imports = Vec::new();
+            collect(&source.items, &path, &mut imports);
+            modules.insert(path, imports);
         }
     }
     modules
+}
+
+/// Lists the files of Rust in a folder of the project.
+fn sources(folder: &str) -> Vec<PathBuf> {
+    let mut folders = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)];
+    let mut sources = Vec::new();
+    while let Some(folder) = folders.pop() {
+        for entry in fs::read_dir(&folder).expect("a folder of sources") {
+            let path = entry.expect("an entry").path();
+            if path.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|ending| ending == "rs") {
+                sources.push(path);
+            }
+        }
+    }
+    sources
+}
+
+#[test]
+fn documents_name_files_that_exist() {
+    let sources = [sources("src"), sources("tests")].concat();
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs");
+    let mut count = 0;
+    for entry in fs::read_dir(folder).expect("the documents") {
+        let document = entry.expect("an entry").path();
+        if document.extension().is_none_or(|ending| ending != "md") {
+            continue;
+        }
+        let text = fs::read_to_string(&document).expect("a document");
+        let words = text.split('`').skip(1).step_by(2);
+        for name in
+            words.filter(|words| words.ends_with(".rs") && !words.contains(char::is_whitespace))
+        {
+            let exists = sources.iter().any(|source| source.ends_with(name));
+            assert!(exists, "{}: {name}", document.display());
+            count += 1;
+        }
+    }
+    assert!(count > 100, "{count} names of files");
 }
 
 /// Collects the imports of these items and of the modules within them, except tests.

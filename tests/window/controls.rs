@@ -20,24 +20,47 @@ use shading_lab::geometry::tessellate;
 use shading_lab::scene::{Choice, CompareView, Pane, Rgb, ShadingMode, View, presets};
 use std::sync::Arc;
 
-/// Sets a slider by the key of its parameter, checks that the picture changes, and undoes it.
-fn slider_changes_the_picture(scene: &str, name: &str, value: f64) {
+/// Makes a change, checks that the picture changes, and undoes it.
+fn changes_the_picture(
+    scene: &str,
+    prepare: &[Key],
+    what: &str,
+    change: impl Fn(&mut Harness<'_, App>),
+) {
     let mut harness = window(scene);
+    for key in prepare {
+        harness.key_press(*key);
+        harness.run();
+    }
     let before = picture(&harness);
-    harness
-        .get_by_role_and_label(Role::Slider, named(name))
-        .set_value_accesskit(value);
-    harness.run();
+    change(&mut harness);
     assert!(
         picture(&harness) != before,
-        "{name} = {value} changes nothing in {scene}"
+        "{what} changes nothing in {scene}"
     );
-    harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
-    harness.run();
+    undo(&mut harness);
     assert!(
         picture(&harness) == before,
-        "undo of {name} does not bring the picture back"
+        "undo of {what} does not bring the picture back"
     );
+}
+
+/// Makes a choice, checks that the picture changes, and undoes it.
+fn choice_changes_the_picture(scene: &str, prepare: &[Key], list: &str, entry: &str) {
+    let choice = format!("{list}: {entry}");
+    changes_the_picture(scene, prepare, &choice, |harness| {
+        choose(harness, list, entry);
+    });
+}
+
+/// Sets a slider by the key of its parameter, checks that the picture changes, and undoes it.
+fn slider_changes_the_picture(scene: &str, name: &str, value: f64) {
+    changes_the_picture(scene, &[], name, |harness| {
+        harness
+            .get_by_role_and_label(Role::Slider, named(name))
+            .set_value_accesskit(value);
+        harness.run();
+    });
 }
 
 #[test]
@@ -163,27 +186,6 @@ fn a_file_that_cannot_be_opened_says_so_and_changes_nothing() {
     assert!(*scene(&harness) == before, "the scene is left alone");
 }
 
-/// Makes a choice, checks that the picture changes, and undoes it.
-fn choice_changes_the_picture(scene: &str, prepare: &[Key], list: &str, entry: &str) {
-    let mut harness = window(scene);
-    for key in prepare {
-        harness.key_press(*key);
-        harness.run();
-    }
-    let before = picture(&harness);
-    choose(&mut harness, list, entry);
-    assert!(
-        picture(&harness) != before,
-        "{list}: {entry} changes nothing in {scene}"
-    );
-    harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
-    harness.run();
-    assert!(
-        picture(&harness) == before,
-        "undo of {list} does not bring the picture back"
-    );
-}
-
 #[test]
 fn controls_appear_where_they_have_an_effect() {
     let mut harness = window("cone");
@@ -257,19 +259,7 @@ fn typed_numbers_change_the_picture() {
         ("image.background.blue", 0.9),
     ];
     for (name, value) in fields {
-        let mut harness = window("sphere");
-        let before = picture(&harness);
-        enter(&mut harness, name, value);
-        assert!(
-            picture(&harness) != before,
-            "{name} = {value} changes nothing"
-        );
-        harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
-        harness.run();
-        assert!(
-            picture(&harness) == before,
-            "undo of {name} does not bring the picture back"
-        );
+        changes_the_picture("sphere", &[], name, |harness| enter(harness, name, value));
     }
 }
 

@@ -322,31 +322,35 @@ fn kept(window: &mut Window, folder: &Folder) -> Vec<String> {
         .collect()
 }
 
+/// Describes what a window looks at: the probe, the line, the active pane and the view.
+fn looked_at(window: &Window) -> String {
+    let state = window.state().state();
+    let (own, active) = (&state.window, state.session.panes.active);
+    format!("{:?}", (own.probe, own.line, active, own.appearance.view))
+}
+
+/// Changes the scene and what the window looks at, and returns the latter once both are kept.
+fn work(window: &mut Window, folder: &Folder) -> String {
+    change(window, 7.0);
+    open_view(window, "view-profile");
+    window.key_press_modifiers(Modifiers::SHIFT, Key::ArrowLeft);
+    window.key_press(Key::K);
+    window.run();
+    window.key_press(Key::N);
+    window.run();
+    let state = window.state().state();
+    assert_eq!(state.session.panes.active, 1);
+    assert_eq!(state.window.appearance.view, ViewName::Profile);
+    assert_eq!(kept(window, folder), ["0.toml"]);
+    looked_at(window)
+}
+
 #[test]
 fn work_is_offered_again_after_a_window_that_was_not_closed() {
     let folder = Folder::new("crash");
     let mut first = keeping("torus", &folder.0);
     assert!(kept(&mut first, &folder).is_empty(), "nothing has changed");
-    change(&mut first, 7.0);
-    open_view(&mut first, "view-profile");
-    // The probe's position and the active pane are kept with the scene.
-    first.key_press_modifiers(Modifiers::SHIFT, Key::ArrowLeft);
-    first.key_press(Key::K);
-    first.run();
-    first.key_press(Key::N);
-    first.run();
-    let looked_at = |window: &Window| {
-        let state = window.state().state();
-        (
-            state.window.probe,
-            state.window.line,
-            state.session.panes.active,
-            state.window.appearance.view,
-        )
-    };
-    let before = looked_at(&first);
-    assert_eq!((before.2, before.3), (1, ViewName::Profile));
-    assert_eq!(kept(&mut first, &folder), ["0.toml"]);
+    let before = work(&mut first, &folder);
     // Another window has its own file and leaves this one's alone.
     let mut second = keeping("sphere", &folder.0);
     assert!(!asks(&second, "restore-work"));
@@ -413,26 +417,7 @@ fn a_model_is_restored_from_its_place_or_named_as_missing() {
     let model = folder.0.join("triangle.obj");
     fs::write(&model, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").expect("a model");
     let mut first = keeping(&folder.path("triangle.obj"), &folder.0);
-    change(&mut first, 7.0);
-    open_view(&mut first, "view-profile");
-    // The probe's position and the active pane are kept with the scene.
-    first.key_press_modifiers(Modifiers::SHIFT, Key::ArrowLeft);
-    first.key_press(Key::K);
-    first.run();
-    first.key_press(Key::N);
-    first.run();
-    let looked_at = |window: &Window| {
-        let state = window.state().state();
-        (
-            state.window.probe,
-            state.window.line,
-            state.session.panes.active,
-            state.window.appearance.view,
-        )
-    };
-    let before = looked_at(&first);
-    assert_eq!((before.2, before.3), (1, ViewName::Profile));
-    assert_eq!(kept(&mut first, &folder), ["0.toml"]);
+    work(&mut first, &folder);
     drop(first);
     fs::rename(&model, folder.0.join("elsewhere.obj")).expect("renamed");
     let mut second = keeping("sphere", &folder.0);
