@@ -6,16 +6,16 @@ mod answers;
 mod charts;
 mod layer;
 
-use crate::app::course::{Course, Teaching, prose_ui};
+use crate::app::course::{Course, Teaching};
 use crate::app::session::action::{Action, ClassAction, Requests};
 use crate::app::session::appearance::ViewName;
 use crate::app::session::window::WindowState;
 use crate::app::widgets::code::{code_side, paint_code};
 use crate::app::widgets::focus::{heading, keep_in_sight, live, named};
 use crate::class::{Command, Snapshot, StepContent};
-use crate::lesson::{Phase, Step, for_fingers, without_marks};
+use crate::lesson::{Phase, Step, without_marks};
 use crate::text::text;
-use answers::{Answers, answers_ui};
+use answers::{Answers, answers_ui, words_ui};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Align, Button, Color32, Frame, Label, Layout, Panel, ProgressBar, RichText, ScrollArea, Sense,
@@ -173,9 +173,7 @@ fn step_ui(
         _ => return,
     };
     if let Some(asked) = &content.asked {
-        ui.push_id("ask", |ui| {
-            prose_ui(ui, &mut own.markdown, &for_fingers(&asked.ask))
-        });
+        ui.push_id("ask", |ui| words_ui(ui, &mut own.markdown, &asked.ask));
         ui.add_space(4.0);
     }
     shown_ui(ui, own, class, (seen, step, &content));
@@ -266,9 +264,7 @@ fn shown_ui(
         let right = question.kind.short_solution(solution);
         ui.label(RichText::new(text!("class-solution", right = right)).strong());
     }
-    ui.push_id("why", |ui| {
-        prose_ui(ui, &mut own.markdown, &for_fingers(&asked.why))
-    });
+    ui.push_id("why", |ui| words_ui(ui, &mut own.markdown, &asked.why));
 }
 
 /// Shows the lecturer's own list, closed unless it is wanted.

@@ -10,7 +10,8 @@ use crate::class::{Round, Spread};
 use crate::figure::palette::Vector;
 use crate::figure::{Drawing, PlotStyle};
 use crate::lesson::{
-    Answer, ClassQuestion, Kind, Question, Solution, control_name, letter, short_answer, slider,
+    Answer, ClassQuestion, Kind, Question, Solution, control_name, for_fingers, letter,
+    short_answer, slider,
 };
 use crate::text::text;
 use eframe::egui::accesskit::Role;
@@ -234,6 +235,11 @@ fn picture_ui(
     painter.add(answers.layers[index].shape(&painter, drawing, rect));
 }
 
+/// Shows a text of the lesson in the words of the phones, on which it is answered.
+pub fn words_ui(ui: &mut Ui, markdown: &mut CommonMarkCache, words: &str) {
+    prose_ui(ui, markdown, &for_fingers(words));
+}
+
 /// Shows each option with a bar for each round.
 fn choices_ui(ui: &mut Ui, answers: &mut Answers<'_>) {
     let right = match answers.solution() {
@@ -242,7 +248,7 @@ fn choices_ui(ui: &mut Ui, answers: &mut Answers<'_>) {
     };
     for (option, words) in answers.asked.options.iter().enumerate() {
         let words = format!("{}\\. {words}", letter(option));
-        ui.push_id(option, |ui| prose_ui(ui, answers.markdown, &words));
+        ui.push_id(option, |ui| words_ui(ui, answers.markdown, &words));
         let is_this = |answer: &Answer| *answer == Answer::Choice(option);
         bars_ui(ui, &answers.rounds(), is_this, right == Some(option));
     }
@@ -270,7 +276,7 @@ fn orders_ui(ui: &mut Ui, answers: &mut Answers<'_>) {
     }
     for (item, words) in answers.asked.options.iter().enumerate() {
         let words = format!("{}\\. {words}", letter(item));
-        ui.push_id(item, |ui| prose_ui(ui, answers.markdown, &words));
+        ui.push_id(item, |ui| words_ui(ui, answers.markdown, &words));
     }
 }
 
@@ -332,7 +338,7 @@ fn models_ui(ui: &mut Ui, answers: &mut Answers<'_>) {
         };
         let words = format!("**{count} ×** {says}");
         ui.push_id(("model", model), |ui| {
-            prose_ui(ui, answers.markdown, &words)
+            words_ui(ui, answers.markdown, &words);
         });
     }
 }
