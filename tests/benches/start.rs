@@ -5,10 +5,13 @@
 //! included. A window counts as shown once most of the screen's pixels have changed, and its picture once all but one pixel in a
 //! hundred have their final colour.
 
+#[path = "../common/screen.rs"]
+mod screen;
+
 use eframe::egui;
-use std::io::{BufRead, BufReader};
+use screen::Running;
 use std::path::Path;
-use std::process::{Child, Command, Stdio};
+use std::process::Command;
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
@@ -45,17 +48,6 @@ struct Empty;
 impl eframe::App for Empty {
     fn ui(&mut self, ui: &mut egui::Ui, _: &mut eframe::Frame) {
         ui.label("");
-    }
-}
-
-/// A process that is killed when dropped.
-struct Running(Child);
-
-impl Drop for Running {
-    fn drop(&mut self) {
-        // It may have ended by itself.
-        let _ = self.0.kill();
-        let _ = self.0.wait();
     }
 }
 
@@ -112,33 +104,11 @@ fn median(mut values: Vec<f64>) -> f64 {
 
 /// Starts `program` on a screen of its own and times what appears there.
 fn time(mut program: Command, folder: &Path) -> Start {
-    let mut server = Command::new("Xvfb")
-        .args([
-            "-displayfd",
-            "1",
-            "-screen",
-            "0",
-            "1280x800x24",
-            "-nolisten",
-            "tcp",
-            "-noreset",
-            "-fbdir",
-        ])
-        .arg(folder)
-        .stdout(Stdio::piped())
-        .stderr(Stdio::null())
-        .spawn()
-        .expect("Xvfb starts");
-    let output = server.stdout.take().expect("its output is piped");
-    let _server = Running(server);
-    let mut display = String::new();
-    BufReader::new(output)
-        .read_line(&mut display)
-        .expect("the number of the display");
+    let (_server, display) = screen::screen(&["-fbdir", folder.to_str().expect("a plain name")]);
     let screen = || std::fs::read(folder.join("Xvfb_screen0")).expect("Xvfb's screen");
     let before = screen();
     program
-        .env("DISPLAY", format!(":{}", display.trim()))
+        .env("DISPLAY", display)
         .env_remove("WAYLAND_DISPLAY")
         .env("XDG_DATA_HOME", folder)
         .env("LIBGL_ALWAYS_SOFTWARE", "1");

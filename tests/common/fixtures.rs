@@ -14,6 +14,7 @@ macro_rules! english {
     };
 }
 
+pub mod alone;
 pub mod any_formula;
 pub mod any_scene;
 pub mod dice;
@@ -28,8 +29,10 @@ pub mod monkey;
 pub mod program;
 pub mod properties;
 pub mod reasons;
+pub mod screen;
 pub mod simd;
 pub mod textbook;
+pub mod tries;
 
 /// Returns a mesh without normals of its own; `faces` have indices into `positions`.
 pub fn mesh(positions: &[[f32; 3]], faces: &[&[u32]]) -> Mesh {

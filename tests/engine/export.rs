@@ -4,6 +4,7 @@
 //! print a message and are skipped.
 
 mod compiled;
+mod mesa;
 mod own_law;
 
 use glam::{DMat4, DVec3};

@@ -4,6 +4,7 @@ use crate::common::any_scene::{any_scene, everyday_scene};
 use crate::common::dice::Dice;
 use crate::common::program;
 use crate::common::program::Folder;
+use crate::common::tries::tries;
 use crate::scene_round_trip::LAWS;
 use glam::DVec2;
 use rayon::prelude::*;
@@ -410,14 +411,6 @@ fn a_bad_link_is_refused_by_its_key_and_place() {
     assert_eq!(found.to_string(), line);
 }
 
-/// Returns the number of links to try: `LINKS=100000` for a long run.
-fn tries() -> u64 {
-    env::var("LINKS")
-        .ok()
-        .and_then(|count| count.parse().ok())
-        .unwrap_or(5000)
-}
-
 #[test]
 fn any_text_is_a_scene_or_is_refused_by_a_key() {
     let mut own = presets::find("orientation").expect("built in").scene();
@@ -458,7 +451,7 @@ fn any_text_is_a_scene_or_is_refused_by_a_key() {
         "é",
         "\u{0}",
     ];
-    (0..tries()).into_par_iter().for_each(|seed| {
+    (0..tries(5000)).into_par_iter().for_each(|seed| {
         let mut dice = Dice(seed.wrapping_mul(0xd134_2543_de82_ef95));
         let mut link: Vec<char> = dice.of(&sound).chars().collect();
         for _ in 0..1 + (dice.unit() * dice.unit() * 8.0) as usize {

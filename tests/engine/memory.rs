@@ -1,5 +1,7 @@
 //! The memory that a renderer holds: its bounds for a large mesh, and the accuracy of its account.
 
+#[cfg(target_os = "linux")]
+use crate::common::alone::is_alone;
 use glam::DQuat;
 use shading_lab::geometry::divisions_for;
 use shading_lab::render::Renderer;
@@ -124,31 +126,14 @@ fn resident() -> f64 {
 /// as soon as it is dropped.
 #[cfg(target_os = "linux")]
 #[test]
-fn the_account_is_true() {
-    let program = std::env::current_exe().expect("this test");
-    let child = std::process::Command::new(program)
-        .args([
-            "--ignored",
-            "--exact",
-            "memory::the_account_is_what_the_process_grows_by",
-            "--nocapture",
-        ])
-        .env("MALLOC_MMAP_THRESHOLD_", "65536")
-        .output()
-        .expect("this test runs again");
-    let told = String::from_utf8_lossy(&child.stdout);
-    assert!(
-        child.status.success() && told.contains("1 passed"),
-        "{told}{}",
-        String::from_utf8_lossy(&child.stderr)
-    );
-    println!("{told}");
-}
-
-#[cfg(target_os = "linux")]
-#[test]
-#[ignore = "needs the process to itself: run by the_account_is_true"]
 fn the_account_is_what_the_process_grows_by() {
+    let name = "memory::the_account_is_what_the_process_grows_by";
+    let alone = is_alone(name, |program| {
+        program.env("MALLOC_MMAP_THRESHOLD_", "65536");
+    });
+    if !alone {
+        return;
+    }
     for mode in [ShadingMode::Phong, ShadingMode::Gouraud] {
         // Allocates code, threads and their scratch buffers first.
         Renderer::default().render(&sphere(mode, 1024, 1536));

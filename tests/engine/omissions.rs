@@ -1,5 +1,6 @@
 //! Steps that the plan leaves out: none would change a stored pixel.
 
+use crate::common::tries::tries;
 use glam::DVec3;
 use proptest::prelude::*;
 use proptest::test_runner::{RngAlgorithm, TestRng, TestRunner};
@@ -254,7 +255,7 @@ fn random_scenes(cases: u32) {
 
 #[test]
 fn ten_thousand_random_scenes_are_the_same() {
-    random_scenes(10_000);
+    random_scenes(tries(10_000) as u32);
 }
 
 fn terms(scene: &Scene) -> Vec<Term> {

@@ -2,6 +2,7 @@
 //! renderer.
 
 use crate::common::dice::Dice;
+use crate::common::tries::tries;
 use shading_lab::render::{DrawTime, Renderer, Stage, coarser_size};
 use shading_lab::scene::{
     Interpolation, ObjectKind, ReflectionModel, Scene, ShadingMode, Viewer, presets,
@@ -237,11 +238,11 @@ fn a_bounce_that_is_kept_is_what_would_be_gathered() {
 }
 
 /// Asserts that a scene is drawn after each of some changes as a renderer draws it that has never seen it.
-fn compare_kept(mut scene: Scene, changes: &[&[&str]], count: usize) {
+fn compare_kept(mut scene: Scene, changes: &[&[&str]], count: u64) {
     let mut renderer = Renderer::default();
     let mut dice = Dice(99);
     let mut way = std::collections::VecDeque::new();
-    for _ in 0..count {
+    for _ in 0..tries(count) {
         let choices = dice.of(changes);
         let change = dice.of(choices);
         scene = scene.with_override(change).expect(change);

@@ -12,13 +12,13 @@ use shading_lab::render::Renderer;
 use shading_lab::scene::{LightKind, Rgb, Scene, presets};
 
 /// A question with its scene.
-struct Asked {
+struct SolvedQuestion {
     staged: Staged,
     question: Question,
     key: AnswerKey,
 }
 
-impl Asked {
+impl SolvedQuestion {
     fn new(keys: &str) -> Self {
         let source = lesson(keys);
         let lesson =
@@ -227,7 +227,7 @@ fn every_spelling_of_the_right_function_is_right() {
         (SNELL, short(&snell)),
         (MIRROR, short(&mirror)),
     ] {
-        let asked = Asked::new(keys);
+        let asked = SolvedQuestion::new(keys);
         for text in &spellings {
             assert!(asked.is_right(text), "{text}: {}", asked.feedback(text));
         }
@@ -420,7 +420,7 @@ fn a_near_miss_is_wrong_with_a_true_counterexample() {
     ];
     let mut count = 0;
     for ((keys, misses), right) in questions.into_iter().zip(right) {
-        let asked = Asked::new(keys);
+        let asked = SolvedQuestion::new(keys);
         for (text, miss) in misses {
             let (values, given, expected) = asked.counterexample(text);
             let (given, expected) = (given.expect("a value"), expected.expect("a value"));
@@ -471,7 +471,7 @@ fn probed(kd: f64, ip: f64, n_dot_l: f64) -> f64 {
 
 #[test]
 fn the_probe_confirms_the_counterexamples_of_a_term_of_the_engine() {
-    let asked = Asked::new(DIFFUSE);
+    let asked = SolvedQuestion::new(DIFFUSE);
     for (text, _) in &DIFFUSE_MISSES {
         let (values, _, expected) = asked.counterexample(text);
         let probed = probed(values[0], values[1], values[2]);
@@ -488,7 +488,7 @@ fn the_engines_terms_are_asked_for_in_the_scenes_own_form() {
     let term = |keys: &str, settings: &str| {
         let source = lesson(keys).replace("\"image.size", &format!("{settings}\"image.size"));
         let lesson = Lesson::read(&source, None).expect("a lesson");
-        Asked::of(&lesson, 0).right().to_owned()
+        SolvedQuestion::of(&lesson, 0).right().to_owned()
     };
     assert_eq!(term(DIFFUSE, ""), "kd * ip * max(N·L, 0)");
     assert_eq!(
@@ -511,7 +511,8 @@ fn the_engines_terms_are_asked_for_in_the_scenes_own_form() {
 
 #[test]
 fn a_gap_that_its_neighbours_fill_is_no_difference() {
-    let asked = Asked::new("names = [{ x = [-1, 1] }, { y = [-1, 1] }]\nanswer = \"x + y\"");
+    let asked =
+        SolvedQuestion::new("names = [{ x = [-1, 1] }, { y = [-1, 1] }]\nanswer = \"x + y\"");
     for text in [
         "(x^2 - y^2)/(x - y) + 0*x",
         "x*x/x + y",
@@ -535,7 +536,7 @@ fn a_gap_that_its_neighbours_fill_is_no_difference() {
 
 #[test]
 fn points_without_a_right_value_do_not_count() {
-    let asked = Asked::new("names = [{ x = [-1, 2] }]\nanswer = \"sqrt(x)\"");
+    let asked = SolvedQuestion::new("names = [{ x = [-1, 2] }]\nanswer = \"sqrt(x)\"");
     for right in ["x^0.5", "sqrt(abs(x))", "sqrt(max(x, 0))", "x/sqrt(x)"] {
         assert!(asked.is_right(right), "{right}");
     }
@@ -545,8 +546,9 @@ fn points_without_a_right_value_do_not_count() {
 
 #[test]
 fn rounding_and_typed_constants_are_no_difference() {
-    let asked =
-        Asked::new("names = [\"theta\", { d = [100, 1000] }]\nanswer = \"pi*sin(theta)/d^2\"");
+    let asked = SolvedQuestion::new(
+        "names = [\"theta\", { d = [100, 1000] }]\nanswer = \"pi*sin(theta)/d^2\"",
+    );
     assert!(asked.is_right("3.1415927*sin(theta)/d/d"));
     assert!(asked.is_right("pi/d^2*cos(90 - theta)"));
     // As small as the values are, their differences count.
@@ -556,12 +558,12 @@ fn rounding_and_typed_constants_are_no_difference() {
 
 #[test]
 fn vectors_are_asked_for_in_vectors() {
-    let asked = Asked::new(MIRROR);
+    let asked = SolvedQuestion::new(MIRROR);
     let refused = |text: &str| asked.kind().function(text).expect_err("refused").message;
     assert_eq!(refused("N·L"), english!("lesson-formula-vector-expected"));
     let feedback = asked.feedback("(N·L)*N - L");
     assert!(feedback.starts_with("With $N$ = ("), "{feedback}");
-    let number = Asked::new(
+    let number = SolvedQuestion::new(
         DIFFUSE
             .replace("\"N·L\"", "\"N\", \"L\"")
             .replace("term = \"diffuse\"", "answer = \"kd*ip*max(N·L, 0)\"")
@@ -587,7 +589,7 @@ fn whatever_is_typed_is_graded_or_refused() {
         "sqrt(", "0", "1", "1e999", "0.5", "=", ";", "\n", "#", "≤", "and", "not ", "x = ", "·",
         "kd.x", "王", "\u{202e}",
     ];
-    let asked = Asked::new(DIFFUSE);
+    let asked = SolvedQuestion::new(DIFFUSE);
     let (mut state, mut read) = (7, 0);
     for _ in 0..4000 {
         let length = 1 + below(&mut state, 9);
@@ -614,7 +616,7 @@ fn whatever_is_typed_is_graded_or_refused() {
 
 #[test]
 fn errors_say_where_and_what_was_meant() {
-    let asked = Asked::new(DIFFUSE);
+    let asked = SolvedQuestion::new(DIFFUSE);
     let error = |text: &str| asked.kind().function(text).expect_err("refused");
     let unknown = error("kd * jp * N·L");
     assert_eq!((unknown.position.line, unknown.position.column), (1, 6));

@@ -15,7 +15,7 @@ const DRAWN: usize = 300;
 const GRADED: f64 = 0.99;
 
 /// A question of the course with its answers.
-struct Asked {
+struct SolvedQuestion {
     what: String,
     question: Question,
     staged: Staged,
@@ -23,7 +23,7 @@ struct Asked {
     key: AnswerKey,
 }
 
-impl Asked {
+impl SolvedQuestion {
     fn place(&self) -> LabPlace<'_> {
         self.lab.place(&self.staged)
     }
@@ -63,7 +63,7 @@ impl Asked {
 }
 
 /// Solves the questions of the course in a language and looks at each.
-fn course<T: Send>(language: Language, look: impl Fn(&Asked) -> T + Sync) -> Vec<T> {
+fn course<T: Send>(language: Language, look: impl Fn(&SolvedQuestion) -> T + Sync) -> Vec<T> {
     let steps: Vec<(String, Step)> = LESSONS
         .iter()
         .flat_map(|built_in| {
@@ -77,7 +77,7 @@ fn course<T: Send>(language: Language, look: impl Fn(&Asked) -> T + Sync) -> Vec
         let lab = Lab::new(&staged);
         let key = question.solve_all(lab.place(&staged), 7);
         let key = key.unwrap_or_else(|error| panic!("{what}: {error}"));
-        Some(look(&Asked {
+        Some(look(&SolvedQuestion {
             what,
             question,
             staged,
@@ -127,7 +127,7 @@ fn right_answers_get_full_marks_and_wrong_models_none() {
 }
 
 /// Checks that the feedback to the answer of a wrong model is what that says.
-fn named(asked: &Asked, language: Language, model: usize, answer: &Answer) {
+fn named(asked: &SolvedQuestion, language: Language, model: usize, answer: &Answer) {
     let (question, place) = (&asked.question, asked.place());
     let says = question.says().into_iter();
     let says: Vec<String> = says
@@ -140,7 +140,7 @@ fn named(asked: &Asked, language: Language, model: usize, answer: &Answer) {
 }
 
 /// Checks a wrong model of a point that is a line: none of its places is right, unless it lies on the right one as well.
-fn lines(asked: &Asked) {
+fn lines(asked: &SolvedQuestion) {
     let Solution::Point(right) = &asked.key.right else {
         return;
     };
@@ -208,7 +208,7 @@ fn normal(dice: &mut Dice) -> f64 {
 
 /// Draws the right curve and those of the wrong models, and returns for each how often it is graded as it should be, and
 /// whether that suffices.
-fn drawn_by_hand(asked: &Asked) -> Vec<(String, bool)> {
+fn drawn_by_hand(asked: &SolvedQuestion) -> Vec<(String, bool)> {
     let Kind::Curve(kind) = &asked.question.kind else {
         return Vec::new();
     };

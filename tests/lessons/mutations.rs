@@ -2,20 +2,12 @@
 
 use crate::common::dice::Dice;
 use crate::common::lessons::EVERY_KIND;
+use crate::common::tries::tries;
 use shading_lab::expression::{self, Expression, Part, Quantities, Todo, arithmetic};
 use shading_lab::lesson::Lesson;
-use std::env;
 
 fn below(dice: &mut Dice, count: usize) -> usize {
     (dice.between(0.0, count as f64) as usize).min(count - 1)
-}
-
-/// Returns the number of lessons to try: `LESSONS=100000` for more.
-fn tried() -> usize {
-    let count = env::var("LESSONS")
-        .ok()
-        .and_then(|count| count.parse().ok());
-    count.unwrap_or(10_000)
 }
 
 /// Pieces that mutations insert.
@@ -94,8 +86,8 @@ fn mutated(dice: &mut Dice) -> String {
 #[test]
 fn mutated_lessons_are_read_or_refused_with_a_line() {
     let mut dice = Dice(17);
-    let (mut read, mut refused) = (0, 0);
-    for _ in 0..tried() {
+    let (tries, mut read, mut refused) = (tries(10_000), 0, 0);
+    for _ in 0..tries {
         let text = mutated(&mut dice);
         match Lesson::read(&text, None) {
             Ok(lesson) => {
@@ -115,7 +107,7 @@ fn mutated_lessons_are_read_or_refused_with_a_line() {
     }
     // Both must happen often, or the mutations test nothing.
     assert!(
-        10 * read > tried() / 10 && 10 * refused > tried(),
+        100 * read > tries && 10 * refused > tries,
         "{read} read, {refused} refused"
     );
 }
@@ -202,18 +194,18 @@ const WORDS: [&str; 48] = [
 #[test]
 fn no_expression_takes_the_reader_down() {
     let mut dice = Dice(5);
-    let mut valued = 0;
-    for _ in 0..20 * tried() {
+    let (tries, mut valued) = (tries(200_000), 0);
+    for _ in 0..tries {
         let words = 1 + below(&mut dice, 14);
         let text: String = (0..words).map(|_| dice.of(&WORDS)).collect();
         if let Ok(expression) = Expression::read(&text) {
             let number = expression.number(&Stub);
             assert!(number.as_ref().is_ok_and(|number| number.is_finite()) || number.is_err());
             let _ = expression.holds(&Stub);
-            valued += usize::from(number.is_ok());
+            valued += u64::from(number.is_ok());
         }
     }
-    assert!(valued > tried() / 20, "{valued}");
+    assert!(400 * valued > tries, "{valued}");
 }
 
 #[test]

@@ -1,24 +1,13 @@
 //! The real program in a real window, under Xvfb: it draws, takes a dragged slider, exports a picture that opens again, and then
 //! becomes idle. Skipped, with a message, where Xvfb, xdotool or ImageMagick is not installed.
 
+use crate::common::screen::{Running, screen};
 use shading_lab::document::load_scene;
 use shading_lab::render::Renderer;
-use std::io::{BufRead, BufReader};
 use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Stdio};
+use std::process::Command;
 use std::thread::sleep;
 use std::time::{Duration, Instant};
-
-/// A process that is killed when dropped.
-struct Running(Child);
-
-impl Drop for Running {
-    fn drop(&mut self) {
-        // It may have ended by itself.
-        let _ = self.0.kill();
-        let _ = self.0.wait();
-    }
-}
 
 /// The screen, the program on it, and a folder of its own.
 struct Desktop {
@@ -51,41 +40,12 @@ fn wait(what: &str, mut condition: impl FnMut() -> bool) {
     }
 }
 
-/// Starts a screen on a free display, and returns it with the display's name.
-fn screen() -> (Running, String) {
-    // Without -noreset the server restarts when its last client leaves, and meanwhile refuses new ones.
-    let mut server = Command::new("Xvfb")
-        .args([
-            "-displayfd",
-            "1",
-            "-screen",
-            "0",
-            "1280x800x24",
-            "-nolisten",
-            "tcp",
-            "-noreset",
-        ])
-        .stdout(Stdio::piped())
-        .stderr(Stdio::null())
-        .spawn()
-        .expect("Xvfb starts");
-    let output = server.stdout.take().expect("its output is piped");
-    let server = Running(server);
-    // The number comes once the server listens.
-    let mut number = String::new();
-    BufReader::new(output)
-        .read_line(&mut number)
-        .expect("the number of the display");
-    assert!(!number.trim().is_empty(), "Xvfb found no display");
-    (server, format!(":{}", number.trim()))
-}
-
 impl Desktop {
     fn start(scene: &str) -> Self {
         let folder =
             std::env::temp_dir().join(format!("shading-lab-desktop-{}", std::process::id()));
         std::fs::create_dir_all(&folder).expect("a folder for the test");
-        let (screen, display) = screen();
+        let (screen, display) = screen(&[]);
         let program = Command::new(env!("CARGO_BIN_EXE_shading-lab"))
             .env_remove("LANGUAGE")
             .env("LC_ALL", "C")

@@ -46,6 +46,16 @@ const PAGE: &str = "https://example.org/shading-lab/";
 /// The height of the menus, points.
 const MENUS: f32 = 52.0;
 
+/// The names of the rail's buttons.
+const RAIL: [&str; 6] = [
+    "view-controls",
+    "view-point",
+    "view-line",
+    "view-picture",
+    "view-engine",
+    "course",
+];
+
 /// Returns the texts of a frame with their clip rectangles.
 pub fn texts(shapes: &[ClippedShape]) -> Vec<(Rect, &TextShape)> {
     fn gather<'s>(shape: &'s Shape, clip: Rect, found: &mut Vec<(Rect, &'s TextShape)>) {
@@ -148,6 +158,13 @@ fn faults(harness: &Harness<'_, App>, shown: Shown) -> Vec<String> {
             let both = a.intersect(*b);
             if one != other && both.width() > 2.0 && both.height() > 3.0 {
                 faults.push(format!("“{one}” and “{other}” overlap in the picture"));
+            }
+        }
+    }
+    for name in RAIL.map(|key| text!(key)) {
+        for button in harness.query_all_by_role_and_label(Role::Button, name) {
+            if !screen.expand(1.0).contains_rect(button.rect()) {
+                faults.push(format!("“{name}” on the rail is outside the window"));
             }
         }
     }

@@ -1,5 +1,7 @@
 //! Links in the window: copied, pasted, and shown as a QR code.
 
+#[cfg(target_os = "linux")]
+use crate::common::alone::{is_alone, limit_memory};
 use crate::common::hands::{
     built_in, decoded_code, enter, open_view, picture, press, scene, undo, wait, window,
     window_looking, window_of, window_with,
@@ -280,30 +282,14 @@ fn a_link_leads_to_a_step_of_a_lesson_and_back() {
     assert!(harness.state().state().dialog.is_some());
 }
 
-/// Runs the test once more in a process of its own: memory can be limited for a whole process only.
+/// Runs in a process of its own: memory can be limited for a whole process only.
 #[cfg(target_os = "linux")]
 #[test]
 fn a_scene_that_memory_is_too_short_for_is_refused_with_the_figure() {
-    const LIMITED: &str = "SHADING_LAB_LIMITED";
-    if std::env::var_os(LIMITED).is_some() {
-        return refuses_what_is_too_large();
+    let name = "links::a_scene_that_memory_is_too_short_for_is_refused_with_the_figure";
+    if !is_alone(name, |program| limit_memory(program, 3_000_000)) {
+        return;
     }
-    let output = std::process::Command::new("sh")
-        .args(["-c", "ulimit -v 3000000 && exec \"$0\" --exact \"$1\""])
-        .arg(std::env::current_exe().expect("this program"))
-        .arg("links::a_scene_that_memory_is_too_short_for_is_refused_with_the_figure")
-        .env(LIMITED, "1")
-        .output()
-        .expect("this program");
-    let said = String::from_utf8_lossy(&output.stdout).into_owned();
-    assert!(
-        output.status.success() && said.contains("1 passed"),
-        "{said}"
-    );
-}
-
-#[cfg(target_os = "linux")]
-fn refuses_what_is_too_large() {
     let mut harness = window("cube");
     let cube = picture(&harness);
     let open = |harness: &mut Harness<'_, App>, link: &str| {

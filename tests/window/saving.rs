@@ -1,6 +1,8 @@
 //! Saving without loss: questions before files are replaced and before a changed scene is closed, and work that is kept for the
 //! next start.
 
+#[cfg(target_os = "linux")]
+use crate::common::alone::is_alone;
 use crate::common::hands;
 use crate::common::hands::{
     enter, named, open_view, press, scene, undo, wait, window, window_with,
@@ -508,35 +510,19 @@ fn the_form_of_an_export_has_usual_sizes_and_keeps_proportions() {
     assert_eq!([width, height], window.state().state().window.room);
 }
 
-/// Environment variable that is set for the run of this program without a desktop.
-#[cfg(target_os = "linux")]
-const ALONE: &str = "SHADING_LAB_WITHOUT_DESKTOP";
-
-/// Runs the test once more in a process without a desktop, since the desktop is found by the environment.
+/// Runs in a process without a desktop, since the desktop is found by the environment.
 #[cfg(target_os = "linux")]
 #[test]
 fn browsing_without_a_desktop_says_what_is_missing_and_a_path_can_be_typed() {
-    if std::env::var_os(ALONE).is_some() {
-        return browse_without_a_desktop();
-    }
-    let own = std::env::current_exe().expect("this program");
     let name = "saving::browsing_without_a_desktop_says_what_is_missing_and_a_path_can_be_typed";
-    let output = std::process::Command::new(own)
-        .args(["--exact", name])
-        .env(ALONE, "1")
-        .env("DBUS_SESSION_BUS_ADDRESS", "unix:path=/nowhere")
-        .env("PATH", "/nowhere")
-        .output()
-        .expect("this program");
-    let said = String::from_utf8_lossy(&output.stdout).into_owned();
-    assert!(
-        output.status.success() && said.contains("1 passed"),
-        "{said}"
-    );
-}
-
-#[cfg(target_os = "linux")]
-fn browse_without_a_desktop() {
+    let alone = is_alone(name, |program| {
+        program
+            .env("DBUS_SESSION_BUS_ADDRESS", "unix:path=/nowhere")
+            .env("PATH", "/nowhere");
+    });
+    if !alone {
+        return;
+    }
     let folder = Folder::new("browsing");
     let none = "browse-none";
     let mut window = window("sphere");

@@ -4,6 +4,7 @@
 //! `PROPTEST_CASES` sets the number of scenes; `SCENE` selects a single one.
 
 use crate::common::textbook::{Dice, field_edge, random_light, random_scene, textbook_at};
+use crate::common::tries::tries;
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
 use shading_lab::analysis::comparison::ComparisonQuestion;
@@ -399,8 +400,7 @@ fn examine(seed: u64) -> Outcome {
 
 #[test]
 fn everything_says_the_same_of_a_scene() {
-    let cases = std::env::var("PROPTEST_CASES").ok();
-    let cases = cases.and_then(|cases| cases.parse().ok()).unwrap_or(60);
+    let cases = tries(60);
     if let Ok(only) = std::env::var("SCENE") {
         let outcome = examine(only.parse().expect("a number"));
         return assert!(outcome.is_ok(), "{}", outcome.unwrap_err());

@@ -1,11 +1,12 @@
 //! A class that is killed at any moment: nothing that was acknowledged is lost, and it goes on.
 //!
-//! `CLASS_KILLS=200 cargo test --test cli class::kill` kills it that often.
+//! `PROPTEST_CASES=10000 cargo test --test cli class::kill` kills it 40 times as often.
 
 use super::client::Phone;
 use super::command::Running;
 use crate::common::dice::Dice;
 use crate::common::program::Folder;
+use crate::common::tries::tries;
 use serde_json::json;
 use shading_lab::lesson::{Answer, ClassRecord};
 use std::collections::BTreeMap;
@@ -21,13 +22,13 @@ const KILLS: u64 = 6;
 
 /// What a phone was told is saved: the token and the last answer that was acknowledged, and those sent after it.
 #[derive(Default)]
-struct Told {
+struct Acknowledged {
     acknowledged: Option<f64>,
     sent_since: Vec<f64>,
 }
 
 /// Answers as fast as it may until it is told to stop or the server is gone.
-fn answers(mut phone: Phone, told: &Mutex<Told>, next: &mut f64, stop: &AtomicBool) {
+fn answers(mut phone: Phone, told: &Mutex<Acknowledged>, next: &mut f64, stop: &AtomicBool) {
     while !stop.load(Ordering::Relaxed) {
         *next += 1.0;
         // Numbers from −1 to 1 that never come again.
@@ -51,15 +52,12 @@ fn answers(mut phone: Phone, told: &Mutex<Told>, next: &mut f64, stop: &AtomicBo
 
 #[test]
 fn nothing_acknowledged_is_lost_however_often_the_class_is_killed() {
-    let kills = std::env::var("CLASS_KILLS")
-        .ok()
-        .and_then(|count| count.parse().ok());
-    let kills = kills.unwrap_or(KILLS);
+    let kills = tries(KILLS);
     let folder = Folder::new("class-kill");
     let mut dice = Dice(7);
     let mut tokens: Vec<Option<String>> = vec![None; PHONES];
     let mut next = [0.0; PHONES];
-    let told: Vec<Arc<Mutex<Told>>> = (0..PHONES).map(|_| Arc::default()).collect();
+    let told: Vec<Arc<Mutex<Acknowledged>>> = (0..PHONES).map(|_| Arc::default()).collect();
     for kill in 0..kills {
         let mut class = Running::start(&folder, &[]);
         if kill == 0 {
@@ -96,7 +94,7 @@ fn nothing_acknowledged_is_lost_however_often_the_class_is_killed() {
 }
 
 /// Compares the record with what the phones were told.
-fn check(folder: &Folder, tokens: &[Option<String>], told: &[Arc<Mutex<Told>>], kill: u64) {
+fn check(folder: &Folder, tokens: &[Option<String>], told: &[Arc<Mutex<Acknowledged>>], kill: u64) {
     let bytes = fs::read(folder.0.join("class.jsonl")).expect("a record");
     let record = ClassRecord::read(&bytes).expect("a record");
     let mut known: BTreeMap<&str, f64> = BTreeMap::new();

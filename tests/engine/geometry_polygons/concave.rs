@@ -4,6 +4,7 @@
 //! results here hold for every pixel.
 
 use crate::common::dice::Dice;
+use crate::common::tries::tries;
 use glam::{DVec2, DVec3};
 use shading_lab::analysis::normals::NormalField;
 use shading_lab::analysis::probe::probe;
@@ -22,12 +23,6 @@ use std::sync::Arc;
 const SIDE: u32 = 96;
 /// Error of single precision for values between 0 and 1.
 const SINGLE: f64 = 2e-5;
-
-/// Returns the number of polygons that a test draws.
-fn count(usual: u64) -> u64 {
-    let cases = std::env::var("PROPTEST_CASES").ok();
-    cases.and_then(|cases| cases.parse().ok()).unwrap_or(usual)
-}
 
 /// Returns a concave outline of `corners` corners, in pixels from the picture's middle, y upwards, counter-clockwise.
 fn outline(dice: &mut Dice, corners: u32) -> Vec<DVec2> {
@@ -259,7 +254,7 @@ fn centre_of(k: usize) -> DVec2 {
 #[test]
 fn a_flat_polygon_has_one_shade_from_one_evaluation_and_covers_its_inside() {
     let mut dice = Dice(0x000c_0147);
-    for case in 0..count(60) {
+    for case in 0..tries(60) {
         let polygon = Polygon::random_or_frame(&mut dice, case);
         let (mut scene, mut renderer) = polygon.scene();
         let centre = polygon.corners.iter().sum::<DVec3>() / polygon.corners.len() as f64;
@@ -306,7 +301,7 @@ fn a_flat_polygon_has_one_shade_from_one_evaluation_and_covers_its_inside() {
 #[test]
 fn the_scan_line_runs_over_the_whole_polygon() {
     let mut dice = Dice(0x000c_0971);
-    for case in 0..count(40) {
+    for case in 0..tries(40) {
         let polygon = Polygon::random_or_frame(&mut dice, case);
         let (mut scene, mut renderer) = polygon.scene();
         scene.lights = vec![Light {
@@ -382,7 +377,7 @@ fn sides(mesh: &Mesh) -> HashMap<(u32, u32), i32> {
 #[test]
 fn triangles_use_each_corner_and_share_the_edges_of_the_polygon() {
     let mut dice = Dice(0x000c_0a4c);
-    for case in 0..count(200) {
+    for case in 0..tries(200) {
         let polygon = Polygon::random(&mut dice);
         let normals = vec![DVec3::Z; polygon.corners.len()];
         let mesh = model(&[(&polygon.corners, &normals)]);
@@ -602,7 +597,7 @@ fn met(view: &View, pixel: DVec2, [origin, right, up]: [DVec3; 3]) -> (DVec2, f6
 fn a_clipped_concave_polygon_covers_what_is_left_of_it() {
     let mut dice = Dice(0x000c_0c11);
     let (mut compared, mut clipped) = (0, 0);
-    for case in 0..count(40) {
+    for case in 0..tries(40) {
         let corners = dice.between(4.0, 120.0) as u32;
         let outline = outline(&mut dice, corners);
         let rotation = glam::DQuat::from_euler(

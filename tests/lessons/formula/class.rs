@@ -1,6 +1,6 @@
 //! The formulas of a class, sorted by their meaning.
 
-use super::{Asked, below, lesson};
+use super::{SolvedQuestion, below, lesson};
 use crate::common::program::Folder;
 use shading_lab::lesson::{
     Answer, Answered, Grade, Handed, Lesson, Record, class_sheet, collect, hand_in_bytes, worksheet,
@@ -72,7 +72,7 @@ fn answers(count: usize) -> Vec<(usize, String)> {
 
 #[test]
 fn two_hundred_answers_are_sorted_by_meaning() {
-    let asked = Asked::new(KEYS);
+    let asked = SolvedQuestion::new(KEYS);
     let answers: Vec<(usize, String)> = answers(230)
         .into_iter()
         .filter(|(_, text)| asked.grade(text).is_some())
