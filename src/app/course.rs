@@ -28,8 +28,6 @@ pub use kinds::{Likeness, Target};
 pub use mark::{from_pixel, paint};
 #[cfg(target_arch = "wasm32")]
 pub use marking::Marking;
-#[cfg(feature = "class")]
-pub use parts::right_colour;
 pub use prose::prose_ui;
 pub use step::{back_ui, head_ui};
 pub use target::as_target;

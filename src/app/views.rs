@@ -33,11 +33,10 @@ use crate::app::views::stability::stability_ui;
 use crate::app::views::study::study_ui;
 use crate::app::widgets::focus::{keep_in_sight, one_stop, switch_named};
 use crate::app::widgets::sign::{Sign, sign_button};
+use crate::app::widgets::tile::sign_tile;
 use crate::text::text;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{
-    Align, Align2, Button, FontId, Layout, Rect, ScrollArea, Sense, Ui, UiBuilder, Vec2, vec2,
-};
+use eframe::egui::{Align, Button, Layout, ScrollArea, Ui, UiBuilder, Vec2, vec2};
 
 /// A way of reading the picture.
 #[derive(Clone, Copy)]
@@ -295,27 +294,9 @@ pub fn rail_ui(ui: &mut Ui, window: &mut WindowState, narrow: bool, size: Vec2) 
     one_stop(ui, ui.min_rect());
 }
 
-/// Shows an icon over its name, and returns whether it was clicked.
+/// Shows a sign over its name, and returns whether it was clicked.
 fn sign_ui(ui: &mut Ui, sign: Sign, name: &str, on: bool, size: Vec2) -> bool {
-    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
-    let response = switch_named(response, Role::Button, on, name);
-    let visuals = ui.visuals();
-    let (fill, colour) = if on {
-        (visuals.selection.bg_fill, visuals.selection.stroke.color)
-    } else if response.hovered() {
-        let widget = &visuals.widgets.hovered;
-        (widget.bg_fill, widget.fg_stroke.color)
-    } else {
-        (visuals.panel_fill, visuals.text_color())
-    };
-    let painter = ui.painter();
-    painter.rect_filled(rect, 6.0, fill);
-    let at = |share: f32| rect.center_top() + vec2(0.0, share * rect.height());
-    let square = Rect::from_center_size(at(0.34), vec2(18.0, 18.0));
-    sign.paint(painter, square, colour);
-    let font = FontId::proportional(12.0);
-    painter.text(at(0.76), Align2::CENTER_CENTER, name, font, colour);
-    response.clicked()
+    switch_named(sign_tile(ui, sign, name, size, on), Role::Button, on, name).clicked()
 }
 
 /// Shows the open view under the names of its group.

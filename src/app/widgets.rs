@@ -1,6 +1,7 @@
-//! Shared widgets: letters, colours, signs, formulas, drawings, tables, and the keyboard's focus.
+//! Shared widgets: letters, colours, signs, cards, formulas, drawings, tables, and the keyboard's focus.
 
 pub mod background;
+pub mod card;
 pub mod code;
 pub mod dialog;
 pub mod drawing;
@@ -11,9 +12,12 @@ pub mod formula_field;
 pub mod heading;
 pub mod letter;
 pub mod lines;
+pub mod meter;
 pub mod palette;
 pub mod sign;
+pub mod swatch;
 pub mod symbol;
 pub mod table;
 pub mod theme;
+pub mod tile;
 pub mod typeset;

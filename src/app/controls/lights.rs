@@ -1,12 +1,14 @@
 //! The list of lights, and the controls of the chosen one.
 
-use super::row::{View, parameter_with, swatch};
+use super::row::{View, parameter_with};
 use super::sampling::{Finding, Sampling};
 use crate::app::session::Session;
 use crate::app::session::action::Action;
 use crate::app::session::action::Requests;
 use crate::app::session::window::WindowState;
 use crate::app::widgets::focus::{named, switch_named};
+use crate::app::widgets::sign::{light_sign, signed};
+use crate::app::widgets::swatch::display_colour;
 use crate::app::widgets::symbol::{self, Symbol};
 use crate::scene::light::{
     ATTENUATION, C1, C2, C3, COLOR, CONE, DIRECTION, EXPONENT, EXTENT, K, KIND, NAME, POSITION,
@@ -15,10 +17,7 @@ use crate::scene::light::{
 use crate::scene::{Attenuation, Light, LightKind, Rgb, Scene};
 use crate::text;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{
-    Align, Atom, Button, Color32, IdSalt, Layout, Pos2, Rect, RichText, Shape, Stroke, StrokeKind,
-    Ui, Vec2, vec2,
-};
+use eframe::egui::{Align, Button, Layout, RichText, Ui, vec2};
 use glam::DVec3;
 
 /// Side of a light's icon, in points.
@@ -196,10 +195,9 @@ fn name_ui(
     let own = light.name.trim();
     let label = RichText::new(if own.is_empty() { &number } else { own });
     let label = if shines { label } else { label.strikethrough() };
-    let sign = Atom::custom(IdSalt::new("sign"), vec2(SIGN, SIGN));
-    let mut button = Button::selectable(chosen, (sign, label, Atom::grow()))
-        .truncate()
-        .min_size(vec2(ui.available_width(), 0.0));
+    let colour = shines.then(|| display_colour(light.color));
+    let sign = light_sign(SIGN, light.kind, colour);
+    let mut button = signed(chosen, sign, label).min_size(vec2(ui.available_width(), 0.0));
     // The chosen line keeps the selection colour, on which its text is legible.
     if lit && !chosen {
         button = button.fill(ui.visuals().widgets.hovered.bg_fill);
@@ -207,8 +205,6 @@ fn name_ui(
     let response = ui
         .with_layout(Layout::left_to_right(Align::Center), |ui| ui.add(button))
         .inner;
-    let at = response.rect.left_center() + vec2(4.0 + 0.5 * SIGN, 0.0);
-    sign_of(ui, at, light, shines);
     let name = if own.is_empty() {
         number
     } else {
@@ -221,39 +217,6 @@ fn name_ui(
         text!("lights-off", name = name)
     };
     response.on_hover_text(tip).clicked()
-}
-
-/// Draws the icon of the light's kind, filled with the light's colour, or hollow while the light is off.
-fn sign_of(ui: &Ui, at: Pos2, light: &Light, shines: bool) {
-    let painter = ui.painter();
-    let rim = Stroke::new(1.2, ui.visuals().weak_text_color());
-    let fill = if shines {
-        swatch(light.color)
-    } else {
-        Color32::TRANSPARENT
-    };
-    match light.kind {
-        LightKind::Point => _ = painter.circle(at, 6.0, fill, rim),
-        LightKind::Directional => {
-            painter.circle(at, 4.0, fill, rim);
-            for k in 0..8u8 {
-                let way = Vec2::angled(f32::from(k) * std::f32::consts::FRAC_PI_4);
-                painter.line_segment([at + way * 5.5, at + way * 8.0], rim);
-            }
-        }
-        LightKind::Spot => {
-            let cone = vec![
-                at + vec2(0.0, -7.0),
-                at + vec2(6.0, 6.0),
-                at + vec2(-6.0, 6.0),
-            ];
-            painter.add(Shape::convex_polygon(cone, fill, rim));
-        }
-        LightKind::Area => {
-            let area = Rect::from_center_size(at, vec2(14.0, 9.0));
-            painter.rect(area, 1.0, fill, rim, StrokeKind::Middle);
-        }
-    }
 }
 
 fn kind_ui(ui: &mut Ui, initial: &Scene, scene: &mut Scene, index: usize) {

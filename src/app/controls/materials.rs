@@ -9,6 +9,7 @@ use crate::analysis::codec::Codec;
 use crate::app::widgets::background::{PICTURES, Pictures};
 use crate::app::widgets::focus::{named, switch_named};
 use crate::app::widgets::symbol::Symbol;
+use crate::app::widgets::tile::picture_tile;
 use crate::illumination::{blinn_from_phong, phong_from_blinn, roughness_from_exponent};
 use crate::jobs::Work;
 use crate::render::Renderer;
@@ -21,8 +22,8 @@ use crate::scene::{
 use crate::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align2, Button, Color32, ColorImage, Grid, Popup, PopupCloseBehavior, Rect, RichText, Sense,
-    StrokeKind, TextStyle, TextureHandle, Ui, Vec2, pos2, vec2,
+    Button, Color32, ColorImage, Grid, Popup, PopupCloseBehavior, RichText, TextureHandle, Ui,
+    Vec2, vec2,
 };
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
@@ -182,45 +183,9 @@ fn material_ui(
     texture: Option<&TextureHandle>,
     present: bool,
 ) -> bool {
-    let (rect, response) = ui.allocate_exact_size(CELL, Sense::click());
-    let visuals = ui.style().interact_selectable(&response, present);
-    if present || response.hovered() || response.has_focus() {
-        ui.painter().rect(
-            rect,
-            6.0,
-            visuals.weak_bg_fill,
-            visuals.bg_stroke,
-            StrokeKind::Inside,
-        );
-    }
-    let sphere = Rect::from_center_size(
-        rect.center_top() + vec2(0.0, SPHERE / 2.0 + 4.0),
-        vec2(SPHERE, SPHERE),
-    );
-    let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-    match texture {
-        Some(texture) => {
-            _ = ui
-                .painter()
-                .image(texture.id(), sphere, whole, Color32::WHITE);
-        }
-        None => {
-            _ = ui.painter().circle_stroke(
-                sphere.center(),
-                SPHERE * 0.44,
-                ui.visuals().window_stroke,
-            );
-        }
-    }
-    let below = rect.center_bottom() - vec2(0.0, 3.0);
-    let font = TextStyle::Small.resolve(ui.style());
-    ui.painter().text(
-        below,
-        Align2::CENTER_BOTTOM,
-        material.title(),
-        font,
-        visuals.text_color(),
-    );
+    let name = RichText::new(material.title()).small();
+    let picture = (texture, Vec2::splat(SPHERE));
+    let response = picture_tile(ui, picture, name, CELL, present);
     let response = switch_named(response, Role::Button, present, material.title());
     let NamedMaterial { ka, kd, ks, n, .. } = *material;
     let triple = |value: Rgb| format!("{}, {}, {}", value.x, value.y, value.z);

@@ -3,17 +3,19 @@
 //! A model's material is changed by `[[object.material]]` of the scene, never in its file. While its rows are shown it takes
 //! the place of the scene's material, so that they need not know whose it is.
 
-use super::row::{View, parameter_with, swatch};
+use super::row::{View, parameter_with};
 use crate::app::engine::Engine;
 use crate::app::session::Session;
 use crate::app::session::window::WindowState;
 use crate::app::widgets::focus::switch_named;
+use crate::app::widgets::sign::{disc, signed};
+use crate::app::widgets::swatch::display_colour;
 use crate::geometry::{Mesh, built_in};
 use crate::scene::material::SOURCE;
 use crate::scene::{MaterialSource, Rgb};
 use crate::text;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Atom, Button, IdSalt, ScrollArea, Stroke, Ui, vec2};
+use eframe::egui::{ScrollArea, Ui, vec2};
 use std::sync::Arc;
 
 /// Side of a material's colour, in points.
@@ -108,12 +110,8 @@ pub fn list_ui(ui: &mut Ui, session: &mut Session, window: &mut WindowState, eng
 
 /// Shows a material's colour and name, and returns whether it was clicked.
 fn line_ui(ui: &mut Ui, name: &str, colour: Rgb, chosen: bool) -> bool {
-    let sign = Atom::custom(IdSalt::new("colour"), vec2(COLOUR, COLOUR));
-    let button = Button::selectable(chosen, (sign, name, Atom::grow())).truncate();
+    let button = signed(chosen, disc(COLOUR, display_colour(colour)), name);
     let response = ui.add(button.min_size(vec2(ui.available_width(), 0.0)));
-    let at = response.rect.left_center() + vec2(4.0 + 0.5 * COLOUR, 0.0);
-    let rim = Stroke::new(1.0, ui.visuals().weak_text_color());
-    ui.painter().circle(at, 0.5 * COLOUR, swatch(colour), rim);
     switch_named(response, Role::Button, chosen, name).clicked()
 }
 

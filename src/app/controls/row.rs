@@ -9,12 +9,12 @@ mod number;
 mod widgets;
 
 pub use expression::evaluate;
-use layout::width_of;
 pub use layout::{About, row, value_row};
 pub use number::{NumberRow, SliderRange, display, number, whole};
-pub use widgets::{axes, swatch};
+pub use widgets::axes;
 
 use crate::analysis::probe::specular_vector;
+use crate::app::widgets::letter::text_width;
 use crate::app::widgets::palette::vector_text;
 use crate::app::widgets::symbol::Symbol;
 use crate::app::widgets::theme;
@@ -260,7 +260,7 @@ fn room(ui: &Ui, scene: &Scene, parameter: &Parameter, view: &View) -> f32 {
         Kind::Point(_) | Kind::Direction(..) | Kind::Channels(..) => FIELDS,
         Kind::Choice(access) => access.chosen(scene, view.index).map_or(0.0, |chosen| {
             let option = access.options().get(chosen);
-            option.map_or(0.0, |option| width_of(ui, option.label())) + LIST
+            option.map_or(0.0, |option| text_width(ui, option.label())) + LIST
         }),
         _ => 0.0,
     }

@@ -9,15 +9,13 @@ use crate::app::widgets::background::{PICTURES, Pictures};
 use crate::app::widgets::dialog::Choice;
 use crate::app::widgets::focus::{heading, named};
 use crate::app::widgets::theme::text_field;
+use crate::app::widgets::tile::picture_tile;
 use crate::jobs::Work;
 use crate::render::Renderer;
 use crate::scene::presets::{self, Preset};
 use crate::text::text;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{
-    Align2, Color32, ColorImage, Key, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind,
-    TextStyle, TextureHandle, Ui, Vec2, pos2, vec2,
-};
+use eframe::egui::{ColorImage, Key, RichText, ScrollArea, TextureHandle, Ui, Vec2, vec2};
 use serde::{Deserialize, Serialize};
 
 /// Size of a thumbnail, in points.
@@ -157,40 +155,10 @@ pub fn scenes_ui(ui: &mut Ui, window: &mut WindowState, requests: &mut Requests)
 
 /// Shows a scene's thumbnail over its title, and returns whether it was clicked.
 fn card_ui(ui: &mut Ui, width: f32, preset: &Preset, texture: Option<&TextureHandle>) -> bool {
-    let (rect, response) = ui.allocate_exact_size(vec2(width, CARD.y), Sense::click());
+    let picture = (texture, PICTURE * ((width - 8.0) / PICTURE.x));
+    let name = RichText::new(preset.title());
+    let response = picture_tile(ui, picture, name, vec2(width, CARD.y), false);
     let response = named(response, Role::Button, preset.title());
-    if !ui.is_rect_visible(rect) {
-        return response.clicked();
-    }
-    let visuals = ui.style().interact(&response);
-    let fill = if response.hovered() {
-        visuals.bg_fill
-    } else {
-        ui.visuals().faint_bg_color
-    };
-    let painter = ui.painter();
-    painter.rect_filled(rect, 8.0, fill);
-    let picture = PICTURE * ((width - 8.0) / PICTURE.x);
-    let place = Rect::from_min_size(rect.min + vec2(4.0, 4.0), picture);
-    if let Some(texture) = texture {
-        let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-        painter.image(texture.id(), place, whole, Color32::WHITE);
-    } else {
-        painter.rect_filled(place, 4.0, ui.visuals().extreme_bg_color);
-    }
-    if response.hovered() || response.has_focus() {
-        let stroke = Stroke::new(2.0, ui.visuals().selection.bg_fill);
-        painter.rect_stroke(rect, 8.0, stroke, StrokeKind::Inside);
-    }
-    let font = TextStyle::Body.resolve(ui.style());
-    let colour = ui.visuals().text_color();
-    let galley = painter.layout(preset.title().to_owned(), font, colour, picture.x);
-    let at = pos2(
-        rect.center().x,
-        place.max.y + 0.5 * (rect.max.y - place.max.y),
-    );
-    let corner = Align2::CENTER_CENTER.anchor_size(at, galley.size()).min;
-    painter.galley(corner, galley, colour);
     response.on_hover_text(preset.sentence()).clicked()
 }
 

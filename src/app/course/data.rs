@@ -131,13 +131,13 @@ pub struct Open {
     pub in_view: bool,
     /// The overlays of the picture from before the lesson came into view.
     pub overlay: Overlays,
-    /// What is shown over the picture while the question is open; `None` while it is not.
+    /// The drawing over the picture while the question is open; `None` while it is not.
     pub held: Option<Held>,
     /// The answers to all questions, while the lesson's last page shows them.
     pub results: Option<HandedIn>,
 }
 
-/// What a step shows over the picture, which stays until its question is answered.
+/// The drawing of a step over the picture, which stays until its question is answered.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Held {
     pub overlay: Overlays,

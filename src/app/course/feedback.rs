@@ -1,10 +1,10 @@
 //! The feedback to an answer, and the explanation of the right one.
 
 use super::data::{Course, Open};
-use super::parts::right_colour;
 use super::prose::prose_ui;
 use crate::app::session::Session;
 use crate::app::widgets::focus::{live, named};
+use crate::app::widgets::palette::right_colour;
 use crate::lesson::{Answered, Grade};
 use crate::text::text;
 use eframe::egui::accesskit::Role;

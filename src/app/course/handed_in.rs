@@ -2,18 +2,16 @@
 
 use super::data::Course;
 use super::marking::{HandedIn, Marked, MarkedAnswer, MarkedQuestion, Marking};
-use super::parts::{cross, error_ui, right_colour, waiting_ui};
+use super::parts::{error_ui, waiting_ui};
 use super::prose::prose_ui;
 use crate::app::session::Session;
 use crate::app::widgets::background::wake;
 use crate::app::widgets::focus::{heading, keep_in_sight, named};
-use crate::app::widgets::sign::tick;
+use crate::app::widgets::sign::mark_ui;
 use crate::lesson::{HandIn, Lesson, how_given};
 use crate::text::text;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{
-    Align, Frame, Label, Layout, Margin, RichText, ScrollArea, Sense, Stroke, Ui, vec2,
-};
+use eframe::egui::{Align, Frame, Label, Layout, Margin, RichText, ScrollArea, Stroke, Ui, vec2};
 use egui_commonmark::CommonMarkCache;
 use std::sync::Arc;
 
@@ -156,14 +154,12 @@ fn verdict_ui(ui: &mut Ui, given: Option<&MarkedAnswer>) {
     let Some(grade) = given.and_then(|given| given.grade) else {
         return;
     };
-    let (room, response) = ui.allocate_exact_size(vec2(SIGN, SIGN), Sense::hover());
     let word = if grade.right {
-        ui.painter().add(tick(room, right_colour(ui)));
         text!("course-mark-right")
     } else {
-        cross(ui, room.shrink(3.0), ui.visuals().error_fg_color);
         text!("course-answers-wrong")
     };
+    let response = mark_ui(ui, SIGN, grade.right);
     named(response, Role::Label, word).on_hover_text(word);
 }
 

@@ -3,15 +3,13 @@
 use super::data::{Course, Listed};
 use crate::app::session::action::Requests;
 use crate::app::session::action::{Action, Turn};
+use crate::app::widgets::card::Card;
 use crate::app::widgets::focus::named;
-use crate::app::widgets::sign::tick;
+use crate::app::widgets::sign::tick_ui;
 use crate::lesson::{TOPICS, are_there, topic_name};
 use crate::text::text;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{
-    Align, Color32, Label, Layout, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui,
-    UiBuilder, vec2,
-};
+use eframe::egui::{Align, Label, Layout, RichText, ScrollArea, Sense, Stroke, Ui, vec2};
 use std::time::Duration;
 
 /// The interval at which a web page checks whether its lessons are loaded.
@@ -32,7 +30,8 @@ pub fn list_ui(ui: &mut Ui, course: &mut Course, requests: &mut Requests) {
             }
             if let Some(own) = &own {
                 ui.label(RichText::new(text!("course-own")).strong());
-                if card_ui(ui, own, course) {
+                // It may have the name of one of the course's.
+                if ui.push_id("own", |ui| card_ui(ui, own, course)).inner {
                     requests.ask(Action::Course(Turn::Own));
                 }
                 ui.add_space(8.0);
@@ -89,68 +88,47 @@ fn card_ui(ui: &mut Ui, lesson: &Listed, course: &Course) -> bool {
         .left
         .get(&lesson.name)
         .is_some_and(|step| *step > 0);
-    let width = ui.available_width();
-    let outer = ui.available_rect_before_wrap();
-    let mut inside = ui.new_child(
-        UiBuilder::new()
-            .max_rect(Rect::from_min_size(
-                outer.min + vec2(10.0, 7.0),
-                vec2(width - 20.0, f32::INFINITY),
-            ))
-            .layout(Layout::top_down(Align::Min)),
-    );
-    // The background is painted below the text once its size is known.
-    let ground = ui.painter().add(eframe::egui::Shape::Noop);
-    inside.spacing_mut().item_spacing.y = 2.0;
-    inside.horizontal(|ui| {
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let minutes = text!("course-minutes", count = lesson.minutes);
-            ui.label(RichText::new(minutes).weak());
-            if done {
-                let (room, _) = ui.allocate_exact_size(vec2(16.0, 16.0), Sense::hover());
-                ui.painter().add(tick(room, ui.visuals().hyperlink_color));
-            } else if !answers.is_empty() {
-                let count = lesson.questions;
-                let words = if lesson.test {
-                    text!("course-test-count", answered = right, count = count)
-                } else {
-                    text!("course-answers-right", right = right, count = count)
-                };
-                ui.label(RichText::new(words).color(ui.visuals().hyperlink_color));
-            } else if begun {
-                ui.label(RichText::new(text!("course-begun")).color(ui.visuals().hyperlink_color));
-            }
-            ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                ui.add(Label::new(RichText::new(&lesson.title).strong()).wrap());
+    let card = Card {
+        id: ui.scope_id().with(&lesson.name),
+        pad: vec2(10.0, 7.0),
+        sense: Sense::click(),
+        line: Stroke::NONE,
+    };
+    let response = card.show(ui, Layout::top_down(Align::Min), |ui| {
+        ui.spacing_mut().item_spacing.y = 2.0;
+        ui.horizontal(|ui| {
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                let minutes = text!("course-minutes", count = lesson.minutes);
+                ui.label(RichText::new(minutes).weak());
+                if done {
+                    tick_ui(ui, 16.0, ui.visuals().hyperlink_color);
+                } else if !answers.is_empty() {
+                    let count = lesson.questions;
+                    let words = if lesson.test {
+                        text!("course-test-count", answered = right, count = count)
+                    } else {
+                        text!("course-answers-right", right = right, count = count)
+                    };
+                    ui.label(RichText::new(words).color(ui.visuals().hyperlink_color));
+                } else if begun {
+                    ui.label(
+                        RichText::new(text!("course-begun")).color(ui.visuals().hyperlink_color),
+                    );
+                }
+                ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+                    ui.add(Label::new(RichText::new(&lesson.title).strong()).wrap());
+                });
             });
         });
+        if !lesson.about.is_empty() {
+            ui.add(Label::new(RichText::new(&lesson.about).weak()).wrap());
+        }
     });
-    if !lesson.about.is_empty() {
-        inside.add(Label::new(RichText::new(&lesson.about).weak()).wrap());
-    }
-    let height = inside.min_rect().max.y + 7.0 - outer.min.y;
-    let (rect, response) = ui.allocate_exact_size(
-        vec2(width, height.max(ui.spacing().interact_size.y)),
-        Sense::click(),
-    );
     let state = if done { text!("course-done") } else { "" };
     let response = named(
         response,
         Role::Button,
         format!("{} {state}", lesson.title).trim(),
     );
-    let fill = if response.hovered() {
-        ui.visuals().widgets.hovered.bg_fill
-    } else {
-        ui.visuals().faint_bg_color
-    };
-    let shape = eframe::egui::epaint::RectShape::new(
-        rect,
-        6.0,
-        fill,
-        Stroke::new(0.0, Color32::TRANSPARENT),
-        StrokeKind::Inside,
-    );
-    ui.painter().set(ground, shape);
     response.clicked()
 }

@@ -94,7 +94,7 @@ pub struct MarkedAnswer {
     pub words: String,
     /// The first answer, if it differs.
     pub first: Option<String>,
-    /// What is said of the wrong model that the first answer agrees with, or else the last.
+    /// The explanation of the wrong model that the first answer agrees with, or else the last.
     pub model: Option<String>,
     pub grade: Option<Grade>,
     pub tries: u32,

@@ -31,7 +31,7 @@ pub struct Prepared {
     pub after: String,
     /// The texts of options and items, or of the axes of a curve.
     pub names: Vec<String>,
-    /// What is said of each wrong model, of a choice of each option.
+    /// The explanation of each wrong model, or of each option of a choice.
     pub says: Vec<String>,
     /// The right answer and those of the wrong models.
     pub key: Option<Result<AnswerKey, String>>,

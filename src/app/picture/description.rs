@@ -32,7 +32,7 @@ const HUES: [&str; 6] = [
 /// Maximum number of lights whose direction is told.
 const MOST: usize = 3;
 
-/// What is told of a picture.
+/// The parts of a picture's description.
 #[derive(Clone)]
 pub struct Described {
     /// The picture and the language that it is about.

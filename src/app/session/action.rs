@@ -77,7 +77,7 @@ pub enum Action {
     /// Toggles a switch of the appearance.
     Show(fn(&mut Appearance) -> &mut bool),
     /// Changes the appearance in another way.
-    ChangeLook(fn(&mut Appearance)),
+    ChangeAppearance(fn(&mut Appearance)),
     /// Toggles the view of the picture alone on the whole screen.
     PictureAlone,
     /// Shows the panes in this view.
@@ -165,7 +165,7 @@ pub enum Turn {
     List,
 }
 
-/// What the lecturer does with a live class.
+/// An action on a live class.
 #[cfg(feature = "class")]
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum ClassAction {
@@ -176,7 +176,7 @@ pub enum ClassAction {
     /// Shows the step in place of the address for those who join.
     Begin,
     Perform(Command),
-    /// What comes next: the answers, the explanation, or the next step.
+    /// The next thing: the answers, the explanation, or the next step.
     Onward,
     End,
 }

@@ -18,14 +18,15 @@ use crate::app::system;
 use crate::app::views::compare::VIEWS;
 use crate::app::views::plan::left_out;
 use crate::app::widgets::focus::{named, one_stop};
+use crate::app::widgets::letter::text_width;
 use crate::render::{FrameReport, StageRun};
 use crate::scene::{Choice, ReflectionModel, Scene, ShadingMode};
 use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::containers::menu::is_in_menu;
 use eframe::egui::{
-    Align, Button, Color32, ComboBox, EventFilter, Id, Key, Label, Layout, MenuBar, Modifiers,
-    Popup, RadioButton, Response, RichText, Sense, TextStyle, TextWrapMode, Ui, vec2,
+    Align, Button, ComboBox, EventFilter, Id, Key, Label, Layout, MenuBar, Modifiers, Popup,
+    RadioButton, Response, RichText, Sense, TextWrapMode, Ui, vec2,
 };
 
 /// The window width below which the menus fold into one, and the modes into a list, in points.
@@ -371,13 +372,7 @@ fn counts_ui(ui: &mut Ui, scene: &Scene, report: &FrameReport) {
         (2, text!("triangles", count = grouped(report.triangles)), ""),
         (1, overflowing, text!("overflowing-tip")),
     ];
-    let font = TextStyle::Body.resolve(ui.style());
-    let width = |words: &str| {
-        let set = ui
-            .painter()
-            .layout_no_wrap(words.to_owned(), font.clone(), Color32::PLACEHOLDER);
-        set.size().x + ui.spacing().item_spacing.x
-    };
+    let width = |words: &str| text_width(ui, words) + ui.spacing().item_spacing.x;
     let widths = counts
         .each_ref()
         .map(|(rank, words, _)| (*rank, width(words)));

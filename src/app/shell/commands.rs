@@ -234,7 +234,7 @@ fn edit() -> Section {
 }
 
 fn view() -> Section {
-    let (show, change) = (Action::Show, Action::ChangeLook);
+    let (show, change) = (Action::Show, Action::ChangeAppearance);
     Section::new("view")
         .item(
             "controls",
@@ -578,7 +578,7 @@ impl AppState {
                 let shown = switch(&mut self.window.appearance);
                 *shown = !*shown;
             }
-            Action::ChangeLook(change) => change(&mut self.window.appearance),
+            Action::ChangeAppearance(change) => change(&mut self.window.appearance),
             Action::Scan(walk) => self
                 .window
                 .own

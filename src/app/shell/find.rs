@@ -1,7 +1,7 @@
 //! *Find a command*: whatever the window can do or show, found by its name in any language, typing errors forgiven.
 
 use super::commands::{Command, SECTIONS};
-use super::menu::LOOKS;
+use super::menu::APPEARANCE_CHOICES;
 use crate::app::controls::has_row;
 use crate::app::session::action::{Action, Requests, Turn};
 use crate::app::session::window::WindowState;
@@ -47,7 +47,7 @@ impl Finder {
 /// Something that can be found.
 struct Entry {
     name: String,
-    /// What kind of thing it is, or the key that does it.
+    /// Its kind, or the key that does it.
     kind: String,
     /// Its names in all languages, and the same with its help, in lower case.
     names: Vec<String>,
@@ -126,10 +126,10 @@ fn entries() -> Vec<Entry> {
         let name = || command.name().trim_end_matches('…').to_owned();
         entries.push(Entry::new(action, keys, name, help));
     }
-    for look in &LOOKS {
+    for look in &APPEARANCE_CHOICES {
         let name = || format!("{}: {}", text!(look.setting), (look.name)());
         let help = || text!(look.tip).to_owned();
-        let action = Action::ChangeLook(look.choose);
+        let action = Action::ChangeAppearance(look.choose);
         entries.push(Entry::new(action, text!("find-setting"), name, help));
     }
     for (view, name, help) in VIEWS {

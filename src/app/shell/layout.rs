@@ -48,7 +48,7 @@ const LOWEST: f32 = 380.0;
 /// The layout's memory of the last frame.
 #[derive(Debug, Default)]
 pub struct Layout {
-    /// Whether the controls were open in the last frame, and which view; `None` before the first.
+    /// True if the controls were open in the last frame, and the view that was; `None` before the first.
     open: Option<(bool, Option<ViewName>)>,
     /// True if the window is higher than wide. Unchanged while text is edited, so that a field keeps its
     /// place when a phone's keyboard makes the window lower.

@@ -7,7 +7,7 @@ use crate::app::session::document::{Document, Origin};
 use crate::app::session::place::{ProbePoint, ProfileLine};
 use crate::app::shell::state::AppState;
 use crate::app::system;
-use crate::app::widgets::code::{code_side, paint_code};
+use crate::app::widgets::code::{code_side, qr_code_ui};
 use crate::app::widgets::dialog::Choice;
 use crate::app::widgets::focus::{heading, named};
 use crate::app::widgets::theme::text_field;
@@ -19,7 +19,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
 use eframe::egui::{
     Align, Area, Button, Color32, Context, Event, FontId, Galley, Id, Key, OpenUrl, Order,
-    OutputCommand, Painter, Rect, RichText, Sense, Ui, pos2,
+    OutputCommand, Painter, Rect, RichText, Sense, Ui, UiBuilder, Vec2, pos2,
 };
 use std::sync::Arc;
 
@@ -328,7 +328,7 @@ pub fn code_ui(ctx: &Context, shown: &LinkCode) -> bool {
             let response = ui.allocate_rect(room, Sense::click());
             let name = text!("link-code-of", link = shown.link.as_str());
             named(response, Role::Image, &name);
-            paint(ui.painter(), room, ctx.pixels_per_point(), shown);
+            paint(ui, room, shown);
         });
     let closes = |event: &Event| match event {
         Event::Key {
@@ -340,13 +340,13 @@ pub fn code_ui(ctx: &Context, shown: &LinkCode) -> bool {
     !ctx.input(|input| input.events.iter().any(closes))
 }
 
-fn paint(painter: &Painter, room: Rect, pixels_per_point: f32, shown: &LinkCode) {
-    painter.rect_filled(room, 0.0, Color32::WHITE);
+fn paint(ui: &mut Ui, room: Rect, shown: &LinkCode) {
+    ui.painter().rect_filled(room, 0.0, Color32::WHITE);
     let inner = room.shrink(GAP);
     let letters = (room.height() / LINES).min(room.width() / COLUMNS);
     let letters = letters.clamp(LETTERS[0], LETTERS[1]);
     let text = |text: String, size: f32, colour: Color32, rows: usize| {
-        lines(painter, text, size, colour, rows, inner.width())
+        lines(ui.painter(), text, size, colour, rows, inner.width())
     };
     let short = shown
         .link
@@ -365,14 +365,19 @@ fn paint(painter: &Painter, room: Rect, pixels_per_point: f32, shown: &LinkCode)
     texts.push(text(text!("link-code-closes").to_owned(), small, GREY, 1));
     let below: f32 = texts.iter().map(|text| text.size().y + 0.5 * GAP).sum();
     let side = inner.width().min(inner.height() - below);
-    let size = code_side(&shown.code, side, pixels_per_point);
+    let size = code_side(&shown.code, side, ui.ctx().pixels_per_point());
     let left = inner.center().x - 0.5 * size;
     let top = inner.top() + 0.5 * (inner.height() - below - size).max(0.0);
-    paint_code(painter, &shown.code, pos2(left, top), side);
+    let place = Rect::from_min_size(pos2(left, top), Vec2::splat(size));
+    qr_code_ui(
+        &mut ui.new_child(UiBuilder::new().max_rect(place)),
+        &shown.code,
+        side,
+    );
     let mut y = top + size;
     for text in texts {
         let (height, colour) = (text.size().y, Color32::BLACK);
-        painter.galley(pos2(inner.center().x, y), text, colour);
+        ui.painter().galley(pos2(inner.center().x, y), text, colour);
         y += height + 0.5 * GAP;
     }
 }

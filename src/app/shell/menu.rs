@@ -7,13 +7,13 @@ use crate::app::session::appearance::Appearance;
 use crate::app::session::window::WindowState;
 use crate::app::system;
 use crate::app::widgets::focus::{named, switch_named};
-use crate::app::widgets::sign::tick;
+use crate::app::widgets::sign::ticked;
 use crate::app::widgets::theme::ThemeChoice;
 use crate::scene::ShadingMode;
 use crate::text::{Language, text};
 use eframe::egui::accesskit::Role;
 use eframe::egui::style::ScrollStyle;
-use eframe::egui::{Atom, Button, IdSalt, Rect, ScrollArea, Ui, vec2};
+use eframe::egui::{Button, ScrollArea, Ui};
 
 /// The width of a menu, in points.
 const WIDTH: f32 = 264.0;
@@ -36,7 +36,7 @@ const FOR_KEYS: [&str; 6] = [
 ];
 
 /// A value of a setting of the appearance that is one of several.
-pub struct Look {
+pub struct AppearanceChoice {
     /// The key of the setting's name.
     pub setting: &'static str,
     pub name: fn() -> &'static str,
@@ -45,7 +45,7 @@ pub struct Look {
     pub choose: fn(&mut Appearance),
 }
 
-impl Look {
+impl AppearanceChoice {
     /// Returns whether choosing it would change nothing.
     fn is_chosen(&self, appearance: &Appearance) -> bool {
         let mut chosen = appearance.clone();
@@ -55,38 +55,38 @@ impl Look {
 }
 
 /// The themes and the languages.
-pub const LOOKS: [Look; 6] = [
-    Look {
+pub const APPEARANCE_CHOICES: [AppearanceChoice; 6] = [
+    AppearanceChoice {
         setting: "controls-theme",
         name: || text!("theme-system"),
         tip: "theme-system.tip",
         choose: |look| look.theme = ThemeChoice::System,
     },
-    Look {
+    AppearanceChoice {
         setting: "controls-theme",
         name: || text!("theme-dark"),
         tip: "theme-dark.tip",
         choose: |look| look.theme = ThemeChoice::Dark,
     },
-    Look {
+    AppearanceChoice {
         setting: "controls-theme",
         name: || text!("theme-light"),
         tip: "theme-light.tip",
         choose: |look| look.theme = ThemeChoice::Light,
     },
-    Look {
+    AppearanceChoice {
         setting: "language",
         name: || text!("language-system"),
         tip: "language-system.tip",
         choose: |look| look.language = None,
     },
-    Look {
+    AppearanceChoice {
         setting: "language",
         name: || Language::English.name(),
         tip: "language-english",
         choose: |look| look.language = Some(Language::English),
     },
-    Look {
+    AppearanceChoice {
         setting: "language",
         name: || Language::TraditionalChinese.name(),
         tip: "language-chinese",
@@ -94,14 +94,17 @@ pub const LOOKS: [Look; 6] = [
     },
 ];
 
-/// Shows a menu of the values of a setting of [`LOOKS`].
+/// Shows a menu of the values of a setting of [`APPEARANCE_CHOICES`].
 pub fn looks_ui(ui: &mut Ui, window: &WindowState, requests: &mut Requests, setting: &'static str) {
     ui.menu_button(text!(setting), |ui| {
-        for look in LOOKS.iter().filter(|look| look.setting == setting) {
+        for look in APPEARANCE_CHOICES
+            .iter()
+            .filter(|look| look.setting == setting)
+        {
             let chosen = look.is_chosen(&window.appearance);
             let radio = ui.radio(chosen, (look.name)());
             if radio.on_hover_text(text!(look.tip)).clicked() {
-                requests.ask(Action::ChangeLook(look.choose));
+                requests.ask(Action::ChangeAppearance(look.choose));
             }
         }
     });
@@ -168,11 +171,11 @@ fn items_ui(
     requests: &mut Requests,
     commands: &[&Command],
 ) {
-    let ticked = commands
+    let has_ticks = commands
         .iter()
         .any(|command| is_on(command, session, window).is_some());
     for command in commands {
-        item_ui(ui, session, window, requests, command, ticked);
+        item_ui(ui, session, window, requests, command, has_ticks);
     }
 }
 
@@ -182,7 +185,7 @@ fn item_ui(
     window: &mut WindowState,
     requests: &mut Requests,
     command: &Command,
-    ticked: bool,
+    has_ticks: bool,
 ) {
     let Some(action) = command.actions.first() else {
         return;
@@ -201,9 +204,9 @@ fn item_ui(
         change.flatten().unwrap_or_default()
     );
     let name = name.trim_end();
-    let button = if ticked {
-        let room = Atom::custom(IdSalt::new("tick"), vec2(TICK, TICK));
-        Button::new((room, name))
+    let on = is_on(command, session, window);
+    let button = if has_ticks {
+        Button::new((ticked(TICK, on == Some(true)), name))
     } else {
         Button::new(name)
     };
@@ -214,13 +217,6 @@ fn item_ui(
         command.keys()
     };
     let response = ui.add_enabled(!idle, button.shortcut_text(keys));
-    let on = is_on(command, session, window);
-    if on == Some(true) {
-        let left = response.rect.left_center() + vec2(ui.spacing().button_padding.x, 0.0);
-        let room = Rect::from_center_size(left + vec2(TICK / 2.0, 0.0), vec2(TICK, TICK));
-        ui.painter()
-            .add(tick(room, ui.visuals().strong_text_color()));
-    }
     let response = if waits {
         response.on_disabled_hover_text(text!("course-after-answer"))
     } else {

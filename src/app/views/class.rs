@@ -10,7 +10,7 @@ use crate::app::course::{Course, Teaching};
 use crate::app::session::action::{Action, ClassAction, Requests};
 use crate::app::session::appearance::ViewName;
 use crate::app::session::window::WindowState;
-use crate::app::widgets::code::{code_side, paint_code};
+use crate::app::widgets::code::qr_code_ui;
 use crate::app::widgets::focus::{heading, keep_in_sight, live, named};
 use crate::class::{Command, Snapshot, StepContent};
 use crate::lesson::{Phase, Step, without_marks};
@@ -18,7 +18,7 @@ use crate::text::text;
 use answers::{Answers, answers_ui, words_ui};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align, Button, Color32, Frame, Label, Layout, Panel, ProgressBar, RichText, ScrollArea, Sense,
+    Align, Button, Frame, Label, Layout, Panel, ProgressBar, RichText, ScrollArea, Sense,
     TextureHandle, Ui, vec2,
 };
 use egui_commonmark::CommonMarkCache;
@@ -34,7 +34,7 @@ const LEAST_CODE: f32 = 110.0;
 /// The height of the view below which the code makes way for the answers, in points.
 const LOW: f32 = 400.0;
 
-/// What the view keeps.
+/// The state of the view.
 #[derive(Default)]
 pub struct ClassView {
     markdown: CommonMarkCache,
@@ -106,7 +106,7 @@ fn joining_ui(ui: &mut Ui, class: &mut Teaching, seen: &Snapshot) {
     let area = ScrollArea::vertical().id_salt("joining");
     area.auto_shrink(false).show(ui, |ui| {
         ui.with_layout(layout, |ui| {
-            if code_ui(ui, class, side.max(LEAST_CODE)) {
+            if address_code_ui(ui, class, side.max(LEAST_CODE)) {
                 class.joining = false;
             }
             ui.with_layout(Layout::top_down(align), |ui| {
@@ -139,16 +139,13 @@ fn joined_ui(ui: &mut Ui, seen: &Snapshot) {
 }
 
 /// Shows the address as a code; returns whether it was clicked.
-fn code_ui(ui: &mut Ui, class: &Teaching, side: f32) -> bool {
+fn address_code_ui(ui: &mut Ui, class: &Teaching, side: f32) -> bool {
     let Some(code) = &class.code else {
         return false;
     };
-    let size = code_side(code, side, ui.ctx().pixels_per_point());
-    let (rect, response) = ui.allocate_exact_size(vec2(size, size), Sense::click());
-    ui.painter().rect_filled(rect, 0.0, Color32::WHITE);
-    paint_code(ui.painter(), code, rect.min, side);
     let name = text!("wall-code", address = class.live.address());
-    named(response, Role::Button, &name).clicked()
+    let shown = qr_code_ui(ui, code, side).interact(Sense::click());
+    named(shown, Role::Button, &name).clicked()
 }
 
 /// Shows where the class is, its question, and its answers once they are shown.
@@ -186,7 +183,7 @@ fn head_ui(ui: &mut Ui, class: &mut Teaching, seen: &Snapshot, step: &Step) {
     let side = (CODE * room.min_elem()).max(LEAST_CODE);
     let full = room.y < LOW && seen.spread.is_some();
     ui.with_layout(Layout::right_to_left(Align::Min), |ui| {
-        if !full && code_ui(ui, class, side) {
+        if !full && address_code_ui(ui, class, side) {
             class.joining = true;
         }
         ui.vertical(|ui| {

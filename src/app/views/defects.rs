@@ -14,17 +14,15 @@ use crate::app::session::place::Place;
 use crate::app::session::window::WindowState;
 use crate::app::widgets::background::progress_ui;
 use crate::app::widgets::letter::letter;
-use crate::app::widgets::palette::vector_text;
+use crate::app::widgets::sign::mark_ui;
 use crate::app::widgets::{focus, lines};
-use crate::figure::palette::Vector;
 use crate::scene::{
     Light, LightKind, NormalSource, Object, ObjectKind, Projection, Scene, ShadingMode, Viewer,
 };
 use crate::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align2, CollapsingHeader, Color32, FontId, Id, Label, Painter, RichText, Sense, Shape, Stroke,
-    Ui, UiBuilder, vec2,
+    Align2, CollapsingHeader, Color32, FontId, Id, Label, Painter, RichText, Stroke, Ui, UiBuilder,
 };
 use glam::DVec3;
 
@@ -258,25 +256,12 @@ fn condition_ui(ui: &mut Ui, holds: bool, title: &str, found: &str) {
 
 /// Shows a tick or a cross.
 fn verdict_ui(ui: &mut Ui, holds: bool) {
-    let (rect, response) = ui.allocate_exact_size(vec2(16.0, 16.0), Sense::hover());
-    let (words, colour, lines) = if holds {
-        let tick = [[0.15, 0.55], [0.4, 0.8], [0.85, 0.25]];
-        (text!("picture-holds"), Vector::V, vec![tick.to_vec()])
+    let words = if holds {
+        text!("picture-holds")
     } else {
-        let cross = [[[0.2, 0.2], [0.8, 0.8]], [[0.2, 0.8], [0.8, 0.2]]];
-        (
-            text!("picture-fails"),
-            Vector::R,
-            cross.map(|line| line.to_vec()).to_vec(),
-        )
+        text!("picture-fails")
     };
-    let colour = vector_text(ui.visuals(), colour);
-    for line in lines {
-        let at = |[x, y]: [f32; 2]| rect.min + vec2(x, y) * rect.size();
-        let points = line.into_iter().map(at).collect();
-        ui.painter()
-            .add(Shape::line(points, Stroke::new(2.5, colour)));
-    }
+    let response = mark_ui(ui, 16.0, holds);
     focus::named(response, Role::Label, words).on_hover_text(words);
 }
 

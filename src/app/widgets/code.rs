@@ -1,7 +1,7 @@
 //! A QR code in the window, black on white whatever the theme, with each module on whole pixels so that no edge is blurred.
 
 use crate::figure::QrCode;
-use eframe::egui::{Color32, Mesh, Painter, Pos2, Rect, Shape, pos2};
+use eframe::egui::{Color32, Mesh, Painter, Pos2, Rect, Response, Sense, Shape, Ui, pos2, vec2};
 
 /// Returns how large a code within `side` points is, quiet zone included.
 pub fn code_side(code: &QrCode, side: f32, pixels_per_point: f32) -> f32 {
@@ -15,8 +15,17 @@ fn module(code: &QrCode, side: f32, pixels_per_point: f32) -> f32 {
         .max(1.0)
 }
 
+/// Shows a code on white within `side` points.
+pub fn qr_code_ui(ui: &mut Ui, code: &QrCode, side: f32) -> Response {
+    let size = code_side(code, side, ui.ctx().pixels_per_point());
+    let (rect, response) = ui.allocate_exact_size(vec2(size, size), Sense::hover());
+    ui.painter().rect_filled(rect, 0.0, Color32::WHITE);
+    paint_code(ui.painter(), code, rect.min, side);
+    response
+}
+
 /// Paints the dark modules of a code from its top left corner, on what is white, within `side` points.
-pub fn paint_code(painter: &Painter, code: &QrCode, at: Pos2, side: f32) {
+fn paint_code(painter: &Painter, code: &QrCode, at: Pos2, side: f32) {
     let points = painter.pixels_per_point();
     let module = module(code, side, points);
     let whole =

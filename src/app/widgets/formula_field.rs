@@ -21,7 +21,7 @@ pub struct FormulaField<'a> {
     pub id: Id,
     /// Accessible name.
     pub name: &'a str,
-    /// What an empty field says.
+    /// The text of an empty field.
     pub hint: &'static str,
     /// Lines of an empty field.
     pub rows: usize,

@@ -2,7 +2,7 @@
 
 use crate::figure::Set;
 use eframe::egui::text::{LayoutJob, TextFormat};
-use eframe::egui::{Align, Align2, Color32, FontId, Painter, Pos2, vec2};
+use eframe::egui::{Align, Align2, Color32, FontId, Painter, Pos2, TextStyle, Ui, vec2};
 
 /// Size of text with subscripts, points.
 const LETTERED: f32 = 14.0;
@@ -37,6 +37,15 @@ pub fn letter(
     if !painter.ctx().global_style().visuals.dark_mode {
         painter.text(at, align, text, font.clone(), colour);
     }
+}
+
+/// Returns the width of a line of text, in points.
+pub fn text_width(ui: &Ui, text: &str) -> f32 {
+    let font = TextStyle::Body.resolve(ui.style());
+    let galley = ui
+        .painter()
+        .layout_no_wrap(text.to_owned(), font, Color32::PLACEHOLDER);
+    galley.size().x
 }
 
 /// Lays out text with subscript digits and superscript powers, which the fonts lack.

@@ -6,7 +6,7 @@
 
 use crate::analysis::probe::Tone;
 use crate::figure::palette::{self, Rgb8, Vector};
-use eframe::egui::{Color32, Visuals};
+use eframe::egui::{Color32, Ui, Visuals};
 
 /// Minimum contrast of text required by WCAG 2.2 (success criterion 1.4.3).
 pub const READABLE: f64 = 4.5;
@@ -21,6 +21,11 @@ pub fn vector(vector: Vector) -> Color32 {
 pub fn vector_text(visuals: &Visuals, letter: Vector) -> Color32 {
     // A control is the background closest to text in lightness, in both themes.
     readable(vector(letter), visuals.widgets.inactive.bg_fill)
+}
+
+/// Returns the colour of right answers.
+pub fn right_colour(ui: &Ui) -> Color32 {
+    vector_text(ui.visuals(), Vector::V)
 }
 
 /// Returns the colour of a part of the equation as text on a panel.

@@ -1,6 +1,7 @@
 //! The layout of a row: label, control and the button that resets it.
 
 use crate::app::widgets::focus::{self, named};
+use crate::app::widgets::letter::text_width;
 use crate::app::widgets::symbol::{self, Symbol};
 use crate::scene::parameter::Parameter;
 use crate::text;
@@ -233,21 +234,12 @@ fn reset(ui: &mut Ui, about: &About<'_>, rect: Rect) -> bool {
 /// Returns the font size at which `label` fits into the rest of the line. A long label is set a little smaller.
 fn fitting(ui: &Ui, label: &str) -> f32 {
     let size = TextStyle::Body.resolve(ui.style()).size;
-    let width = width_of(ui, label);
+    let width = text_width(ui, label);
     (size * (ui.available_width() - GAP) / width.max(1.0)).clamp(LEAST_LABEL * size, size)
-}
-
-/// Returns the width of a line of text, in points.
-pub fn width_of(ui: &Ui, text: &str) -> f32 {
-    let font = TextStyle::Body.resolve(ui.style());
-    let galley = ui
-        .painter()
-        .layout_no_wrap(text.to_owned(), font, Color32::WHITE);
-    galley.size().x
 }
 
 /// Returns the minimum width of letter and label, in points.
 fn least_width(ui: &Ui, about: &About<'_>) -> f32 {
     let letter = if about.letter.is_empty() { 0.0 } else { LETTER };
-    letter + LEAST_LABEL * width_of(ui, about.label) + GAP
+    letter + LEAST_LABEL * text_width(ui, about.label) + GAP
 }

@@ -26,7 +26,7 @@ pub const SIDES: [&str; 2] = ["controls-width", "controls-height"];
 const SLIDER: f32 = 124.0;
 const OPEN_SLIDER: f32 = 160.0;
 const LEAST_FIELD: f32 = 50.0;
-/// How far a value moves with Shift, as a fraction of how far it moves without.
+/// The step of a value with Shift, as a fraction of that without.
 const FINE: f32 = 0.1;
 /// Space between the parts of a row's control, in points.
 const SPACE: f32 = 6.0;

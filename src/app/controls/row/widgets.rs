@@ -4,13 +4,14 @@ use super::layout::About;
 use super::number::{AXES, CHANNELS, SliderRange, fields};
 use crate::app::widgets::fingers::{Held, hold};
 use crate::app::widgets::focus::{aside, named, switch_named};
+use crate::app::widgets::swatch::swatch_ui;
 use crate::app::widgets::theme::text_field;
 use crate::scene::{ChoiceOption, Rgb};
 use crate::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Button, Color32, ComboBox, Label, Popup, PopupCloseBehavior, Rect, RichText, Sense, Slider,
-    SliderClamping, StrokeKind, Ui, WidgetInfo, vec2,
+    Button, ComboBox, Label, Popup, PopupCloseBehavior, RichText, Slider, SliderClamping, Ui,
+    WidgetInfo, vec2,
 };
 use glam::DVec3;
 
@@ -28,27 +29,11 @@ const CHIPS: [(&str, Rgb); 10] = [
     ("controls-chip-violet", Rgb::new(0.65, 0.35, 0.8)),
 ];
 
-/// Returns a linear colour as the textbooks' display shows it.
-pub fn swatch(colour: Rgb) -> Color32 {
-    let [r, g, b] = colour
-        .to_array()
-        .map(|value| (value.clamp(0.0, 1.0) * 255.0).round() as u8);
-    Color32::from_rgb(r, g, b)
-}
-
 /// Shows a swatch that opens sliders.
 pub fn swatch_button(ui: &mut Ui, name: &str, value: &mut Rgb) {
     // As high as its row, for fingers; the visible part is lower.
     let size = vec2(26.0, ui.spacing().interact_size.y);
-    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
-    let rect = Rect::from_center_size(rect.center(), vec2(26.0, 20.0));
-    let stroke = if response.hovered() || response.has_focus() {
-        ui.visuals().widgets.hovered.fg_stroke
-    } else {
-        ui.visuals().window_stroke
-    };
-    ui.painter()
-        .rect(rect, 4.0, swatch(*value), stroke, StrokeKind::Inside);
+    let response = swatch_ui(ui, *value, vec2(26.0, 20.0), size);
     let response = named(
         response,
         Role::Button,
@@ -90,14 +75,8 @@ fn picker(ui: &mut Ui, name: &str, value: &mut Rgb) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = 4.0;
         for (label, chip) in CHIPS {
-            let (rect, response) = ui.allocate_exact_size(vec2(22.0, 22.0), Sense::click());
-            ui.painter().rect(
-                rect,
-                4.0,
-                swatch(chip),
-                ui.visuals().window_stroke,
-                StrokeKind::Inside,
-            );
+            let size = vec2(22.0, 22.0);
+            let response = swatch_ui(ui, chip, size, size);
             let label = text!(label);
             if named(response, Role::Button, label)
                 .on_hover_text(label)

@@ -1,11 +1,12 @@
 //! A choice: a card for each option.
 
-use super::card::{CHOICE, Card};
+use super::card::{CHOICE, OptionCard};
 use super::widget::{Widget, WidgetContext};
+use crate::app::widgets::sign::radio_sign;
 use crate::lesson::{Answer, Question, Solution};
 use crate::scene::Scene;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Sense, Stroke, Ui, vec2};
+use eframe::egui::{Ui, vec2};
 
 /// The options, with the chosen one.
 #[derive(Default)]
@@ -27,7 +28,7 @@ impl Widget for ChoiceWidget {
         };
         for (index, words) in asked.names.iter().enumerate() {
             let on = self.chosen == Some(index);
-            let card = Card {
+            let card = OptionCard {
                 id: ui.scope_id().with(("option", index)),
                 words,
                 role: Role::RadioButton,
@@ -36,14 +37,7 @@ impl Widget for ChoiceWidget {
                 enabled: !asked.revealed,
             };
             let response = card.show(ui, asked.markdown, |ui| {
-                let (rect, _) = ui.allocate_exact_size(vec2(16.0, CHOICE), Sense::hover());
-                let visuals = ui.visuals();
-                let stroke = Stroke::new(1.5, visuals.text_color());
-                ui.painter().circle_stroke(rect.center(), 6.0, stroke);
-                if on {
-                    ui.painter()
-                        .circle_filled(rect.center(), 3.5, visuals.hyperlink_color);
-                }
+                radio_sign(ui, vec2(16.0, CHOICE), on);
             });
             if response.clicked() {
                 (self.chosen, asked.changed) = (Some(index), true);

@@ -1,10 +1,10 @@
 //! A curve drawn by hand, and the right one drawn over it.
 
 use super::widget::{Widget, WidgetContext};
-use crate::app::course::parts::right_colour;
 use crate::app::widgets::drawing::{paint, plot_style, rgb};
 use crate::app::widgets::focus::named;
 use crate::app::widgets::lines::exact;
+use crate::app::widgets::palette::right_colour;
 use crate::app::widgets::palette::vector_text;
 use crate::figure::palette::{Rgb8, Vector};
 use crate::figure::{Drawing, Shape};

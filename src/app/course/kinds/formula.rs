@@ -1,11 +1,11 @@
 //! A formula: a field to type it in, the formula as a textbook sets it, and its names and signs as buttons.
 
 use super::widget::{Widget, WidgetContext};
-use crate::app::course::parts::right_colour;
 use crate::app::course::prose::caption_ui;
 use crate::app::system;
 use crate::app::widgets::focus::one_stop;
 use crate::app::widgets::formula_field::{FormulaField, set_ui, wants_signs};
+use crate::app::widgets::palette::right_colour;
 use crate::lesson::{Answer, FORMULA_SIGNS, Formula, Kind, Question, Solution};
 use crate::scene::Scene;
 use crate::text::text;

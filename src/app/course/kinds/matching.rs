@@ -7,7 +7,9 @@ use crate::app::course::parts::waiting_ui;
 use crate::app::session::Session;
 use crate::app::widgets::background::{PICTURES, wake};
 use crate::app::widgets::focus::named;
+use crate::app::widgets::meter::meter_ui;
 use crate::app::widgets::palette::vector_text;
+use crate::app::widgets::tile::picture_ui;
 use crate::figure::palette::Vector;
 use crate::figure::short;
 use crate::geometry::Mesh;
@@ -19,10 +21,7 @@ use crate::render::Renderer;
 use crate::scene::Scene;
 use crate::text::text;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{
-    Color32, ColorImage, Context, Grid, Rect, RichText, Sense, Stroke, StrokeKind, TextureHandle,
-    TextureOptions, Ui, pos2, vec2,
-};
+use eframe::egui::{ColorImage, Context, Grid, RichText, TextureHandle, TextureOptions, Ui, vec2};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 
@@ -212,9 +211,9 @@ fn match_ui(ui: &mut Ui, asked: &mut WidgetContext<'_>, kind: &Match) {
     own.draw_target(ui.ctx(), &target, staged.model.as_ref());
     own.measure(ui.ctx(), [present, target], staged.model.as_ref());
     ui.label(RichText::new(text!("course-target")).weak());
-    picture_ui(ui, &own, size);
+    target_ui(ui, &own, size);
     ui.add_space(4.0);
-    meter_ui(ui, &own, kind.tolerance);
+    distance_ui(ui, &own, kind.tolerance);
     if !asked.revealed {
         let seconds = (now - own.began).max(0.0) as u64;
         let time = format!("{}:{:02}", seconds / 60, seconds % 60);
@@ -224,30 +223,16 @@ fn match_ui(ui: &mut Ui, asked: &mut WidgetContext<'_>, kind: &Match) {
     asked.window.own.put(own);
 }
 
-fn picture_ui(ui: &mut Ui, own: &Matching, [width, height]: [u32; 2]) {
+fn target_ui(ui: &mut Ui, own: &Matching, [width, height]: [u32; 2]) {
     let aspect = height as f32 / width as f32;
     let wide = ui.available_width().min(HIGHEST / aspect);
-    let size = vec2(wide, wide * aspect);
-    let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
+    let response = picture_ui(ui, own.picture.as_ref(), vec2(wide, wide * aspect));
     named(response, Role::Image, text!("course-target"));
-    let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-    match &own.picture {
-        Some(texture) => {
-            _ = ui
-                .painter()
-                .image(texture.id(), rect, whole, Color32::WHITE);
-        }
-        None => {
-            _ = ui
-                .painter()
-                .rect_filled(rect, 2.0, ui.visuals().extreme_bg_color);
-        }
-    }
 }
 
 /// Shows the distance on a logarithmic scale from its value at first to the tolerance. The meter is empty until the distance is
 /// known, so that nothing below it moves then.
-fn meter_ui(ui: &mut Ui, own: &Matching, tolerance: f64) {
+fn distance_ui(ui: &mut Ui, own: &Matching, tolerance: f64) {
     let [first, before, distance] = own.distances;
     let start = first.unwrap_or(tolerance).max(4.0 * tolerance);
     let share = distance.map_or(0.0, |distance| {
@@ -261,19 +246,10 @@ fn meter_ui(ui: &mut Ui, own: &Matching, tolerance: f64) {
         _ => "",
     };
     let rms = distance.map_or_else(|| "…".to_owned(), |distance| format!("{distance:.4}"));
-    let (rect, response) =
-        ui.allocate_exact_size(vec2(ui.available_width(), METER), Sense::hover());
+    let colour = vector_text(ui.visuals(), Vector::L);
+    let response = meter_ui(ui, vec2(ui.available_width(), METER), share, colour);
     let name = text!("course-match-meter");
     named(response, Role::ProgressIndicator, name);
-    let visuals = ui.visuals();
-    ui.painter()
-        .rect_filled(rect, 4.0, visuals.extreme_bg_color);
-    let filled = rect.with_max_x(rect.min.x + rect.width() * share);
-    ui.painter()
-        .rect_filled(filled, 4.0, vector_text(visuals, Vector::L));
-    let line = Stroke::new(1.0, visuals.widgets.noninteractive.bg_stroke.color);
-    ui.painter()
-        .rect_stroke(rect, 4.0, line, StrokeKind::Inside);
     ui.horizontal(|ui| {
         ui.label(text!("course-match-distance", rms = rms));
         ui.label(RichText::new(words).strong());

@@ -1,6 +1,6 @@
 //! An order: cards moved by dragging or by their buttons, the smallest first.
 
-use super::card::Card;
+use super::card::OptionCard;
 use super::widget::{Widget, WidgetContext};
 use crate::app::course::prose::prose_ui;
 use crate::app::system;
@@ -49,7 +49,7 @@ impl Widget for OrderWidget {
             let Some(words) = asked.names.get(*item) else {
                 continue;
             };
-            let card = Card {
+            let card = OptionCard {
                 id: ui.scope_id().with(("item", *item)),
                 words,
                 role: Role::ListItem,

@@ -6,7 +6,6 @@
 //! in the picture, in the direction of the light, filled on the side that faces the viewer, hollow on the other.
 
 use super::beam::{self, MARGIN, on_sphere};
-use crate::app::controls::row::swatch;
 use crate::app::session::Session;
 use crate::app::session::place::{Place, tidy};
 use crate::app::session::window::WindowState;
@@ -14,6 +13,7 @@ use crate::app::session::window::{Grip, LightStart};
 use crate::app::widgets::letter::letter;
 use crate::app::widgets::lines::{exact, line, outline};
 use crate::app::widgets::palette;
+use crate::app::widgets::swatch::display_colour;
 use crate::app::widgets::theme::TEXT;
 use crate::figure::palette::Vector;
 use crate::figure::{Area, Placer, Wish};
@@ -152,7 +152,7 @@ pub fn paint(
         .map(|(index, light)| marker(light, view, middle, place, held_far(window, index)))
         .collect();
     for (index, (light, (at, marker))) in scene.lights.iter().zip(&markers).enumerate() {
-        let colour = light.shines(soloing).then(|| swatch(light.color));
+        let colour = light.shines(soloing).then(|| display_colour(light.color));
         paint_light(painter, *at, *marker, colour, index == session.light);
     }
     beam::chosen(session, view)

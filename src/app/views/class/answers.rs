@@ -2,10 +2,13 @@
 
 use super::charts::{Colours, Range, clicks, curves, highest, numbers};
 use super::layer::Layer;
-use crate::app::course::{prose_ui, right_colour};
+use crate::app::course::prose_ui;
 use crate::app::widgets::drawing::{drawing_ui, plot_style, rgb};
 use crate::app::widgets::focus::named;
+use crate::app::widgets::meter::meter_ui;
+use crate::app::widgets::palette::right_colour;
 use crate::app::widgets::palette::vector_text;
+use crate::app::widgets::tile;
 use crate::class::{Round, Spread};
 use crate::figure::palette::Vector;
 use crate::figure::{Drawing, PlotStyle};
@@ -15,10 +18,7 @@ use crate::lesson::{
 };
 use crate::text::text;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{
-    Color32, ColorImage, Rect, RichText, Sense, Shape, TextureHandle, TextureOptions, Ui, pos2,
-    vec2,
-};
+use eframe::egui::{ColorImage, RichText, Sense, Shape, TextureHandle, TextureOptions, Ui, vec2};
 use egui_commonmark::CommonMarkCache;
 use glam::DVec2;
 
@@ -33,7 +33,7 @@ const ORDERS: usize = 6;
 /// The most wrong models that are named.
 const MODELS: usize = 3;
 
-/// What is shown of a question's answers.
+/// The answers to a question, and how they are shown.
 pub struct Answers<'a> {
     pub question: &'a Question,
     pub asked: &'a ClassQuestion,
@@ -45,7 +45,7 @@ pub struct Answers<'a> {
     pub markdown: &'a mut CommonMarkCache,
     /// The picture of a step that clicks are shown in.
     pub picture: &'a mut Option<(usize, TextureHandle)>,
-    /// What the drawings of the last two rounds are shown with.
+    /// The textures of the drawings of the last two rounds.
     pub layers: &'a mut [Layer; 2],
 }
 
@@ -220,18 +220,17 @@ fn picture_ui(
     let size = vec2(frame.width as f32, frame.height as f32);
     let most = vec2(ui.available_width(), most_height(ui));
     let shown = size * (most / size).min_elem();
-    let (rect, response) = ui.allocate_exact_size(shown, Sense::hover());
+    let response = tile::picture_ui(ui, Some(texture), shown);
+    let rect = response.rect;
     let words = text!("wall-count", count = round.answers.len());
     named(response, Role::Image, &words);
-    let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-    let painter = ui.painter_at(rect);
-    painter.image(texture.id(), rect, whole, Color32::WHITE);
     let right = match answers.solution() {
         Some(Solution::Point(places)) => Some(&places[..]),
         _ => None,
     };
     let size = DVec2::new(shown.x.into(), shown.y.into());
     let drawing = clicks(round, right, point.tolerance, (size, style.text, colours));
+    let painter = ui.painter_at(rect);
     painter.add(answers.layers[index].shape(&painter, drawing, rect));
 }
 
@@ -306,21 +305,12 @@ fn bars_ui(
         };
         ui.horizontal(|ui| {
             let width = 0.7 * ui.available_width();
-            let (rect, response) = ui.allocate_exact_size(vec2(width, BAR), Sense::hover());
-            named(response, Role::Image, &words);
-            let faint = ui.visuals().widgets.noninteractive.bg_stroke.color;
-            ui.painter()
-                .rect_filled(rect, 3.0, faint.gamma_multiply(0.5));
-            let filled = rect.with_max_x(rect.min.x + share * rect.width());
             let colour = if is_right { right } else { plain };
             // The round before is paler.
             let last = index + 1 == rounds.len();
-            let colour = if last {
-                colour
-            } else {
-                colour.gamma_multiply(0.5)
-            };
-            ui.painter().rect_filled(filled, 3.0, colour);
+            let colour = colour.gamma_multiply(if last { 1.0 } else { 0.5 });
+            let response = meter_ui(ui, vec2(width, BAR), share, colour);
+            named(response, Role::Image, &words);
             ui.label(words);
         });
     }

@@ -9,7 +9,7 @@ use eframe::egui::{Color32, Painter, Rect, Shape, TextureHandle, TextureOptions,
 /// The shapes of a drawing as a texture.
 #[derive(Default)]
 pub struct Layer {
-    /// What the texture shows, and its pixels per point.
+    /// The drawing that the texture shows, and its pixels per point.
     shown: Option<(Drawing, f32)>,
     texture: Option<TextureHandle>,
 }

@@ -173,9 +173,7 @@ fn channels_ui(ui: &mut Ui) {
     let weak = ui.visuals().weak_text_color();
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), LINE - 4.0), Sense::hover());
     for (index, channel) in channels().into_iter().enumerate() {
-        let galley =
-            ui.painter()
-                .layout_no_wrap(channel.to_owned(), FontId::proportional(TEXT), weak);
+        let galley = line_galley(ui, channel, FontId::proportional(TEXT), weak);
         paint_right(ui, galley, channel_edge(rect, index), rect, weak);
     }
 }
@@ -288,15 +286,15 @@ fn value_galleys(ui: &Ui, line: &FilledLine) -> Vec<(Arc<Galley>, f32)> {
     match &line.value {
         LineValue::Channels(values) => {
             let values = values.iter().enumerate().map(|(index, value)| {
-                let job = set(value, FontId::monospace(TEXT), colour(visuals, line.tone));
-                (ui.painter().layout_job(job), channel_offset(index))
+                let colour = colour(visuals, line.tone);
+                let galley = line_galley(ui, value, FontId::monospace(TEXT), colour);
+                (galley, channel_offset(index))
             });
             values.collect()
         }
         LineValue::Words(words) => {
             let (font, weak) = (FontId::proportional(TEXT), visuals.weak_text_color());
-            let galley = ui.painter().layout_no_wrap(words.clone(), font, weak);
-            vec![(galley, 0.0)]
+            vec![(line_galley(ui, words, font, weak), 0.0)]
         }
     }
 }
@@ -340,6 +338,11 @@ fn channel_offset(index: usize) -> f32 {
 /// Returns the right edge of a channel's column.
 fn channel_edge(rect: Rect, index: usize) -> f32 {
     rect.max.x - channel_offset(index)
+}
+
+/// Lays out text with subscripts and superscripts in one row.
+fn line_galley(ui: &Ui, words: &str, font: FontId, colour: Color32) -> Arc<Galley> {
+    ui.painter().layout_job(set(words, font, colour))
 }
 
 /// Lays out text in at most `rows` rows of the width `room`, truncated.
@@ -416,16 +419,13 @@ fn share_ui(ui: &Ui, share: &Share, place: Rect, whole: f64) {
     );
     let dark = ui.visuals().panel_fill;
     let names = [&share.name, &share.short];
-    let galleys = names.map(|name| {
-        ui.painter()
-            .layout_no_wrap(name.clone(), FontId::proportional(13.0), dark)
-    });
+    let galleys = names.map(|name| line_galley(ui, name, FontId::proportional(13.0), dark));
     if let Some(galley) = galleys
         .into_iter()
         .find(|galley| galley.size().x + 6.0 <= place.width())
     {
-        ui.painter()
-            .galley(place.center() - galley.size() / 2.0, galley, dark);
+        let left = place.center().x - galley.size().x / 2.0;
+        place_at(ui, galley, left, place.center().y, dark);
     }
     if response.hovered() {
         let stroke = Stroke::new(2.0, ui.visuals().strong_text_color());
@@ -488,7 +488,7 @@ impl Table<'_> {
         let laid = |index, head, size, numbers: [String; 3], colour, mean| {
             let numbers = numbers.map(|number| {
                 let font = FontId::monospace(TEXT * scale);
-                ui.painter().layout_job(set(&number, font, colour))
+                line_galley(ui, &number, font, colour)
             });
             let digits = numbers
                 .iter()
@@ -532,13 +532,11 @@ impl Table<'_> {
     fn paint(&self, ui: &Ui, laid: &[Laid<'_>], rect: Rect, gap: f32, place: Place<'_>) {
         let (plain, weak) = (ui.visuals().text_color(), ui.visuals().weak_text_color());
         let line = |channel: usize| rect.min.y + HEAD + ROW * (channel as f32 + 0.5);
-        let text =
-            |ui: &Ui, text: &str, font| ui.painter().layout_no_wrap(text.to_owned(), font, weak);
         for (channel, name) in channels().into_iter().enumerate() {
             let first = name.chars().next().map_or_else(String::new, String::from);
             // A Chinese character fills the available width.
             let size = if first.is_ascii() { TEXT } else { MARK - 4.0 };
-            let first = text(ui, &first, FontId::proportional(size));
+            let first = line_galley(ui, &first, FontId::proportional(size), weak);
             place_at(ui, first, rect.min.x, line(channel), weak);
         }
         let mut x = rect.min.x + MARK;
@@ -549,7 +547,7 @@ impl Table<'_> {
             }
             if index > 0 {
                 for channel in 0..3 {
-                    let sign = text(ui, column.sign, FontId::monospace(TEXT));
+                    let sign = line_galley(ui, column.sign, FontId::monospace(TEXT), weak);
                     let left = x + (gap - sign.size().x) / 2.0;
                     place_at(ui, sign, left, line(channel), weak);
                 }
