@@ -203,7 +203,7 @@ pub fn chinese_font() -> &'static [u8] {
 #[cfg(target_arch = "wasm32")]
 pub use fetched::{chinese_font, chinese_text, set_chinese_font, set_chinese_text};
 
-/// What a web page fetches when Chinese is chosen.
+/// The files that a web page fetches when Chinese is chosen.
 #[cfg(target_arch = "wasm32")]
 mod fetched {
     use std::sync::OnceLock;

@@ -6,7 +6,7 @@ use std::net::{IpAddr, Ipv4Addr, Ipv6Addr, SocketAddr, TcpListener, UdpSocket};
 
 /// The port that is tried first.
 pub const PORT: u16 = 8080;
-/// How many ports are tried after it.
+/// The number of ports that are tried after it.
 const NEXT: u16 = 50;
 
 /// Opens a port: the given one, or the first that is free.

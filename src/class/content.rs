@@ -41,7 +41,7 @@ pub struct Round {
 pub struct Graded {
     /// The student's number, from 1.
     pub student: u32,
-    /// What was answered.
+    /// The answer.
     pub answer: Answer,
     /// The grade; an answer that cannot be graded, such as half a curve, is not right.
     pub grade: Grade,

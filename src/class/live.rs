@@ -11,14 +11,14 @@ use std::net::{IpAddr, SocketAddr};
 use std::path::PathBuf;
 use std::sync::Arc;
 
-/// What a class is started with.
+/// The settings of a class.
 #[derive(Clone, Debug)]
 pub struct LiveOptions {
     /// The file of its record.
     pub record: PathBuf,
-    /// Where it is served.
+    /// The address at which it is served.
     pub server: ServerOptions,
-    /// What stands before the code in the address that is shown, behind a proxy.
+    /// The part of the shown address before the code, behind a proxy.
     pub url: Option<String>,
     /// Students go at their own pace.
     pub own_pace: bool,

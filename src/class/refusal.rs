@@ -3,13 +3,13 @@
 use crate::lesson::{Answer, Pace};
 use serde::Serialize;
 
-/// Where the class is for one student, who may be at a step of their own.
+/// The class as one student sees it, who may be at a step of their own.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct OwnPace {
-    /// Where the class is.
+    /// The step and phase of the class.
     #[serde(flatten)]
     pub pace: Pace,
-    /// How many steps there are.
+    /// The number of steps.
     pub steps: usize,
     /// The lecturer's step, where the student may be at another one.
     #[serde(skip_serializing_if = "Option::is_none")]

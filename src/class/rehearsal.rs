@@ -46,7 +46,7 @@ impl Random {
     }
 }
 
-/// What a student believes about a question.
+/// A student's belief about a question.
 #[derive(Clone, Copy)]
 enum Belief {
     Right,

@@ -53,14 +53,14 @@ pub struct StudentRow {
     pub answered: bool,
 }
 
-/// What the lecturer sees of a class.
+/// A class as the lecturer sees it.
 #[derive(Clone, Debug)]
 pub struct Snapshot {
     /// Grows with every change: with the same number all else is the same.
     pub version: u64,
-    /// Where the class is.
+    /// The step and phase of the class.
     pub pace: Pace,
-    /// How many steps there are.
+    /// The number of steps.
     pub steps: usize,
     /// The step asks something.
     pub asks: bool,
@@ -83,7 +83,7 @@ pub struct Snapshot {
 #[derive(Debug)]
 struct Inner {
     seats: Seats,
-    /// Where each step stands that was visited.
+    /// The state of each step that was visited.
     paces: HashMap<usize, (Phase, u32)>,
     step: usize,
     furthest: usize,
@@ -108,7 +108,7 @@ pub struct Room {
     listener: Listener,
 }
 
-/// What is told of every change: the lecturer's window.
+/// The listener to every change: the lecturer's window.
 #[derive(Default)]
 struct Listener(OnceLock<Box<dyn Fn() + Send + Sync>>);
 

@@ -30,16 +30,16 @@ use tokio::time::timeout;
 /// The longest time that a body may take.
 const BODY_TIME: Duration = Duration::from_secs(10);
 
-/// What the page may do: use what comes from here, and nothing else.
+/// The policy of the page: it uses what comes from here, and nothing else.
 const POLICY: &str = "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
-/// What the program's page may do besides what its own policy, which is stricter, says.
+/// The policy of the program's page, whose own is stricter.
 const LAB_POLICY: &str = "default-src 'self' 'wasm-unsafe-eval' blob: data:; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
 const YEAR: &str = "public, max-age=31536000, immutable";
 const DAY: &str = "public, max-age=86400";
 const NEVER: &str = "no-store";
 
-/// What all requests share.
+/// The state that all requests share.
 pub struct Shared {
     room: Arc<Room>,
     script: StaticFile,
@@ -228,7 +228,7 @@ async fn body(request: Request) -> Result<Vec<u8>, Refusal> {
     read.map_err(|_| Refusal::TooSlow)?.map(|()| bytes)
 }
 
-/// What a student says of themselves.
+/// A student's words about themselves.
 #[derive(Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Introduction {

@@ -33,7 +33,7 @@ const PAUSE: Duration = Duration::from_millis(100);
 /// The time in which the last events are sent.
 const LAST: Duration = Duration::from_millis(200);
 
-/// What a server is started with.
+/// The settings of a server.
 #[derive(Clone, Debug)]
 pub struct ServerOptions {
     /// The address of this machine that it listens at.

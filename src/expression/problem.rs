@@ -37,11 +37,11 @@ impl Position {
 pub struct FormulaError {
     /// The place of the first character that is wrong.
     pub position: Position,
-    /// What is wrong there, what was expected, and what was probably meant.
+    /// The problem in words, with what was expected and what was probably meant.
     pub message: String,
 }
 
-/// What a parser expects at a place.
+/// The token that a parser expects at a place.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Expected {
     Value,
@@ -63,7 +63,7 @@ impl Expected {
     }
 }
 
-/// What is wrong.
+/// The problem.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Fault {
     Unexpected(Expected),
@@ -77,7 +77,7 @@ pub(super) enum Fault {
     Nested(usize),
 }
 
-/// What is wrong at a byte of a text.
+/// A problem at a byte of a text.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Problem {
     pub at: usize,

@@ -78,7 +78,7 @@ pub struct Mesh<C = Corner> {
     pub colors: Vec<Vec3>,
     /// The colour of each corner: an index into `colors`. Empty where these are.
     pub corner_colors: Vec<u32>,
-    /// What could not be read of the file's materials.
+    /// The problems of the file's materials.
     pub remarks: Vec<Remark>,
 }
 

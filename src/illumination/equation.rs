@@ -110,7 +110,7 @@ pub struct Equation<T> {
     form: SpecularForm,
     /// The law in place of both terms; [`Source::diffuse`] is then Ip alone.
     law: Option<Arc<Law>>,
-    /// What the law computes once for each source, source by source.
+    /// The values that the law computes once for each source, source by source.
     known: Vec<Vec<T>>,
     /// True if any light is reflected diffusely.
     diffuses: bool,

@@ -24,7 +24,7 @@ pub const MAX_ROUNDS: u32 = 20;
 /// The longest time that an answer can have taken, in seconds.
 const LONGEST: f64 = 1e7;
 
-/// Where a step of the lesson stands.
+/// The state of a step of the lesson.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Phase {
@@ -39,14 +39,14 @@ pub enum Phase {
     Explain,
 }
 
-/// Where the class is.
+/// The step and phase of the class.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Pace {
     /// The step of the lesson, from 1.
     pub step: usize,
-    /// Where that step stands.
+    /// The phase of that step.
     pub phase: Phase,
-    /// How often its question has been asked, from 1.
+    /// The number of times that its question has been asked, from 1.
     pub round: u32,
 }
 
@@ -73,13 +73,13 @@ pub enum ClassLine {
     Answer {
         /// From 1.
         student: u32,
-        /// What was answered.
+        /// The answer.
         #[serde(flatten)]
         given: RoundAnswer,
     },
 }
 
-/// What a class is about.
+/// The lesson of a class.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct ClassHead {
     /// The version of the format.
@@ -197,11 +197,11 @@ impl ClassStudent {
 /// A record that has been read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ClassRecord {
-    /// What the class is about.
+    /// The lesson of the class.
     pub head: ClassHead,
     /// The students in the order of their first answers.
     pub students: Vec<ClassStudent>,
-    /// Where each step stood last, in the order in which the lecturer went on; the last one is where the class is.
+    /// The last state of each step, in the order in which the lecturer went on; the last one is where the class is.
     pub paces: Vec<Pace>,
     /// The length of the lines that are whole, in bytes.
     pub length: u64,
@@ -219,7 +219,7 @@ impl ClassRecord {
     /// Reads a record.
     ///
     /// # Errors
-    /// What is wrong, with its line.
+    /// The problem, with its line.
     pub fn read(bytes: &[u8]) -> Result<Self, String> {
         if bytes.len() as u64 > Self::MAX_BYTES {
             let most = Self::MAX_BYTES >> 20;

@@ -15,7 +15,7 @@ pub struct Grade {
     /// The wrong model that the answer agrees with, from 0: of a choice the option.
     #[serde(default)]
     pub model: Option<usize>,
-    /// Where an answer is off that agrees with no wrong model.
+    /// The error of an answer that agrees with no wrong model.
     #[serde(default)]
     pub hint: Option<Hint>,
 }

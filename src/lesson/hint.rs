@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Where a wrong answer is off.
+/// The error of a wrong answer.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[non_exhaustive]
 pub enum Hint {
@@ -20,7 +20,7 @@ pub enum Hint {
     },
     /// A piece of a curve is wrong.
     Curve {
-        /// What is the matter with it.
+        /// Its fault.
         fault: CurveFault,
         /// The abscissa where it begins.
         from: f64,
@@ -49,12 +49,12 @@ pub enum Hint {
     Item {
         /// The number of the item.
         item: usize,
-        /// How many places it is too late; negative if it is too early.
+        /// The number of places by which it is too late; negative if it is too early.
         places: isize,
     },
 }
 
-/// What is the matter with a piece of a curve.
+/// The fault of a piece of a curve.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum CurveFault {
     /// Its values are too high.

@@ -13,7 +13,7 @@ pub struct Question {
     pub ask: Prose,
     /// The reason why the answer is right; may be empty.
     pub why: Prose,
-    /// What students believe instead.
+    /// The beliefs of students who are wrong.
     pub wrong: Vec<Wrong>,
     /// The part of the equation that it is about.
     pub term: Option<Term>,

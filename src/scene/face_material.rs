@@ -3,7 +3,7 @@
 use super::Scene;
 use super::material::Material;
 
-/// What a face has of its own: the coefficients of its equation, and how light passes through it.
+/// A face's own material: the coefficients of its equation, and how light passes through it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FaceMaterial {
     /// The coefficients.

@@ -6,7 +6,7 @@ use crate::lesson::{Answer, ClassLine, MAX_ROUNDS, Pace, Phase};
 use std::sync::{Arc, Weak};
 use std::time::Instant;
 
-/// What the lecturer does. Commands come from inside the process alone.
+/// A command of the lecturer. Commands come from inside the process alone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Command {
     /// Shows the answers of the class; none can be given or changed any more.

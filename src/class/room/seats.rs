@@ -30,10 +30,10 @@ pub struct OwnStep {
     pub since: Instant,
 }
 
-/// What wakes the streams of events of a student.
+/// The signal that wakes the streams of events of a student.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Streams {
-    /// How many were opened so far.
+    /// The number of streams opened so far.
     pub opened: u64,
 }
 
@@ -43,7 +43,7 @@ pub struct Seats {
     seats: Vec<Seat>,
     by_token: HashMap<Token, usize>,
     joins: Bucket,
-    /// How many students have a number.
+    /// The number of students that have a number.
     pub numbered: u32,
 }
 

@@ -124,7 +124,7 @@ impl OwnLaw {
     }
 }
 
-/// How closely an operator binds, the loosest first.
+/// The precedence of an operator, the lowest first.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Rank {
     Or,
@@ -184,12 +184,12 @@ impl Code {
     }
 }
 
-/// What is written of a law so far.
+/// The text of a law as far as it is written.
 #[derive(Default)]
 struct Writer {
     /// The names of the formula and of [`FUNCTIONS`] that are used.
     used: BTreeSet<&'static str>,
-    /// What the lines are called.
+    /// The names of the lines.
     names: Vec<String>,
 }
 

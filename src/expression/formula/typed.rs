@@ -3,7 +3,7 @@
 use super::operator::Operator;
 use std::ops::Range;
 
-/// What is wrong at a byte of a formula, in words.
+/// A problem at a byte of a formula, in words.
 pub(super) type Refusal = (usize, String);
 
 /// The type of a value in a formula.

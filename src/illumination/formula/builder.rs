@@ -25,7 +25,7 @@ pub struct Operation {
     pub sign: Sign,
 }
 
-/// What is known of the sign of a result.
+/// The known bounds of a result's sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Sign {
     Any,

@@ -79,7 +79,7 @@ pub(super) use for_code;
 /// The smallest base of a power and argument of a logarithm, as in the specular factor.
 const TINY: f64 = f32::MIN_POSITIVE as f64;
 
-/// How far a sine or a cosine may be beyond ±1 by rounding and still have an angle.
+/// The distance by which rounding may take a sine or a cosine beyond ±1 without losing its angle.
 const ROUNDED: f64 = 1.0 + 1e-6;
 
 impl Code {

@@ -184,7 +184,7 @@ impl Law {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LawPoint<R> {
     pub site: ShadingPoint<R>,
-    /// What varies of Od.
+    /// The part of Od that varies.
     pub color: Option<[R; 3]>,
     /// The intensity, per channel.
     pub sum: [R; 3],

@@ -18,12 +18,12 @@ pub(crate) struct LawOperations {
     needed: Vec<bool>,
 }
 
-/// What a law depends on at a point, for one light.
+/// The values that a law depends on at a point, for one light.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct LawSite<R> {
     pub normal: V3<R>,
     pub view: V3<R>,
-    /// What multiplies Od of each channel, if anything does.
+    /// The factor of Od of each channel, if there is one.
     pub color: Option<[R; 3]>,
     pub incidence: Incidence<R>,
 }

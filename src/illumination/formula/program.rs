@@ -22,7 +22,7 @@ pub struct Program {
     pub sections: Vec<Vec<Step>>,
     /// The registers of the values that each section gives.
     pub results: Vec<Vec<u16>>,
-    /// What the first registers hold from the beginning to the end.
+    /// The values of the first registers, which never change.
     pub constants: Vec<f64>,
     /// The registers of the inputs that are needed, by the input's index among the builder's operations.
     pub inputs: Vec<(u32, u16)>,

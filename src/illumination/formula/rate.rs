@@ -1,6 +1,6 @@
 //! How often the values of a formula change.
 
-/// How often a value changes.
+/// The rate at which a value changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Rate {
     /// Never: a number of the formula.

@@ -17,7 +17,7 @@ pub struct ClassQuestion {
     pub why: String,
     /// The texts of options or items.
     pub options: Vec<String>,
-    /// What is said of each wrong model, of a choice of each option.
+    /// The explanation of each wrong model, or of each option of a choice.
     pub says: Vec<String>,
     /// The right answer and those of the wrong models; none where each student has others, or [`Self::failure`].
     pub key: Option<AnswerKey>,

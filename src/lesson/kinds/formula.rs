@@ -28,7 +28,7 @@ use crate::text::{excerpt, text};
 pub struct Formula {
     /// The names that may be used, with the values that they may have.
     pub names: Vec<Name>,
-    /// What is asked for.
+    /// The quantity that is asked for.
     pub of: FormulaOf,
 }
 

@@ -20,7 +20,7 @@ const NEAR: f64 = 0.05;
 const FAR: f64 = 8.0;
 /// Places along the picture's shorter side that are tried.
 const TRIED: usize = 49;
-/// How often the way between two places on either side of a line is halved: a jump lies within 1/2000 of the shorter side.
+/// The number of times that the way between two places on either side of a line is halved: a jump lies within 1/2000 of the shorter side.
 const HALVINGS: usize = 6;
 
 /// A place in the picture.

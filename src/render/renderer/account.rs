@@ -50,7 +50,7 @@ pub struct TermName {
     light: Option<usize>,
 }
 
-/// What a term is called.
+/// The name of a term.
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Word {
     /// A letter of the equation, or a message of the catalogue.

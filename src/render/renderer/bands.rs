@@ -71,7 +71,7 @@ pub struct Canvas<'a> {
     pub pixels: &'a mut [[u8; 4]],
     /// Filled in place of the stored pixels if it is not empty.
     pub linear: &'a mut [Linear],
-    /// Whether each band is yet to be shaded.
+    /// True for each band that is yet to be shaded.
     pub pending: &'a mut [bool],
 }
 

@@ -92,7 +92,7 @@ pub(super) struct Picture {
     pub frame: Frame,
     /// The picture before the display; empty if it is not needed.
     pub linear: Vec<Linear>,
-    /// Whether each band is yet to be shaded.
+    /// True for each band that is yet to be shaded.
     pub pending: Vec<bool>,
     /// The nanoseconds of shading and the number of overflowing pixels so far.
     tally: [u64; 2],

@@ -47,7 +47,7 @@ pub struct PointIntensities {
     pub planes: Planes,
     /// The points where the scene's own law is undefined, in order.
     pub undefined: Vec<u32>,
-    /// Whether each chunk is yet to be shaded.
+    /// True for each chunk that is yet to be shaded.
     pending: Vec<bool>,
 }
 

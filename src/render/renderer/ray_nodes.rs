@@ -29,7 +29,7 @@ pub struct RayNodes {
     bounced: Node<Bounced>,
 }
 
-/// What rays are searched for in: the boxes, and the triangles as lights see them, where that is known.
+/// The things that rays are tested against: the boxes, and the triangles as lights see them, where that is known.
 #[derive(Clone, Copy)]
 struct Searched<'a> {
     bvh: &'a Bvh,

@@ -17,7 +17,7 @@ pub struct Shown<S: Simd> {
 /// A destination of colours.
 pub trait Target {
     type Pixel: Copy;
-    /// The same destination over other pixels.
+    /// The type of such a destination over other pixels.
     type Over<'p>: Target<Pixel = Self::Pixel>;
 
     /// Returns the destination over other pixels.

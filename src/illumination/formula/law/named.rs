@@ -7,7 +7,7 @@ use crate::illumination::formula::rate::Rate;
 use crate::illumination::{Real, V3};
 use crate::scene::{LAW_NUMBERS, LAW_VECTORS, Rgb, Scene};
 
-/// What the equation knows of a light at a point.
+/// The values that the equation has of a light at a point.
 #[derive(Clone, Copy, Debug)]
 pub struct Incidence<R> {
     /// L, unit.
@@ -18,7 +18,7 @@ pub struct Incidence<R> {
     pub grazing: R,
 }
 
-/// What is the same at all points of a picture.
+/// The values that are the same at all points of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Constancy {
     /// True if Od is the same everywhere.
@@ -47,9 +47,9 @@ pub enum Input {
     Distance,
     /// The |N·L| that counts as 0.
     Grazing,
-    /// What multiplies Od of a channel at a point.
+    /// The factor of Od of a channel at a point.
     Color(usize),
-    /// What is computed once for each light.
+    /// The values that are computed once for each light.
     Known(u16),
 }
 

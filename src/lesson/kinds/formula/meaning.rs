@@ -24,7 +24,7 @@ pub struct Difference {
     pub given: Option<Quantity>,
     /// The value of the second one.
     pub expected: Option<Quantity>,
-    /// How far apart they are at most, in tolerances.
+    /// Their greatest distance, in tolerances.
     pub off: f64,
 }
 
