@@ -16,7 +16,7 @@ pub mod vertices;
 use super::engine::Engine;
 use crate::analysis::report::grouped;
 use crate::app::controls::materials::{gallery_ui, matching_ui};
-use crate::app::controls::row::{About, View, parameter_with, row};
+use crate::app::controls::row::{About, RowOptions, parameter_with, row};
 use crate::app::session::Session;
 use crate::app::session::action::Action;
 use crate::app::session::action::Requests;
@@ -466,10 +466,10 @@ pub fn letter_ui(ui: &Ui, session: &mut Session, window: &mut WindowState) {
         .open_bool(&mut open)
         .show(|ui| {
             ui.add_enabled_ui(session.lock.is_none(), |ui| {
-                let view = View {
+                let view = RowOptions {
                     index: session.light,
                     channels: window.appearance.channels,
-                    ..View::default()
+                    ..RowOptions::default()
                 };
                 let scene = &mut session.shown.scene;
                 parameter_with(ui, &session.initial, scene, parameter, &view);
@@ -545,9 +545,9 @@ fn item_ui(
             });
         }
     };
-    let view = View {
+    let view = RowOptions {
         channels: window.appearance.channels,
-        ..View::default()
+        ..RowOptions::default()
     };
     for row in rows {
         if !matches!(item, Used(_)) || row.idle(scene, 0).is_none() {
@@ -641,9 +641,9 @@ fn depths_ui(ui: &mut Ui, session: &mut Session) {
     }
     let (before, reach) = (scene.depth_cueing.front, 2.0 * scene.camera.distance());
     for row in [&surroundings::FRONT, &surroundings::BACK] {
-        let view = View {
+        let view = RowOptions {
             slider: Some(Slider::linear(0.0, reach)),
-            ..View::default()
+            ..RowOptions::default()
         };
         parameter_with(ui, initial, scene, row, &view);
     }

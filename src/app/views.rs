@@ -416,11 +416,11 @@ pub fn narrow_size(width: f32) -> Vec2 {
 pub fn wide_size(height: f32) -> Vec2 {
     let count = (GROUPS.len() + 1) as f32;
     let room = height / count;
-    // Fingers need 44 points; in a low window no space is left between two buttons.
+    // Fingers need 44 points, which a room's letters may not leave; in a low window there is no space between two buttons.
     let high = if room >= 56.0 {
         52.0
     } else {
-        room.clamp(44.0, 51.0)
+        room.clamp(36.0, 51.0)
     };
     vec2(RAIL - 12.0, high)
 }

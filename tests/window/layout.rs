@@ -164,7 +164,10 @@ fn faults(harness: &Harness<'_, App>, shown: Shown) -> Vec<String> {
     for name in RAIL.map(|key| text!(key)) {
         for button in harness.query_all_by_role_and_label(Role::Button, name) {
             if !screen.expand(1.0).contains_rect(button.rect()) {
-                faults.push(format!("“{name}” on the rail is outside the window"));
+                faults.push(format!(
+                    "“{name}” on the rail is outside the window: {:?}",
+                    button.rect()
+                ));
             }
         }
     }

@@ -1,6 +1,6 @@
 //! The list of lights, and the controls of the chosen one.
 
-use super::row::{View, parameter_with};
+use super::row::{RowOptions, parameter_with};
 use super::sampling::{Finding, Sampling};
 use crate::app::session::Session;
 use crate::app::session::action::Action;
@@ -42,9 +42,9 @@ pub fn lights_ui(
     let index = *light;
     let (scene, view) = (
         &mut shown.scene,
-        View {
+        RowOptions {
             index,
-            ..View::default()
+            ..RowOptions::default()
         },
     );
     if index >= scene.lights.len() {
@@ -227,9 +227,9 @@ fn kind_ui(ui: &mut Ui, initial: &Scene, scene: &mut Scene, index: usize) {
         initial,
         scene,
         &KIND,
-        &View {
+        &RowOptions {
             index,
-            ..View::default()
+            ..RowOptions::default()
         },
     );
     let Some(light) = scene.lights.get_mut(index) else {

@@ -3,7 +3,7 @@
 //! A model's material is changed by `[[object.material]]` of the scene, never in its file. While its rows are shown it takes
 //! the place of the scene's material, so that they need not know whose it is.
 
-use super::row::{View, parameter_with};
+use super::row::{RowOptions, parameter_with};
 use crate::app::engine::Engine;
 use crate::app::session::Session;
 use crate::app::session::window::WindowState;
@@ -59,7 +59,7 @@ pub fn list_ui(ui: &mut Ui, session: &mut Session, window: &mut WindowState, eng
         return;
     }
     let (initial, scene) = (&session.initial, &mut session.shown.scene);
-    parameter_with(ui, initial, scene, &SOURCE, &View::default());
+    parameter_with(ui, initial, scene, &SOURCE, &RowOptions::default());
     let Some(model) = model(session) else {
         return;
     };

@@ -1,7 +1,7 @@
 //! Controls found by name, for figures on other pages and for steps of lessons.
 
 use super::law::law_ui;
-use super::row::{View, parameter_with};
+use super::row::{RowOptions, parameter_with};
 use crate::app::session::Session;
 use crate::scene::material::FORMULA;
 use crate::scene::parameter::{Kind, Parameter};
@@ -85,19 +85,19 @@ fn row_ui(ui: &mut Ui, session: &mut Session, control: Named, wide: bool) {
         Named::Light if kind == Some(LightKind::Directional) => (&light::DIRECTION, chosen),
         Named::Light => (&light::POSITION, chosen),
     };
-    let view = View {
+    let options = RowOptions {
         index,
         wide,
         numbered: last > 0 && matches!(control, Named::Row(_, Some(_))),
         // Away from the ground's other rows, only the full label says whose coefficient it is.
         in_full: parameter.section() == "ground",
-        ..View::default()
+        ..RowOptions::default()
     };
     let free = lock
         .as_ref()
         .is_none_or(|lock| lock.frees(parameter, index));
     ui.add_enabled_ui(free, |ui| {
-        parameter_with(ui, initial, &mut shown.scene, parameter, &view);
+        parameter_with(ui, initial, &mut shown.scene, parameter, &options);
     });
     waits_ui(ui, free);
 }

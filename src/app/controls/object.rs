@@ -1,7 +1,8 @@
 //! The controls of the object: its shape, its tessellation or its own polygons, and its vertex normals.
 
 use super::row::{
-    About, NumberRow, SliderRange, View, axes, number, parameter, parameter_with, value_row, whole,
+    About, NumberRow, RowOptions, SliderRange, axes, number, parameter, parameter_with, value_row,
+    whole,
 };
 use super::vertices::{MOST_HANDLES, move_vertex};
 use crate::analysis::report::grouped;
@@ -81,9 +82,9 @@ pub fn object_ui(ui: &mut Ui, session: &mut Session, requests: &mut Requests, en
         initial,
         scene,
         &NORMALS,
-        &View {
+        &RowOptions {
             offered: has_normals,
-            ..View::default()
+            ..RowOptions::default()
         },
     );
     if scene.object.normal_source() == NormalSource::Averaged {

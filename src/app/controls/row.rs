@@ -36,11 +36,11 @@ const PULL: f32 = 240.0;
 
 /// Shows a row for a parameter of the scene.
 pub fn parameter(ui: &mut Ui, initial: &Scene, scene: &mut Scene, parameter: &'static Parameter) {
-    parameter_with(ui, initial, scene, parameter, &View::default());
+    parameter_with(ui, initial, scene, parameter, &RowOptions::default());
 }
 
 /// Options of a row that its parameter's description does not set.
-pub struct View {
+pub struct RowOptions {
     /// Index of the light that the parameter belongs to.
     pub index: usize,
     /// True if the row says which light it belongs to.
@@ -56,7 +56,7 @@ pub struct View {
     pub offered: fn(&Scene, &ChoiceOption) -> bool,
 }
 
-impl Default for View {
+impl Default for RowOptions {
     fn default() -> Self {
         Self {
             index: 0,
@@ -70,25 +70,25 @@ impl Default for View {
     }
 }
 
-/// Shows a row for a parameter as `view` describes.
+/// Shows a row for a parameter as `options` describes.
 pub fn parameter_with(
     ui: &mut Ui,
     initial: &Scene,
     scene: &mut Scene,
     parameter: &'static Parameter,
-    view: &View,
+    options: &RowOptions,
 ) {
-    let index = view.index;
+    let index = options.index;
     let (name, tip) = (parameter.full_name(index), tip(parameter, scene));
     let number = format!("L{}", index + 1);
     let about = About {
-        letter: if view.numbered && parameter.letter.is_empty() {
+        letter: if options.numbered && parameter.letter.is_empty() {
             &number
         } else {
             parameter.letter
         },
         tint: tint(ui, scene, parameter),
-        label: if view.in_full {
+        label: if options.in_full {
             &name
         } else {
             parameter.label()
@@ -98,9 +98,9 @@ pub fn parameter_with(
         symbol: parameter.symbol,
         parameter: Some(parameter),
         idle: parameter.idle(scene, index),
-        room: room(ui, scene, parameter, view),
+        room: room(ui, scene, parameter, options),
     };
-    let (name, range) = (&*name, range(scene, parameter, view));
+    let (name, range) = (&*name, range(scene, parameter, options));
     let spec = |default| NumberRow {
         about: about.clone(),
         range: range.clone(),
@@ -129,7 +129,7 @@ pub fn parameter_with(
                 coefficient_slider(ui, &spec(default.max_element()), value);
             });
             if let Some(value) =
-                (at.get_mut)(scene, index).filter(|value| view.channels || !is_grey(**value))
+                (at.get_mut)(scene, index).filter(|value| options.channels || !is_grey(**value))
             {
                 channels_row(ui, &about, value);
             }
@@ -156,13 +156,13 @@ pub fn parameter_with(
             let (Some(present), Some(default)) = (access.chosen(scene, index), opened) else {
                 return;
             };
-            let options = access.options().iter().enumerate();
-            let options = options
-                .filter(|(place, option)| *place == present || (view.offered)(scene, option))
+            let choices = access.options().iter().enumerate();
+            let choices = choices
+                .filter(|(place, option)| *place == present || (options.offered)(scene, option))
                 .collect();
             let mut chosen = present;
             value_row(ui, &about, default, &mut chosen, |ui, chosen| {
-                choice(ui, &about, options, chosen);
+                choice(ui, &about, choices, chosen);
             });
             if chosen != present {
                 access.choose(scene, index, chosen);
@@ -193,11 +193,11 @@ pub fn pull(
     points: f32,
 ) -> Option<(&'static Parameter, String)> {
     let parameter = of_letter(scene, symbol, index)?;
-    let view = View {
+    let options = RowOptions {
         index,
-        ..View::default()
+        ..RowOptions::default()
     };
-    let (range, by) = (range(scene, parameter, &view), f64::from(points / PULL));
+    let (range, by) = (range(scene, parameter, &options), f64::from(points / PULL));
     match parameter.kind {
         Kind::Number(at, ..) => {
             let value = (at.get_mut)(scene, index)?;
@@ -246,19 +246,19 @@ impl Edited<'_> {
 }
 
 /// Returns the width that a parameter's control needs, in points.
-fn room(ui: &Ui, scene: &Scene, parameter: &Parameter, view: &View) -> f32 {
+fn room(ui: &Ui, scene: &Scene, parameter: &Parameter, options: &RowOptions) -> f32 {
     match parameter.kind {
         Kind::Number(..) | Kind::Whole(..) | Kind::Coefficient(..)
-            if view.wide || theme::is_touch(ui) =>
+            if options.wide || theme::is_touch(ui) =>
         {
             f32::INFINITY
         }
         Kind::Number(..) | Kind::Whole(..) | Kind::Coefficient(..) => {
-            range(scene, parameter, view).room()
+            range(scene, parameter, options).room()
         }
         Kind::Colour(..) => SWATCHED,
         Kind::Point(_) | Kind::Direction(..) | Kind::Channels(..) => FIELDS,
-        Kind::Choice(access) => access.chosen(scene, view.index).map_or(0.0, |chosen| {
+        Kind::Choice(access) => access.chosen(scene, options.index).map_or(0.0, |chosen| {
             let option = access.options().get(chosen);
             option.map_or(0.0, |option| text_width(ui, option.label())) + LIST
         }),
@@ -271,8 +271,11 @@ fn is_grey(value: Rgb) -> bool {
 }
 
 /// Returns the slider of a parameter, with the limits and the unit of its field.
-fn range(scene: &Scene, parameter: &Parameter, view: &View) -> SliderRange {
-    let slider = view.slider.or(parameter.slider()).unwrap_or(Slider::UNIT);
+fn range(scene: &Scene, parameter: &Parameter, options: &RowOptions) -> SliderRange {
+    let slider = options
+        .slider
+        .or(parameter.slider())
+        .unwrap_or(Slider::UNIT);
     let Limits { least, greatest } = parameter.limits(scene).unwrap_or(Limits::FINITE);
     SliderRange {
         span: slider.from.max(least)..=slider.to,

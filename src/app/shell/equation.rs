@@ -4,7 +4,7 @@
 use crate::analysis::probe::{Letters, equation_letters};
 use crate::app::session::Session;
 use crate::app::widgets::palette::tone_text;
-use crate::app::widgets::typeset::{Piece, Place, formula, run_ui};
+use crate::app::widgets::typeset::{Piece, RunId, formula, run_ui};
 use crate::text::text;
 use eframe::egui::{Ui, Visuals, vec2};
 
@@ -29,7 +29,7 @@ pub fn equation_ui(ui: &mut Ui, session: &Session) {
                     ui,
                     &run,
                     SIZE,
-                    Place {
+                    RunId {
                         id,
                         name: text!("in-equation"),
                     },

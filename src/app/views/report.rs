@@ -43,11 +43,11 @@ pub struct ReportView {
     report: Report,
     language: Language,
     /// Plots as laid out, by section and part, for a style and a width.
-    drawings: BTreeMap<Place, (PlotStyle, f32, Drawing)>,
+    drawings: BTreeMap<PartIndex, (PlotStyle, f32, Drawing)>,
 }
 
 /// A part of a report: the indices of its section and of itself.
-type Place = (usize, usize);
+type PartIndex = (usize, usize);
 
 /// A clicked item of a report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -111,16 +111,17 @@ impl ReportView {
         sections: Range<usize>,
         chosen: Option<usize>,
     ) -> Option<Picked> {
-        let places: Vec<Place> = sections
+        let places: Vec<PartIndex> = sections
             .clone()
             .filter_map(|index| Some((index, self.report.sections.get(index)?)))
             .flat_map(|(index, section)| (0..section.parts.len()).map(move |part| (index, part)))
             .collect();
-        let is_plot = |place: &Place| matches!(self.part(*place), Some(Part::Plot(_)));
+        let is_plot = |place: &PartIndex| matches!(self.part(*place), Some(Part::Plot(_)));
         let has_table = places
             .iter()
             .any(|place| matches!(self.part(*place), Some(Part::Table(_))));
-        let (plots, rest): (Vec<Place>, Vec<Place>) = places.iter().partition(|at| is_plot(at));
+        let (plots, rest): (Vec<PartIndex>, Vec<PartIndex>) =
+            places.iter().partition(|at| is_plot(at));
         let width = ui.available_width();
         if width < WIDE || (plots.is_empty() && sections.len() < 2) {
             return self.parts_ui(ui, &places, chosen);
@@ -135,12 +136,12 @@ impl ReportView {
         self.parts_ui(ui, &places, chosen)
     }
 
-    fn part(&self, (section, part): Place) -> Option<&Part> {
+    fn part(&self, (section, part): PartIndex) -> Option<&Part> {
         self.report.sections.get(section)?.parts.get(part)
     }
 
     /// Returns the number of rows to choose from before a part.
-    fn choices(&self, until: Place) -> usize {
+    fn choices(&self, until: PartIndex) -> usize {
         let parts = self
             .report
             .sections
@@ -164,11 +165,11 @@ impl ReportView {
     fn beside_ui(
         &mut self,
         ui: &mut Ui,
-        [plots, rest]: [&[Place]; 2],
+        [plots, rest]: [&[PartIndex]; 2],
         chosen: Option<usize>,
     ) -> Option<Picked> {
         let left = PLOTS * (ui.available_width() - GAP);
-        let top = |ui: &mut Ui, width: f32, view: &mut Self, places: &[Place]| {
+        let top = |ui: &mut Ui, width: f32, view: &mut Self, places: &[PartIndex]| {
             ui.vertical(|ui| {
                 ui.set_width(width);
                 view.parts_ui(ui, places, chosen)
@@ -185,7 +186,7 @@ impl ReportView {
     }
 
     /// Divides the parts of the sections into `count` columns of about equal height.
-    fn balanced(&self, sections: Range<usize>, count: usize) -> Vec<Vec<Place>> {
+    fn balanced(&self, sections: Range<usize>, count: usize) -> Vec<Vec<PartIndex>> {
         let lines = |section: &Section| {
             let of = |part: &Part| match part {
                 Part::Table(table) => table.rows.len() + 1,
@@ -213,7 +214,7 @@ impl ReportView {
     fn columns_ui(
         &mut self,
         ui: &mut Ui,
-        columns: &[Vec<Place>],
+        columns: &[Vec<PartIndex>],
         chosen: Option<usize>,
     ) -> Option<Picked> {
         ui.scope(|ui| {
@@ -230,7 +231,12 @@ impl ReportView {
     }
 
     /// Shows parts below each other, each section's title above its first part.
-    fn parts_ui(&mut self, ui: &mut Ui, places: &[Place], chosen: Option<usize>) -> Option<Picked> {
+    fn parts_ui(
+        &mut self,
+        ui: &mut Ui,
+        places: &[PartIndex],
+        chosen: Option<usize>,
+    ) -> Option<Picked> {
         let (mut picked, mut last) = (None, None);
         for &place in places {
             let (index, number) = place;
@@ -262,7 +268,7 @@ impl ReportView {
     }
 
     /// Shows a plot, laid out again if the report, the theme or the width has changed.
-    fn drawn_ui(&mut self, ui: &mut Ui, place: Place) -> Option<Picked> {
+    fn drawn_ui(&mut self, ui: &mut Ui, place: PartIndex) -> Option<Picked> {
         let Self {
             report, drawings, ..
         } = self;

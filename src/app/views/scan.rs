@@ -343,7 +343,7 @@ fn formula_ui(ui: &mut Ui, scan: &Scan, step: usize, mix: Option<&Mix<'_>>) {
     if scan.carried == Carried::Constant {
         ui.label(text!("line-scan-not-interpolated"));
     } else {
-        let place = typeset::Place {
+        let place = typeset::RunId {
             id: Id::unique(("scan-formula", mix.of)),
             name: text!("line-scan-formula"),
         };

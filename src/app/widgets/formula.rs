@@ -2,7 +2,7 @@
 //! in the equation.
 
 use super::theme::TEXT;
-use super::typeset::{Piece, Place, Run, letter, spoken};
+use super::typeset::{Piece, Run, RunId, letter, spoken};
 use crate::figure::{Base, Formula, Item};
 use crate::text::text;
 use eframe::egui::accesskit::Role;
@@ -39,7 +39,7 @@ pub fn formula_ui(ui: &mut Ui, formula: &str, space: f32, count: &Cell<usize>, l
             run.iter_mut().for_each(|piece| piece.symbol = None);
         }
         count.set(count.get() + 1);
-        let place = Place {
+        let place = RunId {
             id: ui.scope_id().with(("formula", count.get())),
             name: text!("course-in-text"),
         };

@@ -65,8 +65,11 @@ fn tile_ui(ui: &mut Ui, content: ContainerAtom<'_>, size: Vec2, on: bool, pad: V
         .wrap_mode(TextWrapMode::Wrap)
         .fallback_text_color(colour);
     // No scope of its own: it would not begin a new row of wrapped tiles.
-    let padding = std::mem::replace(&mut ui.spacing_mut().button_padding, pad);
+    let spacing = ui.spacing_mut();
+    let before = (spacing.button_padding, spacing.interact_size);
+    (spacing.button_padding, spacing.interact_size) = (pad, size);
     let response = ui.add_sized(size, Button::selectable(on, Atom::container(content)));
-    ui.spacing_mut().button_padding = padding;
+    let spacing = ui.spacing_mut();
+    (spacing.button_padding, spacing.interact_size) = before;
     response
 }

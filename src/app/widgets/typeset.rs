@@ -258,7 +258,7 @@ pub struct Run<'a> {
 
 /// The identity of a run in a panel.
 #[derive(Clone, Copy, Debug)]
-pub struct Place<'a> {
+pub struct RunId<'a> {
     pub id: Id,
     /// The suffix of the symbols' accessible names.
     pub name: &'a str,
@@ -283,7 +283,7 @@ impl<'a> Run<'a> {
     }
 
     /// Paints the run from `left`, the middle of its left side. Its symbols highlight their controls.
-    pub fn paint(&self, ui: &Ui, left: Pos2, place: Place<'_>) {
+    pub fn paint(&self, ui: &Ui, left: Pos2, place: RunId<'_>) {
         let mut x = left.x;
         for (index, (piece, galley)) in self.pieces.iter().zip(&self.galleys).enumerate() {
             let size = vec2(galley.size().x, self.height);
@@ -296,7 +296,7 @@ impl<'a> Run<'a> {
                     piece,
                     symbol,
                     rect,
-                    Place {
+                    RunId {
                         id: place.id.with((symbol, index)),
                         ..place
                     },
@@ -315,14 +315,14 @@ impl<'a> Run<'a> {
 }
 
 /// Shows a run of pieces on a single line.
-pub fn run_ui(ui: &mut Ui, pieces: &[Piece], size: f32, place: Place<'_>) -> Response {
+pub fn run_ui(ui: &mut Ui, pieces: &[Piece], size: f32, place: RunId<'_>) -> Response {
     let run = Run::new(ui, pieces, size);
     let (rect, response) = ui.allocate_exact_size(vec2(run.width(), run.height), Sense::hover());
     run.paint(ui, rect.left_center(), place);
     response
 }
 
-fn symbol_ui(ui: &Ui, piece: &Piece, symbol: Symbol, rect: Rect, place: Place<'_>) {
+fn symbol_ui(ui: &Ui, piece: &Piece, symbol: Symbol, rect: Rect, place: RunId<'_>) {
     let response = ui.interact(rect, place.id, Sense::click_and_drag());
     response.widget_info(|| {
         WidgetInfo::labeled(Role::Button, true, format!("{symbol:?} {}", place.name))

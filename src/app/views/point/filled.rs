@@ -8,7 +8,7 @@ use crate::app::session::Session;
 use crate::app::widgets::letter::set;
 use crate::app::widgets::palette::tone_text as colour;
 use crate::app::widgets::symbol;
-use crate::app::widgets::typeset::{Piece, Place, Run, formula, run_ui, spoken};
+use crate::app::widgets::typeset::{Piece, Run, RunId, formula, run_ui, spoken};
 use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::collapsing_header::{CollapsingState, paint_default_icon};
@@ -110,7 +110,7 @@ fn part_ui(ui: &mut Ui, part: &FilledPart, values: &Values, id: Id) {
                 formula(visuals, &column.formula(), colour(visuals, *letters), tip)
             });
             let (heads, colour) = (heads.collect(), colour(visuals, *value));
-            Table {
+            TermTable {
                 name,
                 product,
                 heads,
@@ -118,7 +118,7 @@ fn part_ui(ui: &mut Ui, part: &FilledPart, values: &Values, id: Id) {
             }
             .ui(
                 ui,
-                Place {
+                RunId {
                     id,
                     name: text!("point-at-probe"),
                 },
@@ -159,7 +159,7 @@ pub fn formula_ui(ui: &mut Ui, text: &str, values: &Values, id: Id) {
             ui,
             &pieces,
             size,
-            Place {
+            RunId {
                 id,
                 name: text!("point-at-probe"),
             },
@@ -196,7 +196,7 @@ fn flat_ui(ui: &mut Ui, line: &FilledLine) {
         let letters = formula(visuals, line.letters, colour(visuals, line.tone), |_| {
             String::new()
         });
-        let place = Place {
+        let place = RunId {
             id: ui.scope_id().with(("line", &line.name)),
             name: text!("point-at-probe"),
         };
@@ -436,7 +436,7 @@ fn share_ui(ui: &Ui, share: &Share, place: Rect, whole: f64) {
 }
 
 /// A term with the letters of its columns.
-struct Table<'a> {
+struct TermTable<'a> {
     /// Name of the term, for screen readers.
     name: &'a str,
     product: &'a Product,
@@ -455,8 +455,8 @@ struct Laid<'a> {
     mean: bool,
 }
 
-impl Table<'_> {
-    fn ui(&self, ui: &mut Ui, place: Place<'_>) {
+impl TermTable<'_> {
+    fn ui(&self, ui: &mut Ui, place: RunId<'_>) {
         let gaps = self.heads.len() as f32;
         let room = (ui.available_width() - MARK).max(0.0);
         let natural = self.lay_out(ui, 1.0);
@@ -529,7 +529,7 @@ impl Table<'_> {
         all
     }
 
-    fn paint(&self, ui: &Ui, laid: &[Laid<'_>], rect: Rect, gap: f32, place: Place<'_>) {
+    fn paint(&self, ui: &Ui, laid: &[Laid<'_>], rect: Rect, gap: f32, place: RunId<'_>) {
         let (plain, weak) = (ui.visuals().text_color(), ui.visuals().weak_text_color());
         let line = |channel: usize| rect.min.y + HEAD + ROW * (channel as f32 + 0.5);
         for (channel, name) in channels().into_iter().enumerate() {
@@ -558,7 +558,7 @@ impl Table<'_> {
             column.head.paint(
                 ui,
                 pos2(left, middle),
-                Place {
+                RunId {
                     id: place.id.with(index),
                     ..place
                 },
@@ -584,7 +584,7 @@ impl Table<'_> {
     }
 
     /// Describes the lines of numbers as sentences for screen readers.
-    fn describe(&self, ui: &Ui, rect: Rect, place: Place<'_>) {
+    fn describe(&self, ui: &Ui, rect: Rect, place: RunId<'_>) {
         let columns: Vec<_> = self
             .product
             .columns

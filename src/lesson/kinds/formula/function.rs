@@ -87,7 +87,7 @@ impl Function {
 
     /// Evaluates it with the values of the question's names; none where it has no finite value.
     pub fn at(&self, values: &[Quantity]) -> Option<Quantity> {
-        let mut place = Place {
+        let mut place = Bindings {
             values,
             places: &self.places,
             lines: Vec::new(),
@@ -102,13 +102,13 @@ impl Function {
 }
 
 /// The values of names and lines.
-struct Place<'p> {
+struct Bindings<'p> {
     values: &'p [Quantity],
     places: &'p [usize],
     lines: Vec<Quantity>,
 }
 
-impl Place<'_> {
+impl Bindings<'_> {
     fn value(&self, part: &Typed) -> Quantity {
         match &part.term {
             Term::Number(number) => Quantity::Number(*number),
