@@ -11,7 +11,7 @@ use shading_lab::geometry::{Mesh, tessellate};
 use shading_lab::render::{Frame, Renderer, srgb};
 use shading_lab::scene::{Encoding, Overflow, Scene, ShadingMode, View, presets};
 
-const THREADS: [usize; 3] = [1, 3, 8];
+const THREADS: [usize; 4] = [1, 2, 3, 8];
 const SIDE: u32 = 150;
 /// One pixel in this many is evaluated in double precision: coprime to the side, so that all columns have their turn.
 const EVERY: u32 = 7;

@@ -348,8 +348,8 @@ fn compare(seed: u64, cases: u64, mut size: impl FnMut(&mut Dice) -> [u32; 2]) -
 
 #[test]
 fn pictures_of_polygons_differ_from_the_textbook_by_the_grid_alone() {
-    let [compared, moved] = compare(0x9e1d_0256, tries(12), |_| [48, 40]);
-    assert!(compared > 300 * tries(12) as u32, "{compared} pixels");
+    let [compared, moved] = compare(0x9e1d_0256, tries(12).max(12), |_| [48, 40]);
+    assert!(compared > 4000, "{compared} pixels");
     assert!(
         moved * 100 < compared,
         "{moved} of {compared} pixels are moved by the grid"
@@ -362,9 +362,9 @@ fn in_pictures_a_pixel_wide_or_high_the_grid_moves_more_and_nothing_else_does() 
         let long = dice.between(1.0, 60.0) as u32;
         dice.of(&[[1, long], [long, 1], [1, 1]])
     };
-    let [compared, moved] = compare(0x9e1d_0001, tries(480), narrow);
+    let [compared, moved] = compare(0x9e1d_0001, tries(120).max(120), narrow);
     assert!(
-        compared > 3 * tries(480) as u32 && moved > 0,
+        compared > 400 && moved > 0,
         "{moved} of {compared} pixels are moved by the grid"
     );
 }
