@@ -147,7 +147,7 @@ pub fn signed<'a>(on: bool, sign: Atom<'a>, words: impl IntoAtoms<'a>) -> Button
     Button::selectable(on, atoms).truncate()
 }
 
-/// Returns a disc of `colour`, or a ring if there is none, as the sign of a button.
+/// Returns a disc of `colour` as the sign of a button.
 pub fn disc(side: f32, colour: Color32) -> Atom<'static> {
     Atom::paint(Vec2::splat(side), move |ui, args| {
         let rim = Stroke::new(1.0, ui.visuals().weak_text_color());
