@@ -3,6 +3,7 @@
 mod balls;
 mod bezier;
 mod concave;
+mod descent;
 mod mesh;
 mod mtl;
 mod obj;
@@ -14,6 +15,7 @@ mod vector;
 mod vertex_normals;
 
 pub use balls::built_in;
+pub(crate) use descent::{Descent, nearer_first};
 pub use mesh::{Corner, Mesh, NO_NORMAL, VertexMesh};
 pub use mtl::{ModelMaterial, NO_MATERIAL, Remark};
 pub use obj::{ObjError, OpenLibrary, read_model, read_obj};

@@ -96,9 +96,7 @@ pub static GROUPS: [Group; 5] = [
                 key: ViewName::Curves,
                 name: "view-curves",
                 words: "view-curves.words",
-                show: |ui, p| {
-                    p.with(|p, own| curves_ui(ui, own, p.session, p.window, p.requests, p.engine));
-                },
+                show: |ui, p| p.with(ui, curves_ui),
             },
         ],
     },
@@ -111,17 +109,13 @@ pub static GROUPS: [Group; 5] = [
                 key: ViewName::Profile,
                 name: "view-profile",
                 words: "view-profile.words",
-                show: |ui, p| {
-                    p.with(|p, own| profile_ui(ui, own, p.session, p.window, p.requests, p.engine));
-                },
+                show: |ui, p| p.with(ui, profile_ui),
             },
             View {
                 key: ViewName::ScanLine,
                 name: "view-scan-line",
                 words: "view-scan-line.words",
-                show: |ui, p| {
-                    p.with(|p, own| scan_ui(ui, own, p.session, p.window, p.requests, p.engine));
-                },
+                show: |ui, p| p.with(ui, scan_ui),
             },
         ],
     },
@@ -134,17 +128,13 @@ pub static GROUPS: [Group; 5] = [
                 key: ViewName::Compare,
                 name: "view-compare",
                 words: "view-compare.words",
-                show: |ui, p| {
-                    p.with(|p, own| compare_ui(ui, own, p.session, p.window, p.requests, p.engine));
-                },
+                show: |ui, p| p.with(ui, compare_ui),
             },
             View {
                 key: ViewName::Defects,
                 name: "view-defects",
                 words: "view-defects.words",
-                show: |ui, p| {
-                    p.with(|p, own| defects_ui(ui, own, p.session, p.window, p.requests, p.engine));
-                },
+                show: |ui, p| p.with(ui, defects_ui),
             },
         ],
     },
@@ -157,27 +147,19 @@ pub static GROUPS: [Group; 5] = [
                 key: ViewName::Plan,
                 name: "view-plan",
                 words: "view-plan.words",
-                show: |ui, p| {
-                    p.with(|p, own| plan_ui(ui, own, p.session, p.window, p.requests, p.engine));
-                },
+                show: |ui, p| p.with(ui, plan_ui),
             },
             View {
                 key: ViewName::Study,
                 name: "view-study",
                 words: "view-study.words",
-                show: |ui, p| {
-                    p.with(|p, own| study_ui(ui, own, p.session, p.window, p.requests, p.engine));
-                },
+                show: |ui, p| p.with(ui, study_ui),
             },
             View {
                 key: ViewName::Stability,
                 name: "view-stability",
                 words: "view-stability.words",
-                show: |ui, p| {
-                    p.with(|p, own| {
-                        stability_ui(ui, own, p.session, p.window, p.requests, p.engine);
-                    });
-                },
+                show: |ui, p| p.with(ui, stability_ui),
             },
         ],
     },
@@ -198,7 +180,9 @@ pub static GROUPS: [Group; 5] = [
                 name: "view-class",
                 words: "view-class.words",
                 show: |ui, p| {
-                    p.with(|p, own| class_ui(ui, own, p.window, p.course, p.requests));
+                    let mut own = p.window.own.take();
+                    class_ui(ui, &mut own, p.window, p.course, p.requests);
+                    p.window.own.put(own);
                 },
             },
         ],
@@ -214,11 +198,20 @@ struct Parts<'a> {
     engine: &'a Engine,
 }
 
+/// Shows a view that has a state of its own.
+type ShowWithState<T> = fn(&mut Ui, &mut T, &mut Session, &mut WindowState, &mut Requests, &Engine);
+
 impl Parts<'_> {
-    /// Shows a view with its own state.
-    fn with<T: Default + 'static>(&mut self, show: impl FnOnce(&mut Self, &mut T)) {
+    fn with<T: Default + 'static>(&mut self, ui: &mut Ui, show: ShowWithState<T>) {
         let mut own = self.window.own.take();
-        show(self, &mut own);
+        show(
+            ui,
+            &mut own,
+            self.session,
+            self.window,
+            self.requests,
+            self.engine,
+        );
         self.window.own.put(own);
     }
 }

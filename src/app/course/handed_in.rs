@@ -7,7 +7,7 @@ use super::prose::prose_ui;
 use crate::app::session::Session;
 use crate::app::widgets::background::wake;
 use crate::app::widgets::focus::{heading, keep_in_sight, named};
-use crate::app::widgets::sign::mark_ui;
+use crate::app::widgets::mark::mark_ui;
 use crate::lesson::{HandIn, Lesson, how_given};
 use crate::text::text;
 use eframe::egui::accesskit::Role;

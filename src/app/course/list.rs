@@ -5,7 +5,7 @@ use crate::app::session::action::Requests;
 use crate::app::session::action::{Action, Turn};
 use crate::app::widgets::card::Card;
 use crate::app::widgets::focus::named;
-use crate::app::widgets::sign::tick_ui;
+use crate::app::widgets::mark::tick_ui;
 use crate::lesson::{TOPICS, are_there, topic_name};
 use crate::text::text;
 use eframe::egui::accesskit::Role;

@@ -14,11 +14,10 @@ use crate::app::session::appearance::ViewName;
 use crate::app::session::window::WindowState;
 use crate::app::widgets::background::wake;
 use crate::app::widgets::focus::{aside, heading, keep_in_sight, named, switch_named};
+use crate::app::widgets::strip::strip;
 use crate::text::text;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{
-    Align, Button, Frame, Label, Layout, Panel, RichText, ScrollArea, Sense, Ui, vec2,
-};
+use eframe::egui::{Align, Button, Frame, Label, Layout, Panel, RichText, ScrollArea, Sense, Ui};
 
 /// The radius of the dots that represent the steps, in points.
 const DOT: f32 = 3.5;
@@ -177,8 +176,7 @@ fn dots_ui(ui: &mut Ui, course: &Course, requests: &mut Requests, step: usize, c
         ui.label(words);
         return;
     }
-    let (rect, response) =
-        ui.allocate_exact_size(vec2(room, ui.spacing().interact_size.y), Sense::click());
+    let (rect, response) = strip(ui, ui.spacing().interact_size.y, Sense::click());
     // For pointers only: Page up and Page down do the same.
     aside(&response);
     let response = switch_named(response, Role::Label, false, &words).on_hover_text(&words);

@@ -7,7 +7,7 @@ use crate::app::session::appearance::Appearance;
 use crate::app::session::window::WindowState;
 use crate::app::system;
 use crate::app::widgets::focus::{named, switch_named};
-use crate::app::widgets::sign::ticked;
+use crate::app::widgets::mark::ticked;
 use crate::app::widgets::theme::ThemeChoice;
 use crate::scene::ShadingMode;
 use crate::text::{Language, text};

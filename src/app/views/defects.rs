@@ -14,7 +14,7 @@ use crate::app::session::place::Place;
 use crate::app::session::window::WindowState;
 use crate::app::widgets::background::progress_ui;
 use crate::app::widgets::letter::letter;
-use crate::app::widgets::sign::mark_ui;
+use crate::app::widgets::mark::mark_ui;
 use crate::app::widgets::{focus, lines};
 use crate::scene::{
     Light, LightKind, NormalSource, Object, ObjectKind, Projection, Scene, ShadingMode, Viewer,

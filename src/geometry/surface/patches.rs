@@ -8,6 +8,7 @@ use super::leaf::{Leaf, QUAD, Quad};
 use super::patch_ray::meet;
 use super::solids::{Meeting, UnitRay};
 use crate::geometry::bezier::Patch;
+use crate::geometry::descent::{Descent, nearer_first};
 use crate::geometry::teapot::TEAPOT;
 use crate::geometry::vector::load;
 use fearless_simd::{f64x8, prelude::*};
@@ -225,8 +226,7 @@ impl Tree {
         };
         let mut found = [nothing; RAYS_TOGETHER];
         let mut s_max = f64x8::splat(simd, f64::INFINITY);
-        let mut waiting = [(0, 0); DEPTH];
-        let mut count = 0;
+        let mut descent = Descent::<DEPTH>::new();
         let (mut here, mut among) = (0, requested & lanes.enter(simd, &self.nodes[0], s_max).0);
         loop {
             let node = &self.nodes[here as usize];
@@ -244,27 +244,17 @@ impl Tree {
                 let (left, right) = (node.index, node.index + 1);
                 let (in_left, at_left) = lanes.enter(simd, &self.nodes[left as usize], s_max);
                 let (in_right, at_right) = lanes.enter(simd, &self.nodes[right as usize], s_max);
-                let (in_left, in_right) = (in_left & among, in_right & among);
-                let lead = among.trailing_zeros() as usize;
-                let (mut next, mut other) = ((left, in_left), (right, in_right));
-                if in_right != 0 && (in_left == 0 || at_left[lead] > at_right[lead]) {
-                    (next, other) = (other, next);
-                }
-                if other.1 != 0 {
-                    waiting[count] = other;
-                    count += 1;
-                }
-                if next.1 != 0 {
+                let children = [(left, in_left & among), (right, in_right & among)];
+                let children = nearer_first(among, children, &[at_left, at_right]);
+                if let Some(next) = descent.descend(children) {
                     (here, among) = next;
                     continue;
                 }
             }
-            if count == 0 {
+            let Some(next) = descent.pop() else {
                 return found;
-            }
-            count -= 1;
-            (here, among) = waiting[count];
-            // Some may have met something nearer meanwhile.
+            };
+            (here, among) = next;
             among &= lanes.enter(simd, &self.nodes[here as usize], s_max).0;
         }
     }

@@ -14,8 +14,8 @@ const LEAF: usize = 4;
 const BINS: usize = 12;
 /// The depth beyond which boxes are split into halves of equal number, which bounds the depth.
 const UNEVEN_DEPTH: usize = 40;
-/// The most boxes waiting on the way down: one for each level, [`UNEVEN_DEPTH`] and as many as 2³² triangles can be halved.
-pub const STACK: usize = 80;
+/// The largest depth: [`UNEVEN_DEPTH`] and as often as 2³² triangles can be halved.
+pub const DEPTH: usize = 80;
 /// The number of triangles from which both halves are built in parallel.
 const PARALLEL: usize = 4096;
 

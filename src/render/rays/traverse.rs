@@ -4,9 +4,9 @@
 //! rejected in single precision where it lies beside a ray by more than any rounding; the rest is decided in double
 //! precision, so that the answers depend neither on the SIMD level nor on the grouping of the rays.
 
-use super::bvh::{Bvh, Node, STACK};
+use super::bvh::{Bvh, DEPTH, Node};
 use super::packet::{self, Packet, RAYS, Vectors, bits};
-use crate::geometry::{cross, dot, load, splat, sub};
+use crate::geometry::{Descent, cross, dot, load, nearer_first, splat, sub};
 use fearless_simd::{f32x16, f64x8, prelude::*};
 use glam::{DVec3, Vec3};
 
@@ -28,8 +28,7 @@ impl Bvh {
             return 0;
         };
         let rays = Rays::new(simd, packet, f64::from(root.radius()));
-        let mut stack = [(0_u32, 0_u32); STACK];
-        let mut waiting = 0;
+        let mut descent = Descent::<DEPTH>::new();
         let mut open = requested;
         let (mut here, mut among) = (0, rays.enter(simd, root).0 & requested);
         loop {
@@ -52,25 +51,20 @@ impl Bvh {
                 let (left, right) = (here + 1, node.start);
                 let in_left = rays.enter(simd, &self.nodes[left as usize]).0 & among;
                 let in_right = rays.enter(simd, &self.nodes[right as usize]).0 & among;
-                let (mut first, mut other) = ((left, in_left), (right, in_right));
+                let mut children = [(left, in_left), (right, in_right)];
                 // First the child that more rays enter: it is likelier to block them all.
                 if in_left.count_ones() < in_right.count_ones() {
-                    (first, other) = (other, first);
+                    children.reverse();
                 }
-                if other.1 != 0 {
-                    stack[waiting] = other;
-                    waiting += 1;
-                }
-                if first.1 != 0 {
-                    (here, among) = first;
+                if let Some(next) = descent.descend(children) {
+                    (here, among) = next;
                     continue;
                 }
             }
-            if waiting == 0 {
+            let Some(next) = descent.pop() else {
                 return requested & !open;
-            }
-            waiting -= 1;
-            (here, among) = (stack[waiting].0, stack[waiting].1 & open);
+            };
+            (here, among) = (next.0, next.1 & open);
         }
     }
 }
@@ -119,8 +113,7 @@ impl Bvh {
             return nearest;
         };
         let mut rays = Rays::new(simd, packet, f64::from(root.radius()));
-        let mut stack = [(0_u32, 0_u32); STACK];
-        let mut waiting = 0;
+        let mut descent = Descent::<DEPTH>::new();
         let (mut here, mut among) = (0, rays.enter(simd, root).0 & requested);
         loop {
             let node = &self.nodes[here as usize];
@@ -145,28 +138,17 @@ impl Bvh {
                 let (left, right) = (here + 1, node.start);
                 let (in_left, at_left) = rays.enter(simd, &self.nodes[left as usize]);
                 let (in_right, at_right) = rays.enter(simd, &self.nodes[right as usize]);
-                let (in_left, in_right) = (in_left & among, in_right & among);
-                // First the child that comes first on the first of the rays.
-                let lead = among.trailing_zeros() as usize;
-                let (mut next, mut other) = ((left, in_left), (right, in_right));
-                if in_right != 0 && (in_left == 0 || at_left[lead] > at_right[lead]) {
-                    (next, other) = (other, next);
-                }
-                if other.1 != 0 {
-                    stack[waiting] = other;
-                    waiting += 1;
-                }
-                if next.1 != 0 {
+                let children = [(left, in_left & among), (right, in_right & among)];
+                let children = nearer_first(among, children, &[at_left, at_right]);
+                if let Some(next) = descent.descend(children) {
                     (here, among) = next;
                     continue;
                 }
             }
-            if waiting == 0 {
+            let Some(next) = descent.pop() else {
                 return nearest;
-            }
-            waiting -= 1;
-            (here, among) = stack[waiting];
-            // Some may have met something nearer meanwhile.
+            };
+            (here, among) = next;
             among &= rays.enter(simd, &self.nodes[here as usize]).0;
         }
     }

@@ -2,6 +2,7 @@
 
 use crate::app::widgets::focus::{self, named};
 use crate::app::widgets::letter::text_width;
+use crate::app::widgets::strip::strip;
 use crate::app::widgets::symbol::{self, Symbol};
 use crate::scene::parameter::Parameter;
 use crate::text;
@@ -98,7 +99,7 @@ pub fn row(ui: &mut Ui, about: &About<'_>, changed: bool, control: impl FnOnce(&
         let width = label_width.min(left);
         (width, width, RESET, 1.0)
     };
-    let (rect, _) = ui.allocate_exact_size(vec2(size.x, lines * size.y), Sense::hover());
+    let (rect, _) = strip(ui, lines * size.y, Sense::hover());
     let is_lit = |symbol| symbol::is_lit(ui.ctx(), symbol);
     if let Some(symbol) = about.symbol.filter(|_| ui.rect_contains_pointer(rect)) {
         symbol::light_up(ui.ctx(), symbol);

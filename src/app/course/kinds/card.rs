@@ -3,8 +3,8 @@
 use crate::app::course::prose::caption_ui;
 use crate::app::widgets::card::Card;
 use crate::app::widgets::focus::switch_named;
+use crate::app::widgets::mark::paint_mark;
 use crate::app::widgets::palette::right_colour;
-use crate::app::widgets::sign::paint_mark;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Align, Id, Layout, Rect, Response, Sense, Stroke, TextStyle, Ui, Vec2, vec2};
 use egui_commonmark::CommonMarkCache;

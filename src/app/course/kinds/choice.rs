@@ -2,7 +2,7 @@
 
 use super::card::{CHOICE, OptionCard};
 use super::widget::{Widget, WidgetContext};
-use crate::app::widgets::sign::radio_sign;
+use crate::app::widgets::mark::radio_mark;
 use crate::lesson::{Answer, Question, Solution};
 use crate::scene::Scene;
 use eframe::egui::accesskit::Role;
@@ -37,7 +37,7 @@ impl Widget for ChoiceWidget {
                 enabled: !asked.revealed,
             };
             let response = card.show(ui, asked.markdown, |ui| {
-                radio_sign(ui, vec2(16.0, CHOICE), on);
+                radio_mark(ui, vec2(16.0, CHOICE), on);
             });
             if response.clicked() {
                 (self.chosen, asked.changed) = (Some(index), true);

@@ -7,6 +7,7 @@ use crate::analysis::probe::{
 use crate::app::session::Session;
 use crate::app::widgets::letter::set;
 use crate::app::widgets::palette::tone_text as colour;
+use crate::app::widgets::strip::strip;
 use crate::app::widgets::symbol;
 use crate::app::widgets::typeset::{Piece, Run, RunId, formula, run_ui, spoken};
 use crate::text::text;
@@ -126,7 +127,7 @@ fn part_ui(ui: &mut Ui, part: &FilledPart, values: &Values, id: Id) {
         }
         FilledPart::Line(line) => flat_ui(ui, line),
         FilledPart::Rule => {
-            let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), 5.0), Sense::hover());
+            let (rect, _) = strip(ui, 5.0, Sense::hover());
             let stroke = Stroke::new(1.0, ui.visuals().weak_text_color());
             ui.painter().hline(
                 channel_edge(rect, 0) - COLUMN..=rect.max.x,
@@ -171,7 +172,7 @@ pub fn formula_ui(ui: &mut Ui, text: &str, values: &Values, id: Id) {
 /// Shows the names of the channels over their columns.
 fn channels_ui(ui: &mut Ui) {
     let weak = ui.visuals().weak_text_color();
-    let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), LINE - 4.0), Sense::hover());
+    let (rect, _) = strip(ui, LINE - 4.0, Sense::hover());
     for (index, channel) in channels().into_iter().enumerate() {
         let galley = line_galley(ui, channel, FontId::proportional(TEXT), weak);
         paint_right(ui, galley, channel_edge(rect, index), rect, weak);
@@ -181,8 +182,7 @@ fn channels_ui(ui: &mut Ui) {
 /// Shows a line that does not unfold. Letters in place of its name highlight their control.
 fn flat_ui(ui: &mut Ui, line: &FilledLine) {
     let name = name_galley(ui, line);
-    let size = vec2(ui.available_width(), name.size().y.max(LINE));
-    let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
+    let (rect, response) = strip(ui, name.size().y.max(LINE), Sense::hover());
     response.widget_info(|| {
         WidgetInfo::labeled(
             Role::Label,
@@ -216,7 +216,7 @@ fn fold_ui(ui: &mut Ui, session: &mut Session, here: Here<'_>, line: &FilledLine
     let own = line.light.is_none_or(|index| index == session.light);
     let mut fold = CollapsingState::load_with_default_open(ui.ctx(), id, own);
     let galley = name_galley(ui, line);
-    let (_, rect) = ui.allocate_space(vec2(ui.available_width(), galley.size().y.max(LINE)));
+    let (rect, _) = strip(ui, galley.size().y.max(LINE), Sense::hover());
     let response = ui.interact(rect, id, Sense::click());
     let unfolds = if chosen && line.light.is_some() {
         own != fold.is_open()
@@ -374,7 +374,7 @@ fn place_at(ui: &Ui, galley: Arc<Galley>, x: f32, y: f32, colour: Color32) {
 
 /// Shows the share of each term in the pixel's brightness as one bar. Each part is as long as its term is bright.
 fn bar_ui(ui: &mut Ui, shares: &[Share]) {
-    let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), BAR), Sense::hover());
+    let (rect, _) = strip(ui, BAR, Sense::hover());
     let whole: f64 = shares.iter().map(|share| share.weight).sum();
     let seen: Vec<_> = shares.iter().filter(|share| share.weight > 0.0).collect();
     if seen.is_empty() {
@@ -467,8 +467,7 @@ impl TermTable<'_> {
             natural
         };
         let gap = ((room - total(&laid)) / gaps).clamp(COLUMN_GAPS[0], COLUMN_GAPS[1]);
-        let (rect, _) =
-            ui.allocate_exact_size(vec2(ui.available_width(), HEAD + 3.0 * ROW), Sense::hover());
+        let (rect, _) = strip(ui, HEAD + 3.0 * ROW, Sense::hover());
         self.paint(ui, &laid, rect, gap, place);
         self.describe(ui, rect, place);
     }
