@@ -80,7 +80,7 @@ fn fanned(mesh: &Mesh) -> Mesh {
 #[test]
 fn at_a_cubes_corner_three_faces_count_a_third_each() {
     let cube = cuboid([1.0; 3]);
-    for weighting in [Weighting::Equal, Weighting::Area, Weighting::Angle] {
+    for &weighting in Weighting::VALUES {
         let corner = vertex(&cube, weighting, 7);
         assert_eq!(
             (corner.origin, corner.faces.len()),
@@ -259,7 +259,7 @@ fn what_is_shown_is_what_the_averaging_gives() {
             ..Object::default()
         };
         let mesh = Arc::new(tessellate(&object));
-        for weighting in [Weighting::Equal, Weighting::Area, Weighting::Angle] {
+        for &weighting in Weighting::VALUES {
             let field = NormalField::of_mesh(Arc::clone(&mesh), NormalSource::Averaged, weighting);
             for number in (0..field.vertex_count() as u32).step_by(7) {
                 let vertex = field.vertex(number).expect("a vertex");
@@ -303,7 +303,7 @@ const BOTH: [OverlayLayer; 2] = [OverlayLayer::FaceNormals, OverlayLayer::Vertex
 
 #[test]
 fn needles_stand_where_their_points_and_ends_appear() {
-    for projection in [Projection::Perspective, Projection::Orthographic] {
+    for &projection in Projection::VALUES {
         let mut scene = sphere(12, 6);
         scene.camera.projection = projection;
         let (_, field, laid) = needles(&scene, &BOTH);

@@ -136,19 +136,11 @@ fn cylinder(segments: u32) -> Scene {
 
 fn taken(scene: &Scene, from: [f64; 2], to: [f64; 2]) -> Profile {
     let request = ProfileQuestion {
-        modes: ALL.to_vec(),
+        modes: ShadingMode::VALUES.to_vec(),
         ..ProfileQuestion::new(DVec2::from(from), DVec2::from(to))
     };
     profile(&mut Renderer::default(), scene, &request).expect("a line in the picture")
 }
-
-const ALL: [ShadingMode; 5] = [
-    ShadingMode::Flat,
-    ShadingMode::Interpolated,
-    ShadingMode::Gouraud,
-    ShadingMode::Phong,
-    ShadingMode::Exact,
-];
 
 fn trace(profile: &Profile, mode: ShadingMode) -> &Trace {
     profile
@@ -229,11 +221,7 @@ fn the_profile_passes_through_the_pixels_of_the_picture() {
     ] {
         let mut scene = presets::find(name).expect("a built-in scene").scene();
         scene.image.size = [96, 96];
-        for interpolation in [
-            Interpolation::Perspective,
-            Interpolation::Affine,
-            Interpolation::Scanline,
-        ] {
+        for &interpolation in Interpolation::VALUES {
             scene.shading.interpolation = interpolation;
             let profile = taken(&scene, [0.0, 40.5], to);
             for trace in &profile.traces {
@@ -359,7 +347,10 @@ fn a_line_that_is_none_is_refused() {
         profile(&mut Renderer::default(), &scene, &request).map(|_| ())
     };
     let (a, b) = (DVec2::new(1.0, 1.0), DVec2::new(9.0, 9.0));
-    assert_eq!(asked(a, a, &ALL), Err(ProfileError::NoLength));
+    assert_eq!(
+        asked(a, a, ShadingMode::VALUES),
+        Err(ProfileError::NoLength)
+    );
     assert_eq!(asked(a, b, &[]), Err(ProfileError::NoMode));
     for outside in [
         DVec2::new(-0.1, 3.0),
@@ -367,11 +358,14 @@ fn a_line_that_is_none_is_refused() {
         DVec2::new(f64::NAN, 3.0),
     ] {
         assert_eq!(
-            asked(a, outside, &ALL),
+            asked(a, outside, ShadingMode::VALUES),
             Err(ProfileError::Outside { size: [1000, 101] })
         );
     }
-    assert_eq!(asked(DVec2::ZERO, DVec2::new(1000.0, 101.0), &ALL), Ok(()));
+    assert_eq!(
+        asked(DVec2::ZERO, DVec2::new(1000.0, 101.0), ShadingMode::VALUES),
+        Ok(())
+    );
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use shading_lab::analysis::sampling::{self, SamplingError};
 use shading_lab::render::Renderer;
-use shading_lab::scene::{AreaShape, Light, LightKind, Scene, presets};
+use shading_lab::scene::{AreaShape, Choice, Light, LightKind, Scene, presets};
 
 fn sampling_error(scene: &Scene, light: usize) -> Option<SamplingError> {
     sampling::sampling_error(&mut Renderer::default(), scene, light)
@@ -48,7 +48,7 @@ fn slope(values: &[f64]) -> f64 {
 
 #[test]
 fn the_error_falls_as_the_points_grow_in_number() {
-    for shape in [AreaShape::Rectangle, AreaShape::Sphere] {
+    for &shape in AreaShape::VALUES {
         let errors = errors(shape);
         for (count, error) in COUNTS.iter().zip(&errors) {
             println!(

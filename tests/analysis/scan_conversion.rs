@@ -10,7 +10,7 @@ use shading_lab::analysis::scan::{
 use shading_lab::analysis::{Answer, ReportContext};
 use shading_lab::geometry::{Corner, Mesh, NO_NORMAL};
 use shading_lab::render::Renderer;
-use shading_lab::scene::{Interpolation, NormalSource, ObjectKind, Projection, presets};
+use shading_lab::scene::{Choice, Interpolation, NormalSource, ObjectKind, Projection, presets};
 use shading_lab::scene::{Scene, ShadingMode};
 use std::sync::Arc;
 
@@ -292,7 +292,7 @@ fn what_cannot_be_scanned_is_refused_in_a_sentence() {
         refused(&mut renderer, &scene, 0, 65),
         Some(ScanError::Rows { rows: 65 })
     );
-    for projection in [Projection::Perspective, Projection::Orthographic] {
+    for &projection in Projection::VALUES {
         scene.camera.projection = projection;
         scene.camera.eye = DVec3::new(4.0, 0.0, 0.0);
         assert_eq!(

@@ -2,15 +2,7 @@
 
 use shading_lab::analysis::probe::{Here, Product, clearest_pixel, digits, digits_below, probe};
 use shading_lab::render::Renderer;
-use shading_lab::scene::{PatternKind, Rgb, Scene, ShadingMode, presets};
-
-const MODES: [ShadingMode; 5] = [
-    ShadingMode::Flat,
-    ShadingMode::Interpolated,
-    ShadingMode::Gouraud,
-    ShadingMode::Phong,
-    ShadingMode::Exact,
-];
+use shading_lab::scene::{Choice, PatternKind, Rgb, Scene, ShadingMode, presets};
 
 fn multiplied(product: &Product) -> Rgb {
     let (mut sum, mut running) = (Rgb::ZERO, Rgb::ONE);
@@ -40,7 +32,7 @@ fn the_columns_multiply_to_the_terms_and_the_terms_add_up_to_the_pixel() {
         scene.image.size = [32, 32];
         (scene.object.segments, scene.object.rings) = (12, 6);
         let mut renderer = Renderer::default();
-        for mode in MODES {
+        for &mode in ShadingMode::VALUES {
             scene.shading.mode = mode;
             for [x, y] in [[16, 16], [19, 13], [12, 18], [16, 24]] {
                 let Some(hit) = probe(&mut renderer, &scene, x, y).hit else {

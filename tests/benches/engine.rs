@@ -11,7 +11,7 @@ use rayon::ThreadPoolBuilder;
 use shading_lab::geometry::divisions_for;
 use shading_lab::render::{FrameReport, Renderer};
 use shading_lab::scene::{
-    Display, Distribution, Encoding, Interpolation, NormalSource, ObjectKind, Overflow,
+    Choice, Display, Distribution, Encoding, Interpolation, NormalSource, ObjectKind, Overflow,
     ReflectionModel, Rgb, Scene, ShadingMode,
 };
 use std::fmt;
@@ -20,13 +20,6 @@ fn main() {
     divan::main();
 }
 
-const MODES: [ShadingMode; 5] = [
-    ShadingMode::Flat,
-    ShadingMode::Interpolated,
-    ShadingMode::Gouraud,
-    ShadingMode::Phong,
-    ShadingMode::Exact,
-];
 const TRIANGLES: [u64; 3] = [1024, 16_384, 262_144];
 const SIDE: u32 = 1024;
 /// The side of a picture so small that its pixels hardly count.
@@ -267,7 +260,7 @@ fn display(bencher: Bencher<'_, '_>, what: &str) {
 }
 
 /// Measures everything from the transform on, on all cores.
-#[divan::bench(args = MODES, consts = TRIANGLES)]
+#[divan::bench(args = ShadingMode::VALUES, consts = TRIANGLES)]
 fn frame<const TRIANGLES: u64>(bencher: Bencher<'_, '_>, mode: ShadingMode) {
     let scene = sphere(mode, TRIANGLES, SIDE);
     let mut renderer = Renderer::default();
@@ -279,7 +272,7 @@ fn frame<const TRIANGLES: u64>(bencher: Bencher<'_, '_>, mode: ShadingMode) {
 }
 
 /// Measures a frame in which a light has moved.
-#[divan::bench(args = MODES, consts = TRIANGLES)]
+#[divan::bench(args = ShadingMode::VALUES, consts = TRIANGLES)]
 fn light<const TRIANGLES: u64>(bencher: Bencher<'_, '_>, mode: ShadingMode) {
     let scene = sphere(mode, TRIANGLES, SIDE);
     alternate(
@@ -304,7 +297,7 @@ fn ka_under_lights(bencher: Bencher<'_, '_>, lights: usize) {
 }
 
 /// Measures a frame in which Ka has changed.
-#[divan::bench(args = MODES, consts = TRIANGLES)]
+#[divan::bench(args = ShadingMode::VALUES, consts = TRIANGLES)]
 fn ka<const TRIANGLES: u64>(bencher: Bencher<'_, '_>, mode: ShadingMode) {
     let scene = sphere(mode, TRIANGLES, SIDE);
     let scenes = changed(&scene, |scene| scene.material.ka = Rgb::splat(0.2));

@@ -269,7 +269,7 @@ impl Author {
             } else {
                 Framing::Height
             },
-            viewer: self.dice.of(&[Viewer::Local, Viewer::Infinite]),
+            viewer: self.dice.of(Viewer::VALUES),
         }
     }
 
@@ -313,15 +313,8 @@ impl Author {
             kind,
             segments: self.count(&[3, 4, 5, 7, 12]),
             rings: self.count(&[3, 3, 4, 7]),
-            normals: self.dice.of(&[
-                NormalSource::Averaged,
-                NormalSource::Exact,
-                NormalSource::File,
-                NormalSource::Facet,
-            ]),
-            weighting: self
-                .dice
-                .of(&[Weighting::Equal, Weighting::Area, Weighting::Angle]),
+            normals: self.dice.of(NormalSource::VALUES),
+            weighting: self.dice.of(Weighting::VALUES),
             fit: self.chance(0.5),
             ..Object::default()
         };
@@ -446,7 +439,7 @@ impl Author {
         Transparency {
             kt,
             ior,
-            through: self.dice.of(&[Through::Surface, Through::Solid]),
+            through: self.dice.of(Through::VALUES),
         }
     }
 
@@ -454,34 +447,17 @@ impl Author {
         Reflection {
             // Without drawing random numbers, which would change all later ones.
             formula: any_formula(&mut Dice(self.dice.0)),
-            model: self.dice.of(&[
-                ReflectionModel::Phong,
-                ReflectionModel::Blinn,
-                ReflectionModel::CookTorrance,
-                ReflectionModel::Formula,
-            ]),
-            distribution: self.dice.of(&[Distribution::Beckmann, Distribution::Ggx]),
-            backfacing: self.dice.of(&[Backfacing::Clamp, Backfacing::Flip]),
+            model: self.dice.of(ReflectionModel::VALUES),
+            distribution: self.dice.of(Distribution::VALUES),
+            backfacing: self.dice.of(Backfacing::VALUES),
         }
     }
 
     fn shading(&mut self) -> Shading {
         Shading {
-            mode: self.dice.of(&[
-                ShadingMode::Flat,
-                ShadingMode::Interpolated,
-                ShadingMode::Gouraud,
-                ShadingMode::Phong,
-                ShadingMode::Exact,
-            ]),
-            flat_at: self
-                .dice
-                .of(&[FlatAt::Centre, FlatAt::VertexMean, FlatAt::ProvokingVertex]),
-            interpolation: self.dice.of(&[
-                Interpolation::Perspective,
-                Interpolation::Affine,
-                Interpolation::Scanline,
-            ]),
+            mode: self.dice.of(ShadingMode::VALUES),
+            flat_at: self.dice.of(FlatAt::VALUES),
+            interpolation: self.dice.of(Interpolation::VALUES),
             renormalise: self.chance(0.7),
             shadows: self.chance(0.3),
         }
@@ -489,10 +465,8 @@ impl Author {
 
     fn display(&mut self) -> Display {
         Display {
-            overflow: self
-                .dice
-                .of(&[Overflow::Clamp, Overflow::Scale, Overflow::Mark]),
-            encoding: self.dice.of(&[Encoding::Raw, Encoding::Srgb]),
+            overflow: self.dice.of(Overflow::VALUES),
+            encoding: self.dice.of(Encoding::VALUES),
         }
     }
 
@@ -529,7 +503,7 @@ impl Author {
             back.min(GREATEST_LENGTH)
         };
         DepthCueing {
-            by: self.dice.of(&[CuedBy::Off, CuedBy::Vertex, CuedBy::Pixel]),
+            by: self.dice.of(CuedBy::VALUES),
             front,
             back,
             front_scale: self.part(),
@@ -555,12 +529,7 @@ impl Author {
 
     fn light(&mut self) -> Light {
         Light {
-            kind: self.dice.of(&[
-                LightKind::Point,
-                LightKind::Directional,
-                LightKind::Spot,
-                LightKind::Area,
-            ]),
+            kind: self.dice.of(LightKind::VALUES),
             mute: self.chance(0.03),
             solo: self.chance(0.03),
             position: self.point(3.0),
@@ -569,17 +538,11 @@ impl Author {
             cone: self.number(5.0..=90.0, Light::CONE),
             exponent: self.number(0.0..=50.0, 0.0..=Light::MAX_EXPONENT),
             softness: self.part(),
-            shape: self.dice.of(&[AreaShape::Rectangle, AreaShape::Sphere]),
+            shape: self.dice.of(AreaShape::VALUES),
             extent: [(); 2].map(|()| self.length(0.0..=2.0, 0.0..=GREATEST_LENGTH)),
             radius: self.length(0.0..=1.0, 0.0..=GREATEST_LENGTH),
             samples: self.count(&[1, 2, 3, 6]),
-            attenuation: self.dice.of(&[
-                Attenuation::None,
-                Attenuation::Viewer,
-                Attenuation::Light,
-                Attenuation::InverseSquare,
-                Attenuation::Quadratic,
-            ]),
+            attenuation: self.dice.of(Attenuation::VALUES),
             k: self.length(0.0..=2.0, 0.0..=GREATEST_LENGTH),
             c1: self.number(0.0..=1.0, 0.0..=GREATEST_LENGTH),
             c2: self.number(0.0..=1.0, 0.0..=GREATEST_LENGTH),
@@ -634,11 +597,7 @@ impl Author {
                 self.dice.of(&views)
             },
             wipe: self.part(),
-            difference: self.dice.of(&[
-                DifferenceKind::Signed,
-                DifferenceKind::Absolute,
-                DifferenceKind::FalseColor,
-            ]),
+            difference: self.dice.of(DifferenceKind::VALUES),
             gain: self.number(1.0..=16.0, 1.0..=Compare::MAX_GAIN),
             name: if panes.len() == 2 { "A" } else { "" }.to_owned(),
             reference: panes.len() as u32 / 2,

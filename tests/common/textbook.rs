@@ -5,8 +5,8 @@ use super::dice;
 use glam::{DVec2, DVec3};
 use shading_lab::illumination::area_samples;
 use shading_lab::scene::{
-    AreaShape, Attenuation, Backfacing, Camera, Distribution, Image, Light, LightKind, Material,
-    ObjectKind, PatternKind, Projection, Reflectance, ReflectionModel, Scene, Viewer,
+    AreaShape, Attenuation, Backfacing, Camera, Choice, Distribution, Image, Light, LightKind,
+    Material, ObjectKind, PatternKind, Projection, Reflectance, ReflectionModel, Scene, Viewer,
 };
 use std::f64::consts::PI;
 
@@ -34,12 +34,7 @@ impl Dice {
 pub fn random_light(dice: &mut Dice) -> Light {
     let position = dice.direction() * dice.between(1.6, 6.0);
     Light {
-        kind: dice.of(&[
-            LightKind::Point,
-            LightKind::Directional,
-            LightKind::Spot,
-            LightKind::Area,
-        ]),
+        kind: dice.of(LightKind::VALUES),
         position,
         // Towards the sphere, so that cones meet it.
         direction: (dice.direction() * 0.5 - position.normalize()) * dice.between(0.1, 10.0),
@@ -47,17 +42,11 @@ pub fn random_light(dice: &mut Dice) -> Light {
         cone: dice.between(8.0, 60.0),
         exponent: dice.between(0.0, 60.0),
         softness: dice.between(0.2, 1.0),
-        shape: dice.of(&[AreaShape::Rectangle, AreaShape::Sphere]),
+        shape: dice.of(AreaShape::VALUES),
         extent: [dice.between(0.1, 1.0), dice.between(0.1, 1.0)],
         radius: dice.between(0.05, 0.5),
         samples: dice.of(&[1, 2, 5, 16]),
-        attenuation: dice.of(&[
-            Attenuation::None,
-            Attenuation::Viewer,
-            Attenuation::Light,
-            Attenuation::InverseSquare,
-            Attenuation::Quadratic,
-        ]),
+        attenuation: dice.of(Attenuation::VALUES),
         k: dice.between(0.0, 2.0),
         c1: dice.between(0.1, 1.0),
         c2: dice.between(0.0, 0.5),
@@ -126,7 +115,7 @@ pub fn random_scene(dice: &mut Dice, n: f64) -> Scene {
         ReflectionModel::Blinn,
         ReflectionModel::CookTorrance,
     ]);
-    scene.reflection.distribution = dice.of(&[Distribution::Beckmann, Distribution::Ggx]);
+    scene.reflection.distribution = dice.of(Distribution::VALUES);
     scene.reflection.backfacing = if dice.unit() < 0.7 {
         Backfacing::Clamp
     } else {

@@ -5,23 +5,10 @@ use shading_lab::analysis::probe::probe;
 use shading_lab::analysis::profile::{ProfileQuestion, profile};
 use shading_lab::render::{Cued, Frame, Renderer, Stage};
 use shading_lab::scene::{
-    AmbientSource, CuedBy, DepthCueing, FlatAt, Interpolation, ObjectKind, Projection, Rgb, Scene,
-    ShadingMode, View, presets,
+    AmbientSource, Choice, CuedBy, DepthCueing, FlatAt, Interpolation, ObjectKind, Projection, Rgb,
+    Scene, ShadingMode, View, presets,
 };
 use shading_lab::text::Message;
-
-const MODES: [ShadingMode; 5] = [
-    ShadingMode::Flat,
-    ShadingMode::Interpolated,
-    ShadingMode::Gouraud,
-    ShadingMode::Phong,
-    ShadingMode::Exact,
-];
-const RULES: [Interpolation; 3] = [
-    Interpolation::Perspective,
-    Interpolation::Affine,
-    Interpolation::Scanline,
-];
 
 /// Returns a square of one polygon that recedes from the eye, of constant I, fading into blue.
 fn slanted(by: CuedBy, front: f64, back: f64) -> Scene {
@@ -90,8 +77,8 @@ fn edges(scene: &Scene) -> [f64; 2] {
 
 #[test]
 fn by_pixel_it_is_the_formula_at_every_pixel() {
-    for projection in [Projection::Perspective, Projection::Orthographic] {
-        for mode in MODES {
+    for &projection in Projection::VALUES {
+        for &mode in ShadingMode::VALUES {
             let mut scene = slanted(CuedBy::Pixel, 2.8, 3.5);
             (
                 scene.depth_cueing.front_scale,
@@ -118,7 +105,7 @@ fn a_linear_cue_is_the_same_by_vertex_and_by_pixel() {
             assert!(assert_ramp(&scene, |z| (5.0 - z) / 3.5) > 1000);
             // In an orthographic picture every interpolation is linear in the depth.
             scene.camera.projection = Projection::Orthographic;
-            for rule in RULES {
+            for &rule in Interpolation::VALUES {
                 scene.shading.interpolation = rule;
                 assert!(assert_ramp(&scene, |z| (5.0 - z) / 3.5) > 1000);
             }
@@ -202,7 +189,7 @@ fn the_background_keeps_its_colour() {
 fn crowded() -> Vec<Scene> {
     let mut scenes = Vec::new();
     for kind in [ObjectKind::Torus, ObjectKind::Teapot, ObjectKind::Cube] {
-        for mode in MODES {
+        for &mode in ShadingMode::VALUES {
             for by in [CuedBy::Vertex, CuedBy::Pixel] {
                 let mut scene = Scene::default();
                 scene.image.size = [64, 64];
@@ -225,7 +212,7 @@ fn crowded() -> Vec<Scene> {
     }
     let count = scenes.len();
     for (index, scene) in scenes.iter_mut().enumerate() {
-        scene.shading.interpolation = RULES[index % 3];
+        scene.shading.interpolation = Interpolation::VALUES[index % 3];
         scene.shading.flat_at =
             [FlatAt::Centre, FlatAt::VertexMean, FlatAt::ProvokingVertex][index * 3 / count];
         match index % 4 {

@@ -4,7 +4,7 @@ use crate::common::{mesh, properties};
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;
 use shading_lab::geometry::{Corner, Mesh, NO_NORMAL, VertexMesh};
-use shading_lab::scene::{NormalSource, Weighting};
+use shading_lab::scene::{Choice, NormalSource, Weighting};
 
 fn averaged(mesh: &Mesh, weighting: Weighting) -> VertexMesh {
     mesh.with_vertex_normals(NormalSource::Averaged, weighting)
@@ -74,7 +74,7 @@ fn opposed_and_empty_faces_still_give_a_direction() {
         [0.0, 1.0, 0.0],
         [5.0, 5.0, 5.0],
     ];
-    for weighting in [Weighting::Equal, Weighting::Area, Weighting::Angle] {
+    for &weighting in Weighting::VALUES {
         let opposed = averaged(
             &mesh(&positions, &[&[1, 1, 2], &[0, 2, 1], &[0, 1, 2]]),
             weighting,
@@ -168,7 +168,7 @@ proptest! {
             mesh.starts.push(mesh.corners.len() as u32);
         }
         for source in [NormalSource::Averaged, NormalSource::File, NormalSource::Facet] {
-            for weighting in [Weighting::Equal, Weighting::Area, Weighting::Angle] {
+            for &weighting in Weighting::VALUES {
                 let vertices = mesh.with_vertex_normals(source, weighting);
                 prop_assert!(vertices.normals.iter().all(|n| (n.length() - 1.0).abs() < 1e-6));
                 let farthest = vertices.positions.iter().map(|p| p.as_dvec3().length()).fold(0.0, f64::max);

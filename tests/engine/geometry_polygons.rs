@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use shading_lab::geometry::{Mesh, Ray, Surface, tessellate};
 use shading_lab::render::{Renderer, Stage};
-use shading_lab::scene::{NormalSource, Object, ObjectKind, Scene, ShadingMode, Weighting};
+use shading_lab::scene::{Choice, NormalSource, Object, ObjectKind, Scene, ShadingMode, Weighting};
 
 fn polygons(vertices: &[[f64; 3]], faces: &[&[u32]]) -> Object {
     Object {
@@ -260,7 +260,7 @@ fn sheet(slopes: u32, strips: u32) -> Object {
 
 #[test]
 fn undivided_slopes_average_to_one_normal_and_divided_ones_do_not() {
-    for weighting in [Weighting::Equal, Weighting::Area, Weighting::Angle] {
+    for &weighting in Weighting::VALUES {
         for slopes in [2, 3, 8] {
             let vertices = tessellate(&sheet(slopes, 1))
                 .with_vertex_normals(NormalSource::Averaged, weighting);

@@ -263,7 +263,7 @@ proptest! {
         let mesh = mesh(kind, segments, rings);
         prop_assert_eq!(mesh.closed, mesh.clone().with_closedness_detected().closed);
         for source in [NormalSource::Averaged, NormalSource::Exact, NormalSource::Facet, NormalSource::File] {
-            for weighting in [Weighting::Equal, Weighting::Area, Weighting::Angle] {
+            for &weighting in Weighting::VALUES {
                 let vertices = mesh.with_vertex_normals(source, weighting);
                 prop_assert_eq!(vertices.positions.len(), vertices.normals.len());
                 prop_assert!(vertices.normals.iter().all(|n| (n.length() - 1.0).abs() < 1e-6));

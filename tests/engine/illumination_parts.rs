@@ -7,7 +7,8 @@ use shading_lab::illumination::{
     mirror, phong_from_blinn, rectangle_axes, refract,
 };
 use shading_lab::scene::{
-    AreaShape, Camera, Distribution, Light, LightKind, PatternKind, ReflectionModel, Scene, Viewer,
+    AreaShape, Camera, Choice, Distribution, Light, LightKind, PatternKind, ReflectionModel, Scene,
+    Viewer,
 };
 use std::f64::consts::FRAC_PI_2;
 
@@ -251,7 +252,7 @@ fn any_number_of_samples_covers_a_rectangle_evenly() {
 /// Checks that the only sample is the middle, so that an area light of one sample equals a point light, whatever its shape.
 #[test]
 fn one_sample_is_the_middle() {
-    for shape in [AreaShape::Rectangle, AreaShape::Sphere] {
+    for &shape in AreaShape::VALUES {
         let light = Light {
             position: DVec3::new(1.0, 2.0, 3.0),
             radius: 0.7,
@@ -327,7 +328,7 @@ fn specular(distribution: Distribution, n: DVec3) -> f64 {
 
 #[test]
 fn the_lobe_is_continued_past_the_outline_and_fades() {
-    for distribution in [Distribution::Beckmann, Distribution::Ggx] {
+    for &distribution in Distribution::VALUES {
         let at = |n_dot_v: f64| {
             let n = DVec3::new((1.0 - n_dot_v * n_dot_v).sqrt(), 0.0, n_dot_v);
             specular(distribution, n)

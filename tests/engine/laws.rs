@@ -7,8 +7,8 @@ use glam::DVec3;
 use shading_lab::illumination::{Equation, Index, LightAt, attenuation_at};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
-    Attenuation, Distribution, Light, LightKind, Material, Reflectance, ReflectionModel, Rgb,
-    Scene, ShadingMode, Viewer,
+    Attenuation, Choice, Distribution, Light, LightKind, Material, Reflectance, ReflectionModel,
+    Rgb, Scene, ShadingMode, Viewer,
 };
 use std::f64::consts::PI;
 
@@ -319,7 +319,7 @@ fn fresnel_at_its_limits() {
 #[test]
 fn microfacets_are_the_closed_form_and_reciprocal() {
     let mut dice = Dice(0x1982);
-    for distribution in [Distribution::Beckmann, Distribution::Ggx] {
+    for &distribution in Distribution::VALUES {
         for m in [0.05, 0.2, 0.5, 1.0] {
             let mut scene = bench(ReflectionModel::CookTorrance, 1.0);
             scene.reflection.distribution = distribution;
@@ -354,7 +354,7 @@ fn microfacets_are_the_closed_form_and_reciprocal() {
 #[test]
 fn microfacets_take_a_short_normal_as_it_is() {
     let mut dice = Dice(0x2007);
-    for distribution in [Distribution::Beckmann, Distribution::Ggx] {
+    for &distribution in Distribution::VALUES {
         for m in [0.2, 0.5, 1.0] {
             let mut scene = bench(ReflectionModel::CookTorrance, 1.0);
             (scene.shading.mode, scene.shading.renormalise) = (ShadingMode::Phong, false);
@@ -413,7 +413,7 @@ fn phongs_factor_is_the_same_both_ways() {
 /// Checks that every microfacet counts once: ∫ D·cos α dω = 1. D is measured by the light that returns to where it came from.
 #[test]
 fn the_distributions_are_normalised() {
-    for distribution in [Distribution::Beckmann, Distribution::Ggx] {
+    for &distribution in Distribution::VALUES {
         for m in [0.1, 0.3, 0.6] {
             let mut scene = bench(ReflectionModel::CookTorrance, 1.0);
             scene.reflection.distribution = distribution;

@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3, Vec3};
 use proptest::prelude::*;
 use shading_lab::geometry::{Mesh, NO_NORMAL, ObjError, read_obj};
 use shading_lab::render::Renderer;
-use shading_lab::scene::{NormalSource, ObjectKind, Projection, Scene, Weighting};
+use shading_lab::scene::{Choice, NormalSource, ObjectKind, Projection, Scene, Weighting};
 use shading_lab::text::{Language, in_language};
 use std::io::{BufReader, Cursor};
 
@@ -551,7 +551,7 @@ proptest! {
             for mesh in [mesh.clone(), mesh.fitted()] {
                 prop_assert!(mesh.positions.iter().all(|p| p.is_finite()));
                 for source in [NormalSource::Averaged, NormalSource::File, NormalSource::Facet] {
-                    for weighting in [Weighting::Equal, Weighting::Area, Weighting::Angle] {
+                    for &weighting in Weighting::VALUES {
                         let vertices = mesh.with_vertex_normals(source, weighting);
                         prop_assert!(vertices.normals.iter().all(|n| (n.length() - 1.0).abs() < 1e-5));
                         prop_assert!(vertices.radius().is_finite());

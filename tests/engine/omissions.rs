@@ -13,14 +13,6 @@ use shading_lab::scene::{
 };
 use shading_lab::text::Message;
 
-const MODES: [ShadingMode; 5] = [
-    ShadingMode::Flat,
-    ShadingMode::Interpolated,
-    ShadingMode::Gouraud,
-    ShadingMode::Phong,
-    ShadingMode::Exact,
-];
-
 /// Draws the picture by the plan, and with everything left in.
 fn both(scene: &Scene) -> (Frame, Frame) {
     let mut renderer = Renderer::default();
@@ -53,7 +45,7 @@ fn difference(scene: &Scene) -> Option<String> {
 fn every_built_in_scene_is_the_same_in_every_mode() {
     let mut wrong = Vec::new();
     for preset in presets::ALL {
-        for mode in MODES {
+        for &mode in ShadingMode::VALUES {
             let mut scene = preset.scene();
             scene.image.size = [96, 96];
             scene.shading.mode = mode;
@@ -166,15 +158,11 @@ fn scene() -> impl Strategy<Value = Scene> {
     ]);
     let law = (
         models,
-        pick(&[Distribution::Beckmann, Distribution::Ggx]),
+        pick(Distribution::VALUES),
         pick(&[Reflectance::Constant, Reflectance::Gold]),
     );
-    let rule = pick(&[
-        Interpolation::Perspective,
-        Interpolation::Affine,
-        Interpolation::Scanline,
-    ]);
-    let shading = (pick(&MODES), rule, any::<[bool; 5]>(), part());
+    let rule = pick(Interpolation::VALUES);
+    let shading = (pick(ShadingMode::VALUES), rule, any::<[bool; 5]>(), part());
     (
         object,
         material,

@@ -8,8 +8,8 @@ use shading_lab::analysis::probe::probe;
 use shading_lab::illumination::{Equation, V3};
 use shading_lab::render::{Frame, Per, Renderer, Stage, Term};
 use shading_lab::scene::{
-    Backfacing, Encoding, FlatAt, Interpolation, Overflow, Projection, Reflectance, Reflection,
-    ReflectionModel, Rgb, Scene, ShadingMode, presets,
+    Backfacing, Choice, Encoding, FlatAt, Interpolation, Overflow, Projection, Reflectance,
+    Reflection, ReflectionModel, Rgb, Scene, ShadingMode, presets,
 };
 
 const PHONG: &str = Reflection::PHONG;
@@ -70,13 +70,7 @@ fn a_typed_law_draws_what_the_built_in_one_draws() {
     let mut wrong = vec![];
     let mut count = 0;
     for (name, built_in, own) in typed() {
-        for mode in [
-            ShadingMode::Flat,
-            ShadingMode::Interpolated,
-            ShadingMode::Gouraud,
-            ShadingMode::Phong,
-            ShadingMode::Exact,
-        ] {
+        for &mode in ShadingMode::VALUES {
             let draw = |renderer: &mut Renderer, scene: &Scene| {
                 let mut scene = scene.clone();
                 scene.shading.mode = mode;

@@ -534,7 +534,7 @@ fn a_light_below_the_floor_does_not_light_it() {
     let mut scene = over_floor();
     let pixels = [[8, 150], [80, 155], [150, 120], [30, 152]];
     let mut renderer = Renderer::default();
-    for backfacing in [Backfacing::Clamp, Backfacing::Flip] {
+    for &backfacing in Backfacing::VALUES {
         for shadows in [true, false] {
             (scene.reflection.backfacing, scene.shading.shadows) = (backfacing, shadows);
             for y in [-3.0, 3.0] {

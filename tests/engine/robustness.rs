@@ -10,7 +10,7 @@ use shading_lab::analysis::probe::{Probe, ZeroCause, probe};
 use shading_lab::analysis::profile::{ProfileQuestion, profile};
 use shading_lab::render::{Renderer, srgb};
 use shading_lab::scene::{
-    Attenuation, Encoding, GREATEST_INTENSITY, Interpolation, Light, Material, ObjectKind,
+    Attenuation, Choice, Encoding, GREATEST_INTENSITY, Interpolation, Light, Material, ObjectKind,
     Overflow, PatternKind, Projection, ReflectionModel, Rgb, Scene, ShadingMode,
 };
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -81,8 +81,8 @@ fn draw(renderer: &mut Renderer, scene: &Scene) -> Result<(), String> {
             return Err(format!("the probe at {x},{y} has {what} in {probe:?}"));
         }
     }
-    for overflow in [Overflow::Clamp, Overflow::Scale, Overflow::Mark] {
-        for encoding in [Encoding::Raw, Encoding::Srgb] {
+    for &overflow in Overflow::VALUES {
+        for &encoding in Encoding::VALUES {
             let mut shown = scene.clone();
             (shown.display.overflow, shown.display.encoding) = (overflow, encoding);
             for keep in [true, false] {

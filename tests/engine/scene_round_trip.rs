@@ -4,7 +4,7 @@ use crate::common::properties;
 use glam::{DVec2, DVec3};
 use proptest::prelude::*;
 use shading_lab::scene::{
-    Ambient, AmbientSource, AreaShape, Attenuation, Backdrop, Backfacing, Camera, Compare,
+    Ambient, AmbientSource, AreaShape, Attenuation, Backdrop, Backfacing, Camera, Choice, Compare,
     CompareView, CuedBy, DepthCueing, DifferenceKind, Display, Distribution, Encoding, FlatAt,
     Framing, Ground, Image, Interpolation, Light, LightKind, Material, NormalSource, Object,
     ObjectKind, Overflow, Pane, Pattern, PatternKind, Projection, Reflectance, Reflection,
@@ -54,19 +54,16 @@ fn word<T: Clone + std::fmt::Debug + 'static>(words: &'static [T]) -> impl Strat
 prop_compose! {
     fn light()(
         name in "\\PC{0,20}",
-        kind in word(&[LightKind::Point, LightKind::Directional, LightKind::Spot, LightKind::Area]),
+        kind in word(LightKind::VALUES),
         mute in any::<bool>(),
         solo in any::<bool>(),
-        shape in word(&[AreaShape::Rectangle, AreaShape::Sphere]),
+        shape in word(AreaShape::VALUES),
         cone in number(0.1, 90.0),
         exponent in number(0.0, 1e3),
         softness in number(0.0, 1.0),
         size in triple(0.0, 1e30),
         samples in 1..=1024u32,
-        attenuation in word(&[
-            Attenuation::None, Attenuation::Viewer, Attenuation::Light, Attenuation::InverseSquare,
-            Attenuation::Quadratic,
-        ]),
+        attenuation in word(Attenuation::VALUES),
         position in triple(-1e30, 1e30),
         direction in triple(1.0, 1e30),
         color in triple(0.0, 1e30),
@@ -85,12 +82,12 @@ prop_compose! {
 prop_compose! {
     fn camera()(
         eye in triple(-1e3, 1e3),
-        projection in word(&[Projection::Perspective, Projection::Orthographic]),
+        projection in word(Projection::VALUES),
         roll in number(-1e30, 1e30),
         fov_y in number(1e-3, 179.0),
         height in number(1e-30, 1e30),
-        framing in word(&[Framing::Height, Framing::Whole]),
-        viewer in word(&[Viewer::Local, Viewer::Infinite]),
+        framing in word(Framing::VALUES),
+        viewer in word(Viewer::VALUES),
     ) -> Camera {
         let target = eye + DVec3::new(1.0, 0.25, -2.0);
         Camera { eye, target, up: DVec3::new(0.1, 1.0, 0.0), roll, projection, fov_y, height, framing, viewer }
@@ -137,8 +134,8 @@ prop_compose! {
         ]),
         segments in 3..=4096u32,
         rings in 3..=4096u32,
-        normals in word(&[NormalSource::Averaged, NormalSource::Exact, NormalSource::File, NormalSource::Facet]),
-        weighting in word(&[Weighting::Equal, Weighting::Area, Weighting::Angle]),
+        normals in word(NormalSource::VALUES),
+        weighting in word(Weighting::VALUES),
         path in "[^\u{0}]{1,20}",
         named in any::<bool>(),
         fit in any::<bool>(),
@@ -151,21 +148,17 @@ prop_compose! {
 
 prop_compose! {
     fn settings()(
-        model in word(&[
-            ReflectionModel::Phong, ReflectionModel::Blinn, ReflectionModel::CookTorrance, ReflectionModel::Formula,
-        ]),
+        model in word(ReflectionModel::VALUES),
         formula in word(&LAWS),
-        distribution in word(&[Distribution::Beckmann, Distribution::Ggx]),
-        backfacing in word(&[Backfacing::Clamp, Backfacing::Flip]),
-        mode in word(&[
-            ShadingMode::Flat, ShadingMode::Interpolated, ShadingMode::Gouraud, ShadingMode::Phong, ShadingMode::Exact,
-        ]),
-        flat_at in word(&[FlatAt::Centre, FlatAt::VertexMean, FlatAt::ProvokingVertex]),
-        interpolation in word(&[Interpolation::Perspective, Interpolation::Affine, Interpolation::Scanline]),
+        distribution in word(Distribution::VALUES),
+        backfacing in word(Backfacing::VALUES),
+        mode in word(ShadingMode::VALUES),
+        flat_at in word(FlatAt::VALUES),
+        interpolation in word(Interpolation::VALUES),
         renormalise in any::<bool>(),
         shadows in any::<bool>(),
-        overflow in word(&[Overflow::Clamp, Overflow::Scale, Overflow::Mark]),
-        encoding in word(&[Encoding::Raw, Encoding::Srgb]),
+        overflow in word(Overflow::VALUES),
+        encoding in word(Encoding::VALUES),
     ) -> (Reflection, Shading, Display) {
         (
             Reflection { model, formula: formula.to_owned(), distribution, backfacing },
@@ -181,9 +174,7 @@ prop_compose! {
         specular_color in triple(0.0, 1e6),
         n in prop_oneof![0.0..1e6, Just(f64::INFINITY), Just(f64::MAX)],
         roughness in number(1e-3, 1.0),
-        reflectance in word(&[
-            Reflectance::Constant, Reflectance::Glass, Reflectance::Silver, Reflectance::Gold, Reflectance::Custom,
-        ]),
+        reflectance in word(Reflectance::VALUES),
         ior in triple(0.01, 100.0),
         extinction in triple(0.0, 100.0),
     ) -> Material {
@@ -195,14 +186,14 @@ prop_compose! {
 prop_compose! {
     fn surroundings()(
         kinds in [
-            word(&[PatternKind::None, PatternKind::Checker, PatternKind::Stripes, PatternKind::Rings]),
-            word(&[PatternKind::None, PatternKind::Checker, PatternKind::Stripes, PatternKind::Rings]),
+            word(PatternKind::VALUES),
+            word(PatternKind::VALUES),
         ],
         colors in [triple(0.0, 1e6), triple(0.0, 1e6), triple(0.0, 1e6)],
         scale in number(1e-4, 1e4),
         kt in number(0.0, 1.0),
         ior in number(0.1, 10.0),
-        through in word(&[Through::Surface, Through::Solid]),
+        through in word(Through::VALUES),
         visible in any::<bool>(),
         height in number(-1e30, 1e30),
         coefficients in [number(0.0, 1e6), number(0.0, 1e6)],
@@ -220,7 +211,7 @@ prop_compose! {
 prop_compose! {
     fn compare()(
         view in word(&[CompareView::Panes, CompareView::Wipe, CompareView::Difference]),
-        difference in word(&[DifferenceKind::Signed, DifferenceKind::Absolute, DifferenceKind::FalseColor]),
+        difference in word(DifferenceKind::VALUES),
         reference in 0..=6u32,
         wipe in 0.0..=1.0f64,
         gain in 1.0..=Compare::MAX_GAIN,
@@ -238,7 +229,7 @@ prop_compose! {
 
 prop_compose! {
     fn depth_cueing()(
-        by in word(&[CuedBy::Off, CuedBy::Vertex, CuedBy::Pixel]),
+        by in word(CuedBy::VALUES),
         front in number(0.0, 1e29),
         beyond in number(0.0, 1e29),
         scales in [number(0.0, 1.0), number(0.0, 1.0)],
@@ -263,7 +254,7 @@ prop_compose! {
         (pattern, transparency, ground, backdrop) in surroundings(),
         depth_cueing in depth_cueing(),
         ambient in triple(0.0, 1e30),
-        source in word(&[AmbientSource::Constant, AmbientSource::Bounce, AmbientSource::Split]),
+        source in word(AmbientSource::VALUES),
         lights in proptest::collection::vec(light(), 0..4),
         compare in compare(),
     ) -> Scene {

@@ -5,16 +5,8 @@ use crate::common::dice::Dice;
 use crate::common::tries::tries;
 use shading_lab::render::{DrawTime, Renderer, Stage, coarser_size};
 use shading_lab::scene::{
-    Interpolation, ObjectKind, ReflectionModel, Scene, ShadingMode, Viewer, presets,
+    Choice, Interpolation, ObjectKind, ReflectionModel, Scene, ShadingMode, Viewer, presets,
 };
-
-const MODES: [ShadingMode; 5] = [
-    ShadingMode::Flat,
-    ShadingMode::Interpolated,
-    ShadingMode::Gouraud,
-    ShadingMode::Phong,
-    ShadingMode::Exact,
-];
 
 fn scene(mode: ShadingMode) -> Scene {
     let mut scene = Scene::default();
@@ -35,7 +27,7 @@ fn ran(renderer: &Renderer) -> Vec<Stage> {
 
 #[test]
 fn nothing_moved_nothing_runs() {
-    for mode in MODES {
+    for &mode in ShadingMode::VALUES {
         let mut renderer = Renderer::default();
         renderer.render(&scene(mode));
         renderer.render(&scene(mode));
@@ -45,7 +37,7 @@ fn nothing_moved_nothing_runs() {
 
 #[test]
 fn a_light_or_an_exponent_touches_neither_geometry_nor_coverage() {
-    for mode in MODES {
+    for &mode in ShadingMode::VALUES {
         let mut renderer = Renderer::default();
         let mut scene = scene(mode);
         renderer.render(&scene);

@@ -8,7 +8,7 @@ use shading_lab::analysis::probe::{ConstructionStep, Here, VectorsShown, draw_ve
 use shading_lab::figure::palette::contrast;
 use shading_lab::figure::{Paper, PlotStyle};
 use shading_lab::render::Renderer;
-use shading_lab::scene::{Backfacing, Scene, presets};
+use shading_lab::scene::{Backfacing, Choice, Scene, presets};
 
 /// Calls `check` for some pixels of built-in scenes with all kinds of lights, materials and normals.
 fn each_point(mut check: impl FnMut(Here<'_>, &str)) {
@@ -21,7 +21,7 @@ fn each_point(mut check: impl FnMut(Here<'_>, &str)) {
         "gold",
         "soft-shadow",
     ] {
-        for backfacing in [Backfacing::Clamp, Backfacing::Flip] {
+        for &backfacing in Backfacing::VALUES {
             let mut scene = presets::find(name).expect("a scene").scene();
             scene.image.size = [48, 48];
             scene.reflection.backfacing = backfacing;

@@ -7,7 +7,7 @@ use glam::{DVec2, DVec3};
 use shading_lab::geometry::{VertexMesh, tessellate};
 use shading_lab::render::Renderer;
 use shading_lab::scene::{
-    Framing, Interpolation, Light, NormalSource, Object, ObjectKind, Projection, Scene,
+    Choice, Framing, Interpolation, Light, NormalSource, Object, ObjectKind, Projection, Scene,
     ShadingMode, Viewer,
 };
 use std::collections::HashMap;
@@ -295,9 +295,9 @@ fn scene(dice: &mut Dice, size: [u32; 2]) -> Scene {
     let camera = &mut scene.camera;
     camera.eye = dice.direction() * dice.between(2.5, 5.0);
     camera.up = dice.direction();
-    camera.projection = dice.of(&[Projection::Perspective, Projection::Orthographic]);
-    camera.framing = dice.of(&[Framing::Height, Framing::Whole]);
-    camera.viewer = dice.of(&[Viewer::Local, Viewer::Infinite]);
+    camera.projection = dice.of(Projection::VALUES);
+    camera.framing = dice.of(Framing::VALUES);
+    camera.viewer = dice.of(Viewer::VALUES);
     scene.shading.mode = dice.of(&[
         ShadingMode::Flat,
         ShadingMode::Interpolated,

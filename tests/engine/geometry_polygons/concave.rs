@@ -12,7 +12,7 @@ use shading_lab::analysis::scan::{Grid, scan_in_grid};
 use shading_lab::geometry::{Mesh, NormalOrigin, read_obj, tessellate};
 use shading_lab::render::{Per, Renderer};
 use shading_lab::scene::{
-    Backfacing, Camera, Interpolation, Light, LightKind, NormalSource, Object, ObjectKind,
+    Backfacing, Camera, Choice, Interpolation, Light, LightKind, NormalSource, Object, ObjectKind,
     Projection, Rgb, Scene, ShadingMode, View, Weighting,
 };
 use std::collections::HashMap;
@@ -503,7 +503,7 @@ fn averaged_normals_of_a_prism_count_its_caps_once_each() {
     let object = prism(height);
     let mesh = tessellate(&object);
     assert!(mesh.closed && (mesh.signed_volume() - 0.5 * (1.6 * 1.4 - 0.6 * 0.9)).abs() < 1e-6);
-    for weighting in [Weighting::Equal, Weighting::Area, Weighting::Angle] {
+    for &weighting in Weighting::VALUES {
         let field = NormalField::of_mesh(Arc::new(mesh.clone()), NormalSource::Averaged, weighting);
         for k in 0..8_usize {
             let [before, after] = [u[k] - u[(k + 7) % 8], u[(k + 1) % 8] - u[k]];
