@@ -242,11 +242,11 @@ impl Lesson {
     /// As [`Self::open`], and what [`check`] says.
     pub fn open_checked(path: &Path) -> Result<Self, OpenError> {
         let lesson = Self::open(path)?;
-        let checked = check(&lesson).map_err(|error| OpenError::Lesson {
+        check(&lesson).map_err(|error| OpenError::Lesson {
             path: path.to_owned(),
             error,
-        });
-        checked.map(|_| lesson)
+        })?;
+        Ok(lesson)
     }
 
     /// Longest file, in bytes.

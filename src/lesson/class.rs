@@ -10,7 +10,7 @@ use super::class_record::ClassRecord;
 use super::hand_in::{HandIn, digest, read_hand_in};
 use super::kinds::kind::counted;
 use super::kinds::{short_number, with_unit};
-use super::{Answer, Budget, Kind, Lesson, SameFormula, Solution, Step, find};
+use super::{Answer, Budget, BuiltIn, Kind, Lesson, SameFormula, Solution, Step, find};
 use crate::document::open_picture;
 use crate::text::{Language, in_language, text};
 use question::Failure;
@@ -81,10 +81,8 @@ impl Group {
 
     /// Returns the answers to a question, of those who gave one.
     pub fn given(&self, question: usize) -> impl Iterator<Item = &Given> {
-        let given =
-            move |student: &'_ Student| student.given.get(question).is_some_and(Option::is_some);
-        let students = self.students.iter().filter(move |student| given(student));
-        students.filter_map(move |student| student.given[question].as_ref())
+        let students = self.students.iter();
+        students.filter_map(move |student| student.given.get(question)?.as_ref())
     }
 
     /// Returns the fraction of the class whose answer to a question is right.
@@ -145,13 +143,11 @@ impl Group {
 
     /// Returns the formulas that were predicted, sorted by their meaning; none of another kind of question.
     pub fn formulas(&self, question: usize) -> Vec<SameFormula> {
-        let Some(asked) = self.questions.get(question) else {
-            return Vec::new();
-        };
-        let question_of = asked.question(&self.lesson);
+        let asked = self.questions.get(question);
+        let question_of = asked.and_then(|asked| asked.question(&self.lesson));
         let kind = question_of.map(|question| &question.kind);
-        let (Some(Kind::Formula(kind)), Some(Solution::Formula(right))) = (kind, asked.solution())
-        else {
+        let right = asked.and_then(ClassQuestion::solution);
+        let (Some(Kind::Formula(kind)), Some(Solution::Formula(right))) = (kind, right) else {
             return Vec::new();
         };
         let given = self.given(question).filter_map(|given| {
@@ -255,14 +251,12 @@ impl Class {
         hand_in: HandIn,
         lesson: Option<&Lesson>,
     ) -> Result<(), String> {
-        let place = match self
-            .groups
-            .iter()
-            .position(|group| group.is_of(&hand_in, lesson))
-        {
+        let mut groups = self.groups.iter();
+        let place = match groups.position(|group| group.is_of(&hand_in, lesson)) {
             Some(place) => place,
             None => {
-                self.groups.push(Group::of(&hand_in, lesson)?);
+                let (lesson, foreign) = lesson_of(&hand_in, lesson)?;
+                self.groups.push(Group::new(lesson, foreign));
                 self.groups.len() - 1
             }
         };
@@ -314,6 +308,12 @@ fn key_of(name: &str) -> String {
     words.join(" ")
 }
 
+/// Returns whether a hand-in answers the present version of a lesson that comes with the program, in any language.
+fn is_version_of(hand_in: &HandIn, built_in: &BuiltIn) -> bool {
+    let mut languages = Language::ALL.into_iter();
+    languages.any(|language| digest([built_in.source(language)]) == hand_in.digest)
+}
+
 /// Finds the lesson that a hand-in answers: `lesson`, where that is given, the program's own, or the one inside the hand-in; with
 /// whether it is that one.
 ///
@@ -332,10 +332,7 @@ pub fn lesson_of(hand_in: &HandIn, lesson: Option<&Lesson>) -> Result<(Lesson, b
             ));
         }
         (None, Some(built_in), None) => {
-            let mut sources = Language::ALL
-                .into_iter()
-                .map(|language| built_in.source(language));
-            if !sources.any(|source| digest([source]) == hand_in.digest) {
+            if !is_version_of(hand_in, built_in) {
                 return Err(text!("class-other-version", lesson = name));
             }
             built_in.lesson()
@@ -414,11 +411,6 @@ impl Group {
         Ok(())
     }
 
-    /// Makes a group for the lesson of a hand-in.
-    fn of(hand_in: &HandIn, lesson: Option<&Lesson>) -> Result<Self, String> {
-        lesson_of(hand_in, lesson).map(|(lesson, foreign)| Self::new(lesson, foreign))
-    }
-
     fn new(lesson: Lesson, foreign: bool) -> Self {
         let asked = |(step, of): (usize, &Step)| {
             let question = of.question.as_ref();
@@ -441,13 +433,8 @@ impl Group {
             (None, Some(source)) => self.foreign && self.lesson.source == *source,
             // Any language, but not another version of the lesson.
             (None, None) => {
-                !self.foreign
-                    && find(&self.lesson.name).is_some_and(|built_in| {
-                        let mut sources = Language::ALL
-                            .into_iter()
-                            .map(|language| built_in.source(language));
-                        sources.any(|source| digest([source]) == hand_in.digest)
-                    })
+                let built_in = find(&self.lesson.name);
+                !self.foreign && built_in.is_some_and(|built_in| is_version_of(hand_in, built_in))
             }
         }
     }

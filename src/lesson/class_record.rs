@@ -9,7 +9,7 @@
 //! Steps, rounds and students are counted from 1. Of several answers of a student in a round the one counts that was sent last. A last
 //! line that was not written to its end was never acknowledged, and counts as not written.
 
-use super::hand_in::{HandIn, clean, clean_name, digest, is_built_in};
+use super::hand_in::{HandIn, LONGEST, clean, clean_name, digest, is_built_in};
 use super::{Answer, Answered, Grade, Lesson, Record};
 use crate::text::{Language, language, text};
 use serde::{Deserialize, Serialize};
@@ -21,8 +21,6 @@ const VERSION: u32 = 1;
 const MAX_STUDENTS: u32 = 100_000;
 /// The most rounds of a question.
 pub const MAX_ROUNDS: u32 = 20;
-/// The longest time that an answer can have taken, in seconds.
-const LONGEST: f64 = 1e7;
 
 /// The state of a step of the lesson.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
@@ -265,13 +263,15 @@ impl ClassRecord {
                 token,
                 name,
             } => {
-                let name = clean_name(&name);
                 let known = self.student(student)?;
-                (known.token, known.name) = (token, name);
+                (known.token, known.name) = (token, clean_name(&name));
             }
             // A class that is over can be gone on with.
             ClassLine::Pace(pace) if pace.phase == Phase::Closed => {}
-            ClassLine::Pace(pace) => self.pace(pace),
+            ClassLine::Pace(pace) => {
+                self.paces.retain(|known| known.step != pace.step);
+                self.paces.push(pace);
+            }
             ClassLine::Answer { student, given } => {
                 let steps = 1..=Lesson::MAX_STEPS;
                 if !steps.contains(&given.step) || !(1..=MAX_ROUNDS).contains(&given.round) {
@@ -293,12 +293,6 @@ impl ClassRecord {
             self.students.resize_with(index + 1, Default::default);
         }
         Ok(&mut self.students[index])
-    }
-
-    /// Notes where the class is.
-    fn pace(&mut self, pace: Pace) {
-        self.paces.retain(|known| known.step != pace.step);
-        self.paces.push(pace);
     }
 
     /// Returns the answers of each student as if they had been handed in.

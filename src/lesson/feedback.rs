@@ -20,15 +20,9 @@ impl Question {
 impl Hint {
     /// Returns it as a sentence.
     fn words(&self, kind: &Kind, names: &[String]) -> String {
-        let too = |high: bool| {
-            if high {
-                "lesson-hint-high"
-            } else {
-                "lesson-hint-low"
-            }
-        };
         match *self {
-            Self::Number { high } => text!(too(high)).to_owned(),
+            Self::Number { high: true } => text!("lesson-hint-high").to_owned(),
+            Self::Number { high: false } => text!("lesson-hint-low").to_owned(),
             Self::Control { control, high } => {
                 let controls = kind.asks().controls();
                 let name = controls.get(control).map(|key| control_name(key));

@@ -25,7 +25,7 @@ const VERSION: u64 = 1;
 /// and its answers.
 const MAX_TEXT: usize = 4 << 20;
 /// The longest time that an answer can have taken, in seconds: a forged file may say anything.
-const LONGEST: f64 = 1e7;
+pub(super) const LONGEST: f64 = 1e7;
 /// The maximum length of a student's stored name, in characters.
 pub const MAX_NAME: usize = 100;
 

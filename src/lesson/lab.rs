@@ -12,7 +12,7 @@ use crate::analysis::defects::DefectsQuestion;
 use crate::analysis::perception::luminance;
 use crate::analysis::plan::{FramePlan, PlanQuestion};
 use crate::analysis::probe::{Probe, Probed, probe};
-use crate::analysis::profile::ProfileQuestion;
+use crate::analysis::profile::{Profile, ProfileQuestion, profile};
 use crate::analysis::{Answer, Question, ReportContext, Subject, unwatched};
 use crate::expression::{Expression, Part, Quantities, Todo, Value};
 use crate::geometry::Mesh;
@@ -325,16 +325,11 @@ impl LabPlace<'_> {
     }
 
     /// Takes the profile along the line in some modes.
-    pub(super) fn profile(
-        &self,
-        modes: &[ShadingMode],
-    ) -> Result<crate::analysis::profile::Profile, String> {
+    pub(super) fn profile(&self, modes: &[ShadingMode]) -> Result<Profile, String> {
         let question = self.profile_question(modes)?;
-        let profile = |renderer: &mut Renderer, scene: &Scene| {
-            crate::analysis::profile::profile(renderer, scene, &question)
-        };
-        self.render(PROFILE * modes.len() as u64, profile)?
-            .map_err(|error| error.to_string())
+        let draw = |renderer: &mut Renderer, scene: &Scene| profile(renderer, scene, &question);
+        let profile = self.render(PROFILE * modes.len() as u64, draw)?;
+        profile.map_err(|error| error.to_string())
     }
 
     fn profile_question(&self, modes: &[ShadingMode]) -> Result<ProfileQuestion, String> {

@@ -49,11 +49,7 @@ impl Question {
     pub fn solve(&self, place: LabPlace<'_>, seed: u64) -> Result<Solution, String> {
         let there = place.under(&self.set);
         let solution = there.and_then(|there| self.kind.solve(there, seed));
-        // Where single places have no value they are passed over; that must not hide that the rest was never looked at.
-        match place.refused() {
-            Some(refused) => Err(refused.to_string()),
-            None => solution,
-        }
+        unless_refused(place, solution)
     }
 
     /// Finds the right answer and those of the wrong models.
@@ -107,9 +103,18 @@ impl Wrong {
     pub fn solve(&self, place: LabPlace<'_>, seed: u64) -> Result<Solution, String> {
         let there = place.under(&self.set);
         let solution = there.and_then(|there| self.kind.solve_wrong(there, seed));
-        match place.refused() {
-            Some(refused) => Err(refused.to_string()),
-            None => solution,
-        }
+        unless_refused(place, solution)
+    }
+}
+
+/// Passes a solution on unless work was refused: single places without a value are passed over, which must not hide that
+/// the rest was never looked at.
+fn unless_refused(
+    place: LabPlace<'_>,
+    solution: Result<Solution, String>,
+) -> Result<Solution, String> {
+    match place.refused() {
+        Some(refused) => Err(refused.to_string()),
+        None => solution,
     }
 }

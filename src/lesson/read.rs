@@ -120,22 +120,13 @@ impl<'s> Reader<'s> {
     fn head(&mut self) -> Option<(Block<'s>, usize)> {
         let source = self.source;
         let start = source.len() - source.trim_start_matches('\u{feff}').trim_start().len();
-        let Some(rest) = source[start..].strip_prefix("+++") else {
+        let rest = source[start..].strip_prefix("+++").unwrap_or_default();
+        let Some((text, body)) = rest.split_once("\n+++") else {
             self.wrong(start, text!("lesson-no-head"));
             return None;
         };
         let at = source.len() - rest.len();
-        let Some(end) = rest.find("\n+++") else {
-            self.wrong(start, text!("lesson-no-head"));
-            return None;
-        };
-        Some((
-            Block {
-                text: &rest[..end],
-                at,
-            },
-            at + end + "\n+++".len(),
-        ))
+        Some((Block { text, at }, source.len() - body.len()))
     }
 
     /// Splits the text into steps, by the headings of the second level.

@@ -98,12 +98,9 @@ impl Curve {
         for index in 0..CURVE_POINTS {
             let x = abscissa(self.x, index);
             let next = [x, at(x)?];
-            match curve.last() {
+            match curve.last().copied() {
                 None => curve.push(next),
-                Some(last) => {
-                    let last = *last;
-                    self.go_on(&mut curve, [last, next], HALVINGS, at);
-                }
+                Some(last) => self.go_on(&mut curve, [last, next], HALVINGS, at),
             }
         }
         Ok(curve)

@@ -80,12 +80,8 @@ impl Formula {
     pub fn function(&self, text: &str) -> Result<Function, FormulaError> {
         let function = Function::read(text, &self.names)?;
         match &self.of {
-            FormulaOf::Text(right) if right != text => {
-                let wanted = Function::read(right, &self.names).map(|right| right.is_vector());
-                function.if_expected(wanted.unwrap_or(false))
-            }
-            FormulaOf::Text(_) => Ok(function),
-            FormulaOf::Term(_) => function.if_expected(false),
+            FormulaOf::Text(right) if right == text => Ok(function),
+            _ => function.if_expected(self.wants_vector()),
         }
     }
 
@@ -112,12 +108,11 @@ impl Formula {
         let field = Field::new(&self.names, &right);
         let mut groups: Vec<(Function, SameFormula)> = Vec::new();
         for (text, grade) in given {
-            let spelt = |(_, group): &&mut (Function, SameFormula)| {
-                group.spellings.iter().any(|(known, _)| known == text)
-            };
-            if let Some((_, group)) = groups.iter_mut().find(spelt) {
-                let known = group.spellings.iter_mut().find(|(known, _)| known == text);
-                known.into_iter().for_each(|(_, count)| *count += 1);
+            let mut spellings = groups
+                .iter_mut()
+                .flat_map(|(_, group)| &mut group.spellings);
+            if let Some((_, count)) = spellings.find(|(known, _)| known == text) {
+                *count += 1;
                 continue;
             }
             let Ok(function) = self.function(text) else {

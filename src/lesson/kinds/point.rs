@@ -89,10 +89,10 @@ impl QuestionKind for Point {
             "greatest" => Find::Extreme(Extreme::Greatest, of()?),
             "least" => Find::Extreme(Extreme::Least, of()?),
             "zero" => Find::Zero(of()?),
-            "corner" => match &keys.mode {
-                Some(mode) => Find::Corner(reader.mode("mode", mode)?),
-                None => Find::Corner(ShadingMode::Gouraud),
-            },
+            "corner" => Find::Corner(match &keys.mode {
+                Some(mode) => reader.mode("mode", mode)?,
+                None => ShadingMode::Gouraud,
+            }),
             _ => {
                 let words = [
                     "brightest",
@@ -356,11 +356,10 @@ fn grid(place: LabPlace<'_>, of: &Expression) -> Result<Vec<(DVec2, f64)>, Strin
     for row in -(count.y as i32)..=count.y as i32 {
         for column in -(count.x as i32)..=count.x as i32 {
             let at = step * DVec2::new(f64::from(column), f64::from(row));
-            let pixel = (size / 2.0 + at * size.min_element()).floor();
-            if pixel.cmplt(DVec2::ZERO).any() || pixel.cmpge(size).any() {
+            let Some([x, y]) = place.pixel(at) else {
                 continue;
-            }
-            let index = pixel.y as usize * width + pixel.x as usize;
+            };
+            let index = y as usize * width + x as usize;
             if linear.get(index).is_none_or(|pixel| pixel[3] == 0.0) {
                 continue;
             }

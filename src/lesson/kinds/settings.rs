@@ -73,8 +73,7 @@ impl QuestionKind for Settings {
         let reach = reader.expression("reach", &keys.reach);
         let tolerance = reader.positive("tolerance", keys.tolerance);
         let own = |most: &Option<Spanned<Most>>| {
-            most.as_ref()
-                .is_some_and(|most| matches!(most.get_ref(), Most::Own(true)))
+            matches!(most.as_ref().map(Spanned::get_ref), Some(Most::Own(true)))
         };
         let goals = [
             (keys.most == Some(true) || own(&keys.greatest)).then_some(Extreme::Greatest),
