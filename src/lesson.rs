@@ -78,7 +78,10 @@ pub(crate) use {
     control::{control_unit, long_control_name},
     hand_in::digest,
     html::{Element, Html, element},
-    kinds::{kind::Printed, lettered_html},
+    kinds::{
+        kind::{Printed, counted},
+        lettered_html,
+    },
     page::inline,
     worksheet::{FilledStep, answer, stage_picture},
 };

@@ -2,7 +2,7 @@
 
 use super::files::StaticFile;
 use super::page::{StepPage, step_page};
-use crate::lesson::{Answer, Budget, ClassQuestion, Grade, Lab, Lesson, Question, Staged};
+use crate::lesson::{Answer, Budget, ClassQuestion, Grade, Lab, Lesson, Question, Staged, counted};
 use crate::text::text;
 use std::mem;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -56,16 +56,11 @@ impl Round {
 
     /// Returns the wrong models that answers agree with, each with how often; the most frequent first.
     pub fn models(&self) -> Vec<(usize, usize)> {
-        let mut counted: Vec<(usize, usize)> = Vec::new();
-        let models = self.answers.iter().filter(|graded| !graded.grade.right);
-        for model in models.filter_map(|graded| graded.grade.model) {
-            match counted.iter_mut().find(|(known, _)| *known == model) {
-                Some((_, count)) => *count += 1,
-                None => counted.push((model, 1)),
-            }
-        }
-        counted.sort_by_key(|(model, count)| (std::cmp::Reverse(*count), *model));
-        counted
+        let wrong = self.answers.iter().filter(|graded| !graded.grade.right);
+        let mut models: Vec<usize> = wrong.filter_map(|graded| graded.grade.model).collect();
+        // Of those with equal counts the first one comes first.
+        models.sort_unstable();
+        counted(models.into_iter())
     }
 }
 

@@ -115,19 +115,12 @@ fn right_answer(
     };
     // The axes of a worksheet are too wide for a phone.
     let plot = CurvePlot::new(curve);
+    let entry = |class: &str, words: &str| element("span").class(class).with(words);
     let legend = element("p")
         .class("legend")
-        .with(
-            element("span")
-                .class("own")
-                .with(text!("course-curve-yours")),
-        )
+        .with(entry("own", text!("course-curve-yours")))
         .with(" ")
-        .with(
-            element("span")
-                .class("right")
-                .with(text!("course-curve-right")),
-        );
+        .with(entry("right", text!("course-curve-right")));
     let why = element("div").with(blocks(&asked.why));
     Ok(Html::new()
         .line(plot.html(Some(right)))

@@ -101,10 +101,9 @@ impl Writer {
                 }
                 waiting.push(entry.done);
             }
-            let written = self.write().map_err(|error| {
-                let error = error.to_string();
-                text!("live-not-written", error = error)
-            });
+            let written = self.write();
+            let written =
+                written.map_err(|error| text!("live-not-written", error = error.to_string()));
             for done in waiting {
                 // Who no longer waits need not be told.
                 let _ = done.send(written.clone());
@@ -141,8 +140,11 @@ pub fn open_record(
 ) -> Result<(Recorder, ClassRecord), String> {
     let file = path.display().to_string();
     let told = |error: io::Error| {
-        let error = error.to_string();
-        text!("live-record-unwritable", file = &*file, error = error)
+        text!(
+            "live-record-unwritable",
+            file = &*file,
+            error = error.to_string()
+        )
     };
     if path.exists() && !path.is_file() {
         return Err(text!("live-record-no-file", file = &*file));
@@ -199,6 +201,5 @@ fn begin(mut file: File, lesson: &Lesson, seed: u64) -> io::Result<(Recorder, Cl
         paces: Vec::new(),
         length: line.len() as u64,
     };
-    let length = record.length;
-    Ok((Recorder::start(file, length), record))
+    Ok((Recorder::start(file, record.length), record))
 }

@@ -243,8 +243,7 @@ async fn join(State(shared): Class, request: Request) -> Result<Response, Refusa
         [] => Introduction::default(),
         bytes => read_json(bytes)?,
     };
-    let joined = shared.room.join(known, introduction.name.as_deref());
-    let token = joined?;
+    let token = shared.room.join(known, introduction.name.as_deref())?;
     // Without a path it holds for the folder of the class, whatever stands before that.
     let cookie = format!("token={token}; Max-Age=86400; HttpOnly; SameSite=Strict");
     let steps = shared.room.lesson().steps.len();
@@ -265,11 +264,11 @@ async fn follow(State(shared): Class, headers: HeaderMap) -> Result<Response, Re
     let token = admitted(&shared, &headers)?;
     let events = events(&shared.room, token)?;
     let kind = HeaderValue::from_static("text/event-stream");
-    // A proxy must not collect what is to be seen at once.
-    let flowing = ("x-accel-buffering", HeaderValue::from_static("no"));
     let mut response = Response::new(Body::new(events));
     response.headers_mut().insert(header::CONTENT_TYPE, kind);
-    response.headers_mut().insert(flowing.0, flowing.1);
+    // A proxy must not collect what is to be seen at once.
+    let no = HeaderValue::from_static("no");
+    response.headers_mut().insert("x-accel-buffering", no);
     Ok(response)
 }
 

@@ -59,10 +59,7 @@ impl Server {
     /// # Errors
     /// The port cannot be opened, in a sentence.
     pub fn start(room: &Arc<Room>, options: &ServerOptions) -> Result<Self, String> {
-        let failed = |error: std::io::Error| {
-            let error = error.to_string();
-            text!("live-no-server", error = error)
-        };
+        let failed = |error: std::io::Error| text!("live-no-server", error = error.to_string());
         let listener = listen(options.bind, options.port)?;
         listener.set_nonblocking(true).map_err(failed)?;
         let address = listener.local_addr().map_err(failed)?;

@@ -78,22 +78,18 @@ impl Pictures {
         format!("steps/{}/{}.png?{version}", index + 1, number + 1)
     }
 
-    /// Returns a picture as HTML; `words` describes it.
-    pub fn image(&self, index: usize, number: usize, words: &str) -> Element {
+    /// Returns a picture as a figure; `words` describes it.
+    pub fn figure(&self, index: usize, number: usize, words: &str) -> Element {
         let [width, height] = self
             .frames
             .get(number)
             .map_or([0; 2], |frame| [frame.width, frame.height]);
-        element("img")
+        let image = element("img")
             .attribute("src", self.address(index, number))
             .attribute("width", width)
             .attribute("height", height)
-            .attribute("alt", words)
-    }
-
-    /// Returns a picture as a figure.
-    pub fn figure(&self, index: usize, number: usize, words: &str) -> Element {
-        element("figure").with(self.image(index, number, words))
+            .attribute("alt", words);
+        element("figure").with(image)
     }
 
     /// Returns the files.

@@ -1,8 +1,9 @@
 //! The axes of a curve on a phone, in which a finger draws.
 
 use crate::figure::{Drawing, Paper, PlotStyle};
-use crate::lesson::{CURVE_POINTS, Curve, CurveAxes, Element, Html, element};
-use crate::lesson::{abscissa, short_number, with_unit};
+use crate::lesson::{
+    CURVE_POINTS, Curve, CurveAxes, Element, Html, abscissa, element, short_number, with_unit,
+};
 use crate::text::text;
 use glam::DVec2;
 

@@ -19,6 +19,12 @@ pub fn shell(lesson: &Lesson, step: &StepPage, lab: bool) -> String {
             .attribute("name", name)
             .attribute("content", content)
     };
+    let link = |rel: &str, address: &str| {
+        element("link")
+            .attribute("rel", rel)
+            .attribute("href", address)
+    };
+    let status = |id: &str| element("p").attribute("id", id).attribute("role", "status");
     let address = |name: &str, content: &str| format!("{name}?{}", digest([content]));
     let head = element("head")
         .broken()
@@ -26,16 +32,8 @@ pub fn shell(lesson: &Lesson, step: &StepPage, lab: bool) -> String {
         .line(meta("viewport", "width=device-width, initial-scale=1"))
         .line(meta("color-scheme", "light dark"))
         .line(element("title").with(without_marks(&lesson.title)))
-        .line(
-            element("link")
-                .attribute("rel", "icon")
-                .attribute("href", "data:,"),
-        )
-        .line(
-            element("link")
-                .attribute("rel", "stylesheet")
-                .attribute("href", address("class.css", STYLE)),
-        )
+        .line(link("icon", "data:,"))
+        .line(link("stylesheet", &address("class.css", STYLE)))
         .line(
             element("script")
                 .attribute("src", address("class.js", SCRIPT))
@@ -45,16 +43,8 @@ pub fn shell(lesson: &Lesson, step: &StepPage, lab: bool) -> String {
         .attribute("data-texts", texts(lab))
         .broken()
         .line(element("header").with(element("h1").with(inline(&lesson.title))))
-        .line(
-            element("p")
-                .attribute("id", "connection")
-                .attribute("role", "status"),
-        )
-        .line(
-            element("p")
-                .attribute("id", "news")
-                .attribute("role", "status"),
-        )
+        .line(status("connection"))
+        .line(status("news"))
         .line(
             element("main")
                 .attribute("id", "step")

@@ -13,7 +13,7 @@ use crate::class::{Round, Spread};
 use crate::figure::palette::Vector;
 use crate::figure::{Drawing, PlotStyle};
 use crate::lesson::{
-    Answer, ClassQuestion, Kind, Question, Solution, control_name, for_fingers, letter,
+    Answer, ClassQuestion, Kind, Question, Solution, control_name, counted, for_fingers, letter,
     short_answer, slider,
 };
 use crate::text::text;
@@ -256,19 +256,10 @@ fn choices_ui(ui: &mut Ui, answers: &mut Answers<'_>) {
 /// Shows the most frequent orders with a bar for each round, and which letter stands for what.
 fn orders_ui(ui: &mut Ui, answers: &mut Answers<'_>) {
     let rounds = answers.rounds();
-    let mut orders: Vec<(&Answer, usize)> = Vec::new();
-    for graded in rounds.iter().flat_map(|(_, round)| &round.answers) {
-        match orders
-            .iter_mut()
-            .find(|(known, _)| *known == &graded.answer)
-        {
-            Some((_, count)) => *count += 1,
-            None => orders.push((&graded.answer, 1)),
-        }
-    }
-    orders.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+    let given = rounds.iter().flat_map(|(_, round)| &round.answers);
+    let orders = counted(given.map(|graded| &graded.answer)).into_iter();
     let right = answers.solution().map(Answer::right);
-    for (order, _) in orders.into_iter().take(ORDERS) {
+    for (order, _) in orders.take(ORDERS) {
         ui.label(RichText::new(short_answer(order)).strong());
         let is_this = |answer: &Answer| answer == order;
         bars_ui(ui, &rounds, is_this, right.as_ref() == Some(order));
