@@ -220,12 +220,9 @@ impl Open {
     /// Grades an answer, once the scene and the solution are known.
     pub fn grade(&self, answer: &Answer) -> Option<Grade> {
         let staged = self.staged.as_ref()?;
+        let key = self.known()?.as_ref().ok()?.key()?;
         let lab = Lab::new(staged);
-        self.question()?.grade(
-            answer,
-            self.known()?.as_ref().ok()?.key()?,
-            lab.place(staged),
-        )
+        self.question()?.grade(answer, key, lab.place(staged))
     }
 }
 
@@ -264,12 +261,8 @@ impl Course {
             self.own = Some(Arc::clone(&lesson));
         }
         self.openings += 1;
-        if let Some(record) = self
-            .kept
-            .records
-            .iter_mut()
-            .find(|record| record.lesson == lesson.name)
-        {
+        let mut records = self.kept.records.iter_mut();
+        if let Some(record) = records.find(|record| record.lesson == lesson.name) {
             record.fit(&lesson);
         }
         let left = self.kept.left.get(&lesson.name).copied().unwrap_or(0);
@@ -508,10 +501,8 @@ impl Course {
             .question()
             .is_some_and(|question| question.kind.asks().follows_line());
         let named = open.current().stage.overlays.contains(&"profile");
-        (drawn || named).then_some((
-            line,
-            open.draft.widget.as_ref().and_then(|widget| widget.along()),
-        ))
+        let along = open.draft.widget.as_ref().and_then(|widget| widget.along());
+        (drawn || named).then_some((line, along))
     }
 
     /// Returns whether the picture shows the edges of polygons.

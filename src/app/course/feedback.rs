@@ -76,10 +76,8 @@ fn named_ui(ui: &mut Ui, open: &mut Open, grade: Grade) {
         _ => None,
     };
     if let Some(words) = words {
-        live(
-            &ui.push_id("named", |ui| prose_ui(ui, &mut open.markdown, &words))
-                .inner,
-        );
+        let said = ui.push_id("named", |ui| prose_ui(ui, &mut open.markdown, &words));
+        live(&said.inner);
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::data::Course;
 use super::marking::{HandedIn, Marked, MarkedAnswer, MarkedQuestion, Marking};
-use super::parts::{error_ui, waiting_ui};
+use super::parts::{card, error_ui, waiting_ui};
 use super::prose::prose_ui;
 use crate::app::session::Session;
 use crate::app::widgets::background::wake;
@@ -11,7 +11,7 @@ use crate::app::widgets::mark::mark_ui;
 use crate::lesson::{HandIn, Lesson, how_given};
 use crate::text::text;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Align, Frame, Label, Layout, Margin, RichText, ScrollArea, Stroke, Ui, vec2};
+use eframe::egui::{Align, Label, Layout, RichText, ScrollArea, TextStyle, Ui, vec2};
 use egui_commonmark::CommonMarkCache;
 use std::sync::Arc;
 
@@ -105,12 +105,7 @@ fn question_ui(
     (number, question): (usize, &MarkedQuestion),
     own: bool,
 ) {
-    let stroke = Stroke::new(1.0, ui.visuals().widgets.noninteractive.bg_stroke.color);
-    let card = Frame::new()
-        .stroke(stroke)
-        .corner_radius(8.0)
-        .inner_margin(Margin::same(10));
-    card.show(ui, |ui| {
+    card(ui).show(ui, |ui| {
         ui.set_width(ui.available_width());
         ui.horizontal(|ui| {
             verdict_ui(ui, question.given.as_ref());
@@ -179,7 +174,7 @@ fn details(given: &MarkedAnswer) -> String {
 
 fn answer_ui(ui: &mut Ui, markdown: &mut CommonMarkCache, label: &str, words: &str) {
     ui.horizontal_top(|ui| {
-        let height = ui.text_style_height(&eframe::egui::TextStyle::Body);
+        let height = ui.text_style_height(&TextStyle::Body);
         ui.allocate_ui(vec2(LABEL, height), |ui| {
             ui.set_width(LABEL);
             ui.label(RichText::new(label).weak());

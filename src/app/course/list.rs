@@ -1,8 +1,7 @@
 //! The list of lessons, by topic.
 
 use super::data::{Course, Listed};
-use crate::app::session::action::Requests;
-use crate::app::session::action::{Action, Turn};
+use crate::app::session::action::{Action, Requests, Turn};
 use crate::app::widgets::card::Card;
 use crate::app::widgets::focus::named;
 use crate::app::widgets::mark::tick_ui;
@@ -78,9 +77,8 @@ fn card_ui(ui: &mut Ui, lesson: &Listed, course: &Course) -> bool {
     let answers = record.map_or(&[][..], |record| &record.answers[..]);
     let right = answers
         .iter()
-        .filter(|answered| answered.grade.right)
+        .filter(|answered| lesson.test || answered.grade.right)
         .count();
-    let right = if lesson.test { answers.len() } else { right };
     // A lesson with questions is done once all are answered rightly, a test once all are answered.
     let done = right == lesson.questions && (right > 0 || course.kept.done.contains(&lesson.name));
     let begun = course

@@ -14,7 +14,6 @@ const MARK: f32 = 8.0;
 
 /// Paints the line and the marked and right points of the step.
 pub fn paint(painter: &Painter, course: &Course, place: Place, font: &FontId) {
-    let course = &course;
     let dark = |width| Stroke::new(width, Color32::from_black_alpha(170));
     let white = |width| Stroke::new(width, Color32::WHITE);
     if let Some((line, along)) = course.line() {

@@ -162,26 +162,20 @@ fn marked(
         Some(question) => question.kind.words(answer, &asked.options),
         None => short_answer(answer),
     };
-    let given = given.map(
-        |Given {
-             answered,
-             grade,
-             predicted,
-         }| {
-            let grades = [predicted, grade].into_iter().flatten();
-            let model = grades.filter_map(|grade| grade.model).next();
-            MarkedAnswer {
-                words: words(&answered.answer),
-                first: (answered.prediction != answered.answer)
-                    .then(|| words(&answered.prediction)),
-                model: model.and_then(|model| asked.says.get(model).cloned()),
-                grade: *grade,
-                tries: answered.tries,
-                looked_up: answered.looked_up,
-                seconds: answered.seconds,
-            }
-        },
-    );
+    let given = given.map(|given| {
+        let answered = &given.answered;
+        let mut grades = [given.predicted, given.grade].into_iter().flatten();
+        let model = grades.find_map(|grade| grade.model);
+        MarkedAnswer {
+            words: words(&answered.answer),
+            first: (answered.prediction != answered.answer).then(|| words(&answered.prediction)),
+            model: model.and_then(|model| asked.says.get(model).cloned()),
+            grade: given.grade,
+            tries: answered.tries,
+            looked_up: answered.looked_up,
+            seconds: answered.seconds,
+        }
+    });
     MarkedQuestion {
         ask: asked.ask.clone(),
         given,

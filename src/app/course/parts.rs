@@ -1,6 +1,15 @@
 //! Parts shared by the views of a step.
 
-use eframe::egui::{Label, RichText, Spinner, Ui};
+use eframe::egui::{Frame, Label, Margin, RichText, Spinner, Stroke, Ui};
+
+/// Returns the frame of a question.
+pub fn card(ui: &Ui) -> Frame {
+    let colour = ui.visuals().widgets.noninteractive.bg_stroke.color;
+    Frame::new()
+        .stroke(Stroke::new(1.0, colour))
+        .corner_radius(8.0)
+        .inner_margin(Margin::same(10))
+}
 
 pub fn error_ui(ui: &mut Ui, why: &str) {
     let words = RichText::new(why).color(ui.visuals().error_fg_color);

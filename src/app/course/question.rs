@@ -3,7 +3,7 @@
 use super::data::Course;
 use super::feedback::feedback_ui;
 use super::kinds::WidgetContext;
-use super::parts::{error_ui, waiting_ui};
+use super::parts::{card, error_ui, waiting_ui};
 use super::prose::prose_ui;
 use super::work::Prepared;
 use crate::app::session::Session;
@@ -13,7 +13,7 @@ use crate::app::widgets::focus::live;
 use crate::app::widgets::symbol::{self, Symbol};
 use crate::lesson::Term;
 use crate::text::text;
-use eframe::egui::{Align, Button, Frame, Id, Label, Margin, RichText, Stroke, Ui, UiBuilder};
+use eframe::egui::{Align, Button, Id, Label, RichText, Ui, UiBuilder};
 
 /// Shows the step's question with its current answer, and the right one once it may be seen.
 pub fn question_ui(
@@ -23,17 +23,12 @@ pub fn question_ui(
     window: &mut WindowState,
     requests: &mut Requests,
 ) {
-    let stroke = Stroke::new(1.0, ui.visuals().widgets.noninteractive.bg_stroke.color);
-    let card = Frame::new()
-        .stroke(stroke)
-        .corner_radius(8.0)
-        .inner_margin(Margin::same(10))
-        .show(ui, |ui| {
-            ui.set_width(ui.available_width());
-            contents_ui(ui, course, session, window, requests);
-        });
+    let shown = card(ui).show(ui, |ui| {
+        ui.set_width(ui.available_width());
+        contents_ui(ui, course, session, window, requests);
+    });
     if let Some(open) = &mut course.open {
-        let rect = card.response.rect;
+        let rect = shown.response.rect;
         open.draft.top = Some(rect.min.y);
         if std::mem::take(&mut open.draft.seek) {
             ui.scroll_to_rect(rect, Some(Align::Min));

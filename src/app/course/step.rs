@@ -8,8 +8,7 @@ use super::results::{self, results_ui};
 use super::work::{Prepare, Prepared};
 use crate::app::controls::named::{Named, rows_ui};
 use crate::app::session::Session;
-use crate::app::session::action::Requests;
-use crate::app::session::action::{Action, Turn};
+use crate::app::session::action::{Action, Requests, Turn};
 use crate::app::session::appearance::ViewName;
 use crate::app::session::window::WindowState;
 use crate::app::widgets::background::wake;
@@ -17,7 +16,9 @@ use crate::app::widgets::focus::{aside, heading, keep_in_sight, named, switch_na
 use crate::app::widgets::strip::strip;
 use crate::text::text;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Align, Button, Frame, Label, Layout, Panel, RichText, ScrollArea, Sense, Ui};
+use eframe::egui::{
+    Align, Button, Frame, Label, Layout, Panel, RichText, ScrollArea, Sense, Stroke, Ui, pos2,
+};
 
 /// The radius of the dots that represent the steps, in points.
 const DOT: f32 = 3.5;
@@ -70,10 +71,7 @@ fn down_ui(ui: &mut Ui, open: &mut Open) {
 fn prepare(ui: &Ui, course: &mut Course) {
     let seed = course.seed;
     let Some(open) = &mut course.open else { return };
-    if open
-        .known()
-        .is_some_and(|known| known.as_ref().map_or(true, |known| known.key.is_some()))
-    {
+    if !matches!(open.known(), None | Some(Ok(Prepared { key: None, .. }))) {
         return;
     }
     let (opening, step) = (open.opening, open.step);
@@ -183,7 +181,7 @@ fn dots_ui(ui: &mut Ui, course: &Course, requests: &mut Requests, step: usize, c
     let left = rect.center().x - 0.5 * each * count as f32;
     let record = course.kept.record(&open.lesson.name);
     for index in 0..count {
-        let at = eframe::egui::pos2(left + each * (index as f32 + 0.5), rect.center().y);
+        let at = pos2(left + each * (index as f32 + 0.5), rect.center().y);
         let visuals = ui.visuals();
         let colour = if index == step {
             visuals.strong_text_color()
@@ -197,7 +195,7 @@ fn dots_ui(ui: &mut Ui, course: &Course, requests: &mut Requests, step: usize, c
         if right || index == step {
             ui.painter().circle_filled(at, radius, colour);
         } else {
-            let stroke = eframe::egui::Stroke::new(1.2, colour);
+            let stroke = Stroke::new(1.2, colour);
             ui.painter().circle_stroke(at, radius, stroke);
         }
     }

@@ -3,7 +3,6 @@
 use crate::app::session::Session;
 use crate::app::session::document::{Document, Origin};
 use crate::lesson::{Lesson, value_of};
-use crate::scene::parameter::Parameter;
 use crate::scene::{Scene, presets};
 use crate::text::text;
 use std::path::Path;
@@ -38,7 +37,10 @@ fn lesson_for(document: &Document, name: &str, base: &Scene) -> Option<Lesson> {
     let settings: Vec<String> = base
         .differences(scene)
         .filter(|(parameter, _)| !["compare", "about"].contains(&parameter.section()))
-        .map(|(parameter, index)| setting(parameter, scene, index))
+        .map(|(parameter, index)| {
+            let value = parameter.setting(scene, index);
+            format!("{}={value}", parameter.key(index))
+        })
         .collect();
     let right: Vec<f64> = SOUGHT
         .iter()
@@ -82,12 +84,4 @@ fn lesson_for(document: &Document, name: &str, base: &Scene) -> Option<Lesson> {
     }
     // The path of a file is already complete.
     Lesson::read(&source, Some(Path::new(""))).ok()
-}
-
-fn setting(parameter: &Parameter, scene: &Scene, index: usize) -> String {
-    format!(
-        "{}={}",
-        parameter.key(index),
-        parameter.setting(scene, index)
-    )
 }

@@ -35,11 +35,6 @@ impl Teaching {
         self.live.room().snapshot()
     }
 
-    /// Returns whether the class has ended.
-    pub fn is_over(&self) -> bool {
-        self.seen().pace.phase == Phase::Closed
-    }
-
     /// Returns whether a step, from 0, of the lesson with this name is explained to the class.
     pub fn explains(&self, lesson: &str, step: usize) -> bool {
         let pace = self.live.room().pace();

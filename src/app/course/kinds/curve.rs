@@ -4,8 +4,7 @@ use super::widget::{Widget, WidgetContext};
 use crate::app::widgets::drawing::{paint, plot_style, rgb};
 use crate::app::widgets::focus::named;
 use crate::app::widgets::lines::exact;
-use crate::app::widgets::palette::right_colour;
-use crate::app::widgets::palette::vector_text;
+use crate::app::widgets::palette::{right_colour, vector_text};
 use crate::figure::palette::{Rgb8, Vector};
 use crate::figure::{Drawing, Shape};
 use crate::lesson::{
@@ -221,9 +220,8 @@ impl CurveWidget {
         if let Some(at) = response.interact_pointer_pos().filter(|_| held) {
             let moved = ui.input(|input| input.pointer.delta());
             let (index, value) = field.read(at);
-            let (from, before) = field.read(at - moved);
             let just = ui.input(|input| input.pointer.any_pressed());
-            let (from, before) = if just { (index, value) } else { (from, before) };
+            let (from, before) = field.read(if just { at } else { at - moved });
             let steps = index.abs_diff(from).max(1);
             for step in 0..=steps {
                 let share = step as f64 / steps as f64;
@@ -256,12 +254,8 @@ impl CurveWidget {
         if rise != 0.0 {
             let [low, high] = field.y;
             let at = self.cursor;
-            let value = height(&self.drawn, at, field.y);
-            lift(
-                &mut self.drawn,
-                at,
-                (value + rise * RISE * (high - low)).clamp(low, high),
-            );
+            let value = height(&self.drawn, at, field.y) + rise * RISE * (high - low);
+            lift(&mut self.drawn, at, value.clamp(low, high));
             changed = true;
         }
         changed

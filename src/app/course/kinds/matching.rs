@@ -4,6 +4,7 @@ use super::widget::{Widget, WidgetContext, set_ui};
 use crate::analysis::Watch;
 use crate::analysis::codec::Codec;
 use crate::app::course::parts::waiting_ui;
+use crate::app::engine::image_of;
 use crate::app::session::Session;
 use crate::app::widgets::background::{PICTURES, wake};
 use crate::app::widgets::focus::named;
@@ -52,11 +53,7 @@ impl Work for Target {
     fn run(&self, _: &dyn Watch<Self::Answer>) -> Result<Self::Answer, String> {
         let mut renderer = Renderer::default().with_model(self.model.clone());
         let frame = renderer.render_supersampled(&self.scene, 4, &mut |_| true);
-        let size = [frame.width as usize, frame.height as usize];
-        Ok(vec![ColorImage::from_rgba_unmultiplied(
-            size,
-            frame.pixels.as_flattened(),
-        )])
+        Ok(vec![image_of(&frame)])
     }
 }
 
