@@ -165,9 +165,8 @@ fn step_ui(
         let words = RichText::new(problem).color(ui.visuals().error_fg_color);
         ui.add(Label::new(words).wrap());
     }
-    let content = match room.step(seen.pace.step) {
-        Some(Ok(content)) => content,
-        _ => return,
+    let Some(Ok(content)) = room.step(seen.pace.step) else {
+        return;
     };
     if let Some(asked) = &content.asked {
         ui.push_id("ask", |ui| words_ui(ui, &mut own.markdown, &asked.ask));

@@ -8,7 +8,7 @@ use crate::analysis::report::Section;
 use crate::analysis::stability::{
     CaseResult, HALF_A_CODE_VALUE, StabilityQuestion, case_pictures, stability_cases,
 };
-use crate::app::engine::Engine;
+use crate::app::engine::{Engine, image_of};
 use crate::app::session::Session;
 use crate::app::session::action::Requests;
 use crate::app::session::window::WindowState;
@@ -17,11 +17,10 @@ use crate::jobs::Request;
 use crate::scene::Scene;
 use crate::text::text;
 use eframe::egui::{
-    Align, Button, ColorImage, Context, Image, Label, Layout, RichText, ScrollArea, TextureHandle,
+    Align, Button, Context, Image, Label, Layout, RichText, ScrollArea, TextureHandle,
     TextureOptions, Ui, Vec2, vec2,
 };
 use law::{LawView, law_ui};
-use std::fmt;
 use std::sync::Arc;
 
 /// State of the view.
@@ -35,15 +34,6 @@ pub struct StabilityView {
     new: bool,
     /// Pictures of the case that is shown.
     shown: Option<[TextureHandle; 3]>,
-}
-
-impl fmt::Debug for StabilityView {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("StabilityView")
-            .field("work", &self.asking.work)
-            .field("chosen", &self.chosen)
-            .finish()
-    }
 }
 
 impl StabilityView {
@@ -255,9 +245,7 @@ fn error_text(ui: &Ui, error: f64) -> RichText {
 
 fn textures(ctx: &Context, result: &CaseResult) -> [TextureHandle; 3] {
     [0, 1, 2].map(|index| {
-        let frame = &result.pictures[index];
-        let size = [frame.width as usize, frame.height as usize];
-        let image = ColorImage::from_rgba_premultiplied(size, frame.pixels.as_flattened());
+        let image = image_of(&result.pictures[index]);
         ctx.load_texture(format!("stability {index}"), image, TextureOptions::NEAREST)
     })
 }

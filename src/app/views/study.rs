@@ -54,12 +54,10 @@ struct Choices {
 
 impl Default for Choices {
     fn default() -> Self {
-        let (segments, interpolations) =
-            (vec![8, 16, 32, 64, 128], vec![Interpolation::Perspective]);
         Self {
             question: StudyQuestion {
-                segments,
-                interpolations,
+                segments: vec![8, 16, 32, 64, 128],
+                interpolations: vec![Interpolation::Perspective],
                 ..StudyQuestion::default()
             },
             n: String::new(),
@@ -269,20 +267,12 @@ fn start_ui(ui: &mut Ui, view: &mut StudyView, session: &Session, engine: &Engin
 
 /// Returns about how many frames a study draws. The first of each setting is not timed.
 fn frames(question: &StudyQuestion, scene: &Scene) -> usize {
-    let carried = |method: &Method| !matches!(method, Method::Flat | Method::FlatVertexMean);
-    let drawn = |method: &Method| {
-        if carried(method) {
-            question.interpolations.len()
-        } else {
-            1
-        }
+    let drawn = |method: &Method| match method {
+        Method::Flat | Method::FlatVertexMean => 1,
+        _ => question.interpolations.len(),
     };
     let settings: usize = question.methods.iter().map(drawn).sum();
-    let laws = if question.reference(scene) == scene.reflection.model {
-        1
-    } else {
-        2
-    };
+    let laws = 1 + usize::from(question.reference(scene) != scene.reflection.model);
     let exponents = question.n.len().max(1);
     laws * settings * question.segments.len() * exponents * (question.repeats as usize + 1)
 }

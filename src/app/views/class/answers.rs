@@ -3,11 +3,11 @@
 use super::charts::{Colours, Range, clicks, curves, highest, numbers};
 use super::layer::Layer;
 use crate::app::course::prose_ui;
+use crate::app::engine::image_of;
 use crate::app::widgets::drawing::{drawing_ui, plot_style, rgb};
 use crate::app::widgets::focus::named;
 use crate::app::widgets::meter::meter_ui;
-use crate::app::widgets::palette::right_colour;
-use crate::app::widgets::palette::vector_text;
+use crate::app::widgets::palette::{right_colour, vector_text};
 use crate::app::widgets::tile;
 use crate::class::{Round, Spread};
 use crate::figure::palette::Vector;
@@ -18,7 +18,7 @@ use crate::lesson::{
 };
 use crate::text::text;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{ColorImage, RichText, Sense, Shape, TextureHandle, TextureOptions, Ui, vec2};
+use eframe::egui::{RichText, Sense, Shape, TextureHandle, TextureOptions, Ui, vec2};
 use egui_commonmark::CommonMarkCache;
 use glam::DVec2;
 
@@ -207,11 +207,9 @@ fn picture_ui(
         .as_ref()
         .is_none_or(|(known, _)| *known != step)
     {
-        let size = [frame.width as usize, frame.height as usize];
-        let image = ColorImage::from_rgba_unmultiplied(size, frame.pixels.as_flattened());
         let texture = ui
             .ctx()
-            .load_texture("class", image, TextureOptions::LINEAR);
+            .load_texture("class", image_of(frame), TextureOptions::LINEAR);
         *answers.picture = Some((step, texture));
     }
     let Some((_, texture)) = answers.picture.as_ref() else {

@@ -114,9 +114,8 @@ pub fn numbers(
     let [from, to] = range.ends;
     if let Some([right, tolerance]) = range.right {
         let ends = [right - tolerance, right + tolerance].map(|end| end.clamp(from, to));
-        let corner = |drawing: &Drawing, end: usize, y: f64| place(drawing, ends[end], y);
         let corners = [(0, 0.0), (1, 0.0), (1, top), (0, top)];
-        let corners = corners.map(|(end, y)| corner(&drawing, end, y));
+        let corners = corners.map(|(end, y): (usize, f64)| place(&drawing, ends[end], y));
         let band = Shape::area(corners.to_vec(), colours.right).faded(0.25);
         drawing.shapes.push(band);
         let line = [0.0, top].map(|y| place(&drawing, right, y));

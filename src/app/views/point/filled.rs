@@ -111,19 +111,13 @@ fn part_ui(ui: &mut Ui, part: &FilledPart, values: &Values, id: Id) {
                 formula(visuals, &column.formula(), colour(visuals, *letters), tip)
             });
             let (heads, colour) = (heads.collect(), colour(visuals, *value));
-            TermTable {
+            let table = TermTable {
                 name,
                 product,
                 heads,
                 colour,
-            }
-            .ui(
-                ui,
-                RunId {
-                    id,
-                    name: text!("point-at-probe"),
-                },
-            );
+            };
+            table.ui(ui, run_at_probe(id));
         }
         FilledPart::Line(line) => flat_ui(ui, line),
         FilledPart::Rule => {
@@ -146,6 +140,12 @@ fn here_words(values: &Values, letter: &str) -> String {
     })
 }
 
+/// Returns the identity of a run whose symbols have values at the probe.
+fn run_at_probe(id: Id) -> RunId<'static> {
+    let name = text!("point-at-probe");
+    RunId { id, name }
+}
+
 /// Shows a typeset formula that shrinks to fit the panel.
 pub fn formula_ui(ui: &mut Ui, text: &str, values: &Values, id: Id) {
     let visuals = ui.visuals();
@@ -156,15 +156,7 @@ pub fn formula_ui(ui: &mut Ui, text: &str, values: &Values, id: Id) {
         ui.spacing_mut().item_spacing.y = 0.0;
         let width = Run::new(ui, &pieces, FORMULA).width();
         let size = FORMULA * (ui.available_width() / width).clamp(LEAST_SCALE, 1.0);
-        let run = run_ui(
-            ui,
-            &pieces,
-            size,
-            RunId {
-                id,
-                name: text!("point-at-probe"),
-            },
-        );
+        let run = run_ui(ui, &pieces, size, run_at_probe(id));
         run.widget_info(|| WidgetInfo::labeled(Role::Label, true, spoken(&pieces)));
     });
 }
@@ -196,10 +188,7 @@ fn flat_ui(ui: &mut Ui, line: &FilledLine) {
         let letters = formula(visuals, line.letters, colour(visuals, line.tone), |_| {
             String::new()
         });
-        let place = RunId {
-            id: ui.scope_id().with(("line", &line.name)),
-            name: text!("point-at-probe"),
-        };
+        let place = run_at_probe(ui.scope_id().with(("line", &line.name)));
         let left = pos2(rect.min.x + FLAT_INDENT, rect.center().y);
         Run::new(ui, &letters, LETTERS).paint(ui, left, place);
     }
@@ -262,9 +251,8 @@ fn fold_ui(ui: &mut Ui, session: &mut Session, here: Here<'_>, line: &FilledLine
         }
         ui.add_space(6.0);
     });
-    if let Some(index) = line
-        .light
-        .filter(|_| symbol::is_clicked(ui.ctx()) != clicked)
+    if let Some(index) = line.light
+        && symbol::is_clicked(ui.ctx()) != clicked
     {
         // A symbol of this light was clicked: the controls become those of this light.
         session.light = index;
@@ -318,10 +306,8 @@ fn name_galley(ui: &Ui, line: &FilledLine) -> Arc<Galley> {
 
 /// Paints the sign, the name and the value of a line.
 fn paint(ui: &Ui, line: &FilledLine, name: Arc<Galley>, rect: Rect) {
-    let (weak, colour) = (
-        ui.visuals().weak_text_color(),
-        colour(ui.visuals(), line.tone),
-    );
+    let weak = ui.visuals().weak_text_color();
+    let colour = colour(ui.visuals(), line.tone);
     let (middle, sign) = (rect.center().y, text_galley(ui, line.sign, weak, INDENT, 1));
     place_at(ui, sign, rect.min.x, middle, weak);
     for (galley, offset) in value_galleys(ui, line) {

@@ -54,12 +54,11 @@ struct Taken {
 
 impl Default for ScanView {
     fn default() -> Self {
-        let (rows, playing) = (Scan::USUAL_ROWS, Playing::No);
         Self {
-            rows,
+            rows: Scan::USUAL_ROWS,
             speed: 4.0,
             step: 0,
-            playing,
+            playing: Playing::No,
             seen: None,
             taken: None,
             laid_out: None,
@@ -152,11 +151,8 @@ impl ScanView {
     /// Goes to the step that `walk` leads to, or starts or stops playing.
     pub fn walk(&mut self, walk: Walk) {
         let Some(scan) = self.ready() else { return };
-        let (step, last, plays) = (
-            self.step(),
-            scan.last(),
-            walk == Walk::Play && !self.is_playing(),
-        );
+        let (step, last) = (self.step(), scan.last());
+        let plays = walk == Walk::Play && !self.is_playing();
         let to = match walk {
             Walk::First => 0,
             Walk::Back(level) => scan.back(step, level),
@@ -202,12 +198,8 @@ impl ScanView {
         self.laid_out = key;
         self.drawing = self.ready().map(|scan| {
             let [width, tallest] = room.map(f64::from);
-            lay_out_scan(
-                scan,
-                self.step(),
-                scan_room(scan, width, tallest, &style),
-                &style,
-            )
+            let room = scan_room(scan, width, tallest, &style);
+            lay_out_scan(scan, self.step(), room, &style)
         });
     }
 }

@@ -1,14 +1,14 @@
 //! The scene's own law in the view of stability: where it loses digits, and the operation that loses them.
 
 use crate::analysis::stability::{LawStability, StabilityQuestion};
-use crate::app::engine::Engine;
+use crate::app::engine::{Engine, image_of};
 use crate::app::session::Session;
 use crate::app::session::action::Requests;
 use crate::app::session::window::WindowState;
 use crate::app::views::report::{Offer, Pending, export_ui};
 use crate::scene::ReflectionModel;
 use crate::text::text;
-use eframe::egui::{ColorImage, Image, RichText, TextureHandle, TextureOptions, Ui, vec2};
+use eframe::egui::{Image, RichText, TextureHandle, TextureOptions, Ui, vec2};
 
 /// Maximum width and height of the picture, in points.
 const PICTURE: f32 = 320.0;
@@ -69,11 +69,9 @@ pub fn law_ui(
 
 /// Shows the picture with its marked pixels.
 fn picture_ui(ui: &mut Ui, shown: &mut Option<TextureHandle>, law: &LawStability) {
-    let frame = &law.picture;
-    let size = [frame.width as usize, frame.height as usize];
     let texture = shown.get_or_insert_with(|| {
-        let image = ColorImage::from_rgba_premultiplied(size, frame.pixels.as_flattened());
-        ui.ctx().load_texture("law", image, TextureOptions::NEAREST)
+        ui.ctx()
+            .load_texture("law", image_of(&law.picture), TextureOptions::NEAREST)
     });
     let most = PICTURE.min(ui.available_width());
     let picture = Image::new(&*texture)
