@@ -113,13 +113,13 @@ use std::path::{Path, PathBuf};
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct Lesson {
-    /// Lower-case words with hyphens.
+    /// The name: lower-case words with hyphens.
     pub name: String,
     /// Its title.
     pub title: String,
     /// The chapter that it belongs to.
     pub topic: String,
-    /// The time that it takes.
+    /// The time that it takes, in minutes.
     pub minutes: u32,
     /// A sentence about it; may be empty.
     pub about: String,
@@ -160,7 +160,7 @@ pub struct LessonError {
 /// A problem of a lesson.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LessonProblem {
-    /// From 1.
+    /// The line of the file, from 1.
     pub line: u64,
     /// A sentence that says what is wrong.
     pub words: String,
@@ -193,7 +193,7 @@ impl fmt::Display for LessonError {
     }
 }
 
-/// Why a lesson could not be opened. Displayed, each problem takes a line with the file and the line in it.
+/// The reason why a lesson could not be opened. Displayed, each problem takes a line with the file and the line in it.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum OpenError {
@@ -252,8 +252,8 @@ impl Lesson {
         Ok(lesson)
     }
 
-    /// Longest file, in bytes.
+    /// The maximum length of a file, in bytes.
     pub const MAX_TEXT: usize = 1 << 20;
-    /// Most steps.
+    /// The most steps.
     pub const MAX_STEPS: usize = 100;
 }

@@ -16,7 +16,7 @@ pub struct StepContent {
     pub page: StepPage,
     /// Its pictures.
     pub(super) pictures: Vec<StaticFile>,
-    /// Its question with the right answer and those of the wrong models; none where it asks nothing.
+    /// Its question with the right answer and those of the wrong models; `None` if it asks nothing.
     pub asked: Option<ClassQuestion>,
 }
 
@@ -25,14 +25,14 @@ pub struct StepContent {
 pub struct Spread {
     /// The step, from 1.
     pub step: usize,
-    /// The rounds, of which there is one at least.
+    /// The rounds, at least one.
     pub rounds: Vec<Round>,
 }
 
 /// The answers in a round.
 #[derive(Clone, Debug, Default)]
 pub struct Round {
-    /// In the order in which the students answered first in this class.
+    /// The answers, in the order in which the students first answered in this class.
     pub answers: Vec<Graded>,
 }
 
@@ -72,7 +72,7 @@ pub struct Content {
 }
 
 impl Content {
-    /// Makes room for the steps of a lesson.
+    /// Creates the contents of a lesson's steps, none of them prepared.
     pub fn new(lesson: &Lesson) -> Self {
         Self {
             steps: lesson.steps.iter().map(|_| OnceLock::new()).collect(),
@@ -97,13 +97,13 @@ impl Content {
         }
     }
 
-    /// Prepares a step, from 1, unless it is.
+    /// Prepares a step, from 1, unless it is prepared.
     pub fn prepare(&self, lesson: &Lesson, seed: u64, step: usize) {
         let place = step.checked_sub(1).and_then(|index| self.steps.get(index));
         let Some(place) = place.filter(|place| place.get().is_none()) else {
             return;
         };
-        // Who waits for the step is told in any case.
+        // Whoever waits for the step is told, even after a panic.
         let content = catch_unwind(AssertUnwindSafe(|| step_content(lesson, seed, step - 1)));
         let content = content.unwrap_or_else(|_| Err(text!("render-job-ended").to_owned()));
         let _ = place.set(content.map(Arc::new));
@@ -133,7 +133,7 @@ fn step_content(lesson: &Lesson, seed: u64, index: usize) -> Result<StepContent,
     })
 }
 
-/// Sets up the scene of a step, from 0.
+/// Loads the scene of a step, from 0, into a lab.
 fn laboratory(lesson: &Lesson, index: usize) -> Result<(Staged, Lab), String> {
     let staged = lesson.steps[index].stage.load(lesson.folder.as_deref());
     let staged = staged.map_err(|error| error.to_string())?;

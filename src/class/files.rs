@@ -18,14 +18,14 @@ pub struct StaticFile {
     pub kind: &'static str,
     /// The content.
     pub bytes: Bytes,
-    /// The content compressed as `gzip` and `br`, where that is smaller.
+    /// The content compressed as `gzip` and as `br`, if that is smaller.
     pub compressed: [Option<Bytes>; 2],
     /// The hash of the content.
     pub hash: String,
 }
 
 impl StaticFile {
-    /// Makes a file of what is in memory, compressed if it is text.
+    /// Creates a file with the given content, compressed if it is text.
     pub fn new(name: &str, bytes: impl Into<Bytes>) -> Self {
         let (kind, text) = kind(name);
         let bytes = bytes.into();
@@ -41,7 +41,7 @@ impl StaticFile {
     }
 }
 
-/// Returns the FNV-1a hash of a content, in hexadecimal: it names a version, and protects nothing.
+/// Returns the FNV-1a hash of a content in hexadecimal, which names a version and protects nothing.
 pub fn hash(bytes: &[u8]) -> String {
     let hash = bytes.iter().fold(0xcbf2_9ce4_8422_2325u64, |hash, byte| {
         (hash ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3)

@@ -15,7 +15,7 @@ pub const NAME: usize = 40;
 /// The most streams of events of one student: tabs, and connections that are dead without knowing it.
 pub const STREAMS: u64 = 4;
 
-/// Counts what was asked for against a rate: a bucket that runs full at the rate, and holds what may come in one second.
+/// A token bucket: it fills at a rate, and holds the requests of one second.
 #[derive(Debug)]
 pub struct Bucket {
     rate: f64,
@@ -24,7 +24,7 @@ pub struct Bucket {
 }
 
 impl Bucket {
-    /// Makes a full one.
+    /// Creates a full bucket.
     pub fn new(rate: f64, now: Instant) -> Self {
         Self {
             rate,
@@ -33,7 +33,7 @@ impl Bucket {
         }
     }
 
-    /// Takes one out, if there is one.
+    /// Takes a token, if there is one.
     pub fn take(&mut self, now: Instant) -> bool {
         let passed = now.saturating_duration_since(self.last).as_secs_f64();
         self.left = (self.left + passed * self.rate).min(self.rate);

@@ -20,11 +20,11 @@ pub struct LiveOptions {
     pub server: ServerOptions,
     /// The part of the shown address before the code, behind a proxy.
     pub url: Option<String>,
-    /// Students go at their own pace.
+    /// True if students go at their own pace.
     pub own_pace: bool,
-    /// The number of students that are simulated.
+    /// The number of simulated students.
     pub rehearse: usize,
-    /// Decides what is drawn at random.
+    /// The seed of what is drawn at random.
     pub seed: u64,
 }
 

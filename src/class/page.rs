@@ -36,7 +36,7 @@ pub struct StepPage {
     pub pictures: Vec<Vec<u8>>,
 }
 
-/// Makes the page of a step, counted from 0; `seed` decides what is drawn at random.
+/// Returns the page of a step, counted from 0; `seed` decides what is drawn at random.
 ///
 /// # Errors
 /// The problem of the lesson, with its line; or that it has no such step.

@@ -14,10 +14,10 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::thread::JoinHandle;
 use tokio::sync::oneshot;
 
-/// The most lines that are kept for later while nothing can be written, in bytes.
+/// The size, in bytes, of the lines that are kept at most while nothing can be written.
 const MOST_KEPT: usize = 4 << 20;
 
-/// Tells when what was appended is on the disk, or why it is not, in a sentence.
+/// A signal that appended lines are on the disk, or the reason why they are not, in a sentence.
 pub type Commit = oneshot::Receiver<Result<(), String>>;
 
 struct Entry {
@@ -36,7 +36,7 @@ impl Drop for Recorder {
 }
 
 impl Recorder {
-    /// Appends to a file, whose whole lines are so long.
+    /// Starts to append to a file after `length` bytes of whole lines.
     fn start(file: File, length: u64) -> Self {
         let (queue, entries) = channel();
         let (language, writer) = (language(), Writer::new(file, length));
@@ -48,7 +48,7 @@ impl Recorder {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Appends lines, one after the other. Without lines it tells when all that was appended before is on the disk.
+    /// Appends lines. Without lines the commit tells when everything appended before is on the disk.
     pub fn append(&self, lines: &[ClassLine]) -> Commit {
         let mut text = String::new();
         for line in lines {

@@ -1,4 +1,4 @@
-//! What a student is told of where the class is, and why a request is refused.
+//! The state of the class as a student is told it, and the reasons why a request is refused.
 
 use crate::lesson::{Answer, Pace};
 use serde::Serialize;
@@ -11,14 +11,14 @@ pub struct OwnPace {
     pub pace: Pace,
     /// The number of steps.
     pub steps: usize,
-    /// The lecturer's step, where the student may be at another one.
+    /// The lecturer's step, if the student may be at another one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub lecturer: Option<usize>,
     /// The student's answer in this round.
     pub answered: Option<Answer>,
 }
 
-/// Why a request is refused.
+/// The reason why a request is refused.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Refusal {
     /// It does not come from a student of this class.

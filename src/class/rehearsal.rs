@@ -59,11 +59,11 @@ struct Simulated {
     /// The probability of being right at first, before the step is known.
     ability: f64,
     belief: Option<(usize, Belief)>,
-    /// When the next answer is due; none if it is given, or none will be.
+    /// The time at which the next answer is due; `None` if it is given, or none will be.
     due: Option<Instant>,
 }
 
-/// Has simulated students join a class and answer whatever it asks, until it is over.
+/// Lets simulated students join a class and answer its questions, until it is over.
 pub fn rehearse(room: &Arc<Room>, count: usize, seed: u64) {
     let (weak, language) = (Arc::downgrade(room), room.head().language);
     std::thread::spawn(move || in_language(language, || run(&weak, count, Random(seed))));
@@ -189,7 +189,7 @@ fn answer(
         .find(|answer| answer.fits(kind))
 }
 
-/// Adds what a hand does to an answer, in tolerances.
+/// Adds the imprecision of a hand to an answer: `noise` in tolerances.
 fn noisy(answer: Answer, kind: &Kind, noise: f64, random: &mut Random) -> Answer {
     match (answer, kind) {
         (Answer::Value(value), Kind::Value(asked)) => {

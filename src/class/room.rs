@@ -31,13 +31,13 @@ const LATEST: u64 = 100_000_000_000_000;
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct AnswerRequest {
-    /// From 1.
+    /// The step, from 1.
     pub step: usize,
-    /// From 1.
+    /// The round of its question, from 1.
     pub round: u32,
     /// The answer.
     pub answer: Answer,
-    /// When it was sent, in milliseconds by the phone's clock.
+    /// The time at which it was sent by the phone's clock, in milliseconds.
     #[serde(default)]
     pub sent: u64,
 }
@@ -45,24 +45,24 @@ pub struct AnswerRequest {
 /// A student in the lecturer's own list.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StudentRow {
-    /// May be empty.
+    /// The student's name; may be empty.
     pub name: String,
-    /// A phone of the student is connected.
+    /// True if a phone of the student is connected.
     pub connected: bool,
-    /// The student has answered in this round.
+    /// True if the student has answered in this round.
     pub answered: bool,
 }
 
 /// A class as the lecturer sees it.
 #[derive(Clone, Debug)]
 pub struct Snapshot {
-    /// Grows with every change: with the same number all else is the same.
+    /// A number that grows with every change: snapshots with the same number are equal.
     pub version: u64,
     /// The step and phase of the class.
     pub pace: Pace,
     /// The number of steps.
     pub steps: usize,
-    /// The step asks something.
+    /// True if the step asks something.
     pub asks: bool,
     /// The number of students.
     pub joined: usize,
@@ -70,13 +70,13 @@ pub struct Snapshot {
     pub connected: usize,
     /// The number of those who have answered in this round.
     pub answered: usize,
-    /// Students go at their own pace.
+    /// True if students go at their own pace.
     pub own_pace: bool,
     /// The number of those who are at another step.
     pub elsewhere: usize,
     /// The answers, once they are shown and graded.
     pub spread: Option<Arc<Spread>>,
-    /// Why the answers cannot be graded or the step not be shown, in a sentence.
+    /// The reason why the answers cannot be graded or the step cannot be shown, in a sentence.
     pub problem: Option<String>,
 }
 
@@ -119,7 +119,7 @@ impl fmt::Debug for Listener {
 }
 
 impl Room {
-    /// Opens a class with what its record already has, and has the engine prepare the steps in the background.
+    /// Opens a class with the contents of its record, and has the engine prepare the steps in the background.
     pub fn open(lesson: Lesson, recorder: Recorder, record: ClassRecord) -> Arc<Self> {
         let now = Instant::now();
         let mut inner = Inner {
@@ -173,7 +173,7 @@ impl Room {
         &self.lesson
     }
 
-    /// Returns what the class is about.
+    /// Returns the head of the class's record.
     pub fn head(&self) -> &ClassHead {
         &self.head
     }
@@ -204,13 +204,13 @@ impl Room {
         }
     }
 
-    /// Has a function called after every change, from the thread that made it; the first one stays. It must not ask for anything of
-    /// the class.
+    /// Has a function called after every change, on the thread that made it; only the first function is kept. It must not call the
+    /// class.
     pub fn on_change(&self, tell: impl Fn() + Send + Sync + 'static) {
         let _ = self.listener.0.set(Box::new(tell));
     }
 
-    /// Returns what wakes streams of events when the class goes on.
+    /// Returns the signal that wakes streams of events when the class goes on.
     pub(super) fn paces(&self) -> watch::Receiver<u64> {
         self.pace.subscribe()
     }
@@ -310,7 +310,7 @@ impl Room {
         Ok(commit)
     }
 
-    /// Returns where the class is for a student.
+    /// Returns the state of the class for a student.
     ///
     /// # Errors
     /// No student of this class.
@@ -355,7 +355,7 @@ impl Room {
         Ok(())
     }
 
-    /// Returns where the class is.
+    /// Returns the step and phase of the class.
     pub fn pace(&self) -> Pace {
         self.pace_of(&self.inner())
     }
@@ -373,7 +373,7 @@ impl Room {
         }
     }
 
-    /// Returns where a step stands. One that asks nothing is explained as it is.
+    /// Returns the phase and round of a step. One that asks nothing is in the phase of its explanation.
     fn stand(&self, inner: &Inner, step: usize) -> (Phase, u32) {
         let asks = self.asks(step);
         let first = (if asks { Phase::Ask } else { Phase::Explain }, 1);
@@ -401,7 +401,7 @@ impl Room {
         Ok(())
     }
 
-    /// Returns what the lecturer sees.
+    /// Returns the class as the lecturer sees it.
     pub fn snapshot(&self) -> Snapshot {
         let inner = self.inner();
         let (pace, seats) = (self.pace_of(&inner), inner.seats.all());

@@ -101,7 +101,7 @@ async fn protected(mut response: Response) -> Response {
     response
 }
 
-/// Returns what is refused, with its sentence.
+/// Returns the response to a refused request, with its sentence.
 fn refused(status: StatusCode, words: &str) -> Response {
     (status, json_body(&json!({ "error": words }))).into_response()
 }
@@ -287,7 +287,7 @@ async fn answer(State(shared): Class, request: Request) -> Result<Response, Refu
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct TurnRequest {
-    /// From 1.
+    /// The step, from 1.
     step: usize,
 }
 

@@ -19,13 +19,13 @@ use tokio::net::{TcpListener, TcpStream};
 use tokio::sync::{Semaphore, oneshot};
 use tokio::time::sleep;
 
-/// The longest time until the head of a request is there, and that a connection stays open without one.
+/// The longest time in which the head of a request arrives, and for which a connection stays open without one.
 const HEAD_TIME: Duration = Duration::from_secs(10);
 /// The most bytes of a request's head.
 const HEAD: usize = 16 << 10;
 /// The most connections: four of each student.
 const CONNECTIONS: usize = 4000;
-/// Files that the program needs besides connections.
+/// The number of files that the program needs besides connections.
 const FILES: usize = 100;
 /// The pause after a connection could not be taken.
 const PAUSE: Duration = Duration::from_millis(100);
@@ -38,7 +38,7 @@ const LAST: Duration = Duration::from_millis(200);
 pub struct ServerOptions {
     /// The address of this machine that it listens at.
     pub bind: IpAddr,
-    /// The port; none for the first that is free.
+    /// The port; `None` for the first that is free.
     pub port: Option<u16>,
     /// The folder with the files of the program's own page.
     pub page: Option<PathBuf>,

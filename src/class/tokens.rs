@@ -12,7 +12,7 @@ const CODE: usize = 6;
 pub struct Token(u128);
 
 impl Token {
-    /// Makes a new one.
+    /// Creates a random token.
     ///
     /// # Errors
     /// The system has no random numbers.
@@ -22,7 +22,7 @@ impl Token {
         Ok(Self(u128::from_le_bytes(bytes)))
     }
 
-    /// Reads one: 32 hexadecimal digits.
+    /// Reads a token: 32 hexadecimal digits.
     pub fn read(text: &str) -> Option<Self> {
         let digit = |byte: u8| matches!(byte, b'0'..=b'9' | b'a'..=b'f');
         let sound = text.len() == 32 && text.bytes().all(digit);

@@ -26,15 +26,15 @@ const SURFACE: u64 = 60;
 pub struct Budget(Arc<AtomicU64>);
 
 impl Budget {
-    /// Most work for a step: filling in its numbers, finding its question's answer and drawing its pictures.
+    /// The most work for a step: filling in its numbers, finding its question's answer and drawing its pictures.
     pub const STEP: u64 = 20_000_000_000;
-    /// Most work for the file of a lesson, and for grading the answers of a file that was handed in.
+    /// The most work for the file of a lesson, and for grading the answers of a file that was handed in.
     pub const FILE: u64 = 2 * Self::STEP;
 
-    /// Most triangles of a scene, whatever is asked of it.
+    /// The most triangles of a scene.
     pub const TRIANGLES: u64 = 1 << 22;
 
-    /// Returns all that a file may cause.
+    /// Returns the work that a file may cause, none of it done yet.
     pub fn of_file() -> Self {
         Self(Arc::new(AtomicU64::new(Self::FILE)))
     }
@@ -43,7 +43,7 @@ impl Budget {
         self.0.load(Ordering::Relaxed)
     }
 
-    /// Returns whether something was refused.
+    /// Returns whether work was refused.
     pub(super) fn is_spent(&self) -> bool {
         self.left() == 0
     }
@@ -58,14 +58,14 @@ impl Budget {
     }
 }
 
-/// Why a step is not worked out.
+/// The reason why a step is refused.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TooHeavy {
-    /// It is more than [`Budget::STEP`].
+    /// Its work is more than [`Budget::STEP`].
     #[error("{}", text!("lesson-step-too-heavy", most = Budget::STEP / 1_000_000))]
     Step,
-    /// The step with all before it is more than [`Budget::FILE`].
+    /// The work of the file up to this step is more than [`Budget::FILE`].
     #[error("{}", text!("lesson-file-too-heavy", most = Budget::FILE / 1_000_000))]
     File,
     /// A scene has more triangles than [`Budget::TRIANGLES`].

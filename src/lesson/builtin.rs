@@ -6,7 +6,7 @@ use crate::text::{Language, language, text};
 /// The chapters of the course, in their order.
 pub const TOPICS: [&str; 5] = ["light", "reflection", "shading", "engine", "test"];
 
-/// Returns the name of a chapter for people; a lecturer's own word is as it is.
+/// Returns the title of a chapter; a chapter of a lecturer's own is returned unchanged.
 pub fn topic_name(topic: &str) -> &str {
     match topic {
         "light" => text!("class-topic-light"),
@@ -21,7 +21,7 @@ pub fn topic_name(topic: &str) -> &str {
 /// A lesson that comes with the program.
 #[derive(Clone, Copy, Debug)]
 pub struct BuiltIn {
-    /// Lower-case words with hyphens.
+    /// The name: lower-case words with hyphens.
     pub name: &'static str,
     /// Its file in each language; a web page fetches them.
     #[cfg(not(target_arch = "wasm32"))]
@@ -29,7 +29,7 @@ pub struct BuiltIn {
 }
 
 impl BuiltIn {
-    /// Returns the lesson in the present language.
+    /// Returns the lesson in the current language.
     pub fn lesson(&self) -> Lesson {
         self.lesson_in(language())
     }
@@ -113,7 +113,7 @@ pub fn find(name: &str) -> Option<&'static BuiltIn> {
     LESSONS.iter().find(|lesson| lesson.name == name)
 }
 
-/// Returns whether the lessons' texts are there: always, but on a web page that has not fetched them yet.
+/// Returns whether the lessons' texts are there: true except on a web page that has not fetched them yet.
 pub fn are_there() -> bool {
     #[cfg(target_arch = "wasm32")]
     return TEXTS.get().is_some();

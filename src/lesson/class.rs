@@ -21,20 +21,20 @@ use std::path::PathBuf;
 /// A picture that was handed in, or the record of a live class.
 #[derive(Clone, Debug)]
 pub struct Handed {
-    /// Its name.
+    /// The name of its file.
     pub path: PathBuf,
-    /// Its content, where that is not in the file.
+    /// The content; `None` if it is read from the file.
     pub bytes: Option<Vec<u8>>,
 }
 
 /// Everything that was handed in.
 #[derive(Debug, Default)]
 pub struct Class {
-    /// By lesson.
+    /// The hand-ins, by lesson.
     pub groups: Vec<Group>,
     /// Files that cannot be read or graded.
     pub unreadable: Vec<Unreadable>,
-    /// Sound files that do not count: without answers, or handed in again by the same student.
+    /// Readable files that do not count: without answers, or handed in again by the same student.
     pub set_aside: Vec<Unreadable>,
 }
 
@@ -43,13 +43,13 @@ pub struct Class {
 pub struct Unreadable {
     /// The file's name.
     pub file: String,
-    /// In the language of the moment.
+    /// The reason, in the current language.
     pub why: String,
     /// The reason in English, for programs.
     pub english: String,
 }
 
-/// Those who worked through the same lesson.
+/// The students who worked through the same lesson.
 #[derive(Debug)]
 pub struct Group {
     /// The lesson.
@@ -58,7 +58,7 @@ pub struct Group {
     pub questions: Vec<ClassQuestion>,
     /// The hand-ins, by the names of their files.
     pub students: Vec<Student>,
-    /// The lesson came inside a hand-in: it may open no file then.
+    /// True if the lesson came inside a hand-in; it may then open no file.
     foreign: bool,
 }
 
@@ -178,8 +178,8 @@ pub fn spread(sorted: &[f64]) -> Option<[f64; 5]> {
     }))
 }
 
-/// Reads files that were handed in and grades them. With a `lesson` all must be answers to that one. `pictures`: whether
-/// those of questions about places are drawn. `progress` is told of each file and each question that is done.
+/// Reads files that were handed in and grades them. With a `lesson` all must be answers to that one. With `pictures` those
+/// of questions about places are drawn. `progress` is called after each file and each question.
 pub fn collect(
     files: &[Handed],
     lesson: Option<&Lesson>,
@@ -314,8 +314,8 @@ fn is_version_of(hand_in: &HandIn, built_in: &BuiltIn) -> bool {
     languages.any(|language| digest([built_in.source(language)]) == hand_in.digest)
 }
 
-/// Finds the lesson that a hand-in answers: `lesson`, where that is given, the program's own, or the one inside the hand-in; with
-/// whether it is that one.
+/// Finds the lesson that a hand-in answers: `lesson` if that is given, else the one inside the hand-in, else the program's own.
+/// Returns true with the one inside.
 ///
 /// # Errors
 /// A hand-in to another lesson, to another version of it, or to none that is known.
@@ -353,8 +353,7 @@ pub fn lesson_of(hand_in: &HandIn, lesson: Option<&Lesson>) -> Result<(Lesson, b
     Ok((lesson, foreign))
 }
 
-/// Grades a single hand-in. `foreign`: whether its lesson came inside it, so that it may open no file. `progress` is told of each
-/// question that is done.
+/// Grades a single hand-in. A `foreign` lesson came inside it, and may open no file. `progress` is called after each question.
 ///
 /// # Errors
 /// An answer that fits no question of the lesson.

@@ -57,11 +57,11 @@ pub enum ClassLine {
     Class(ClassHead),
     /// A student.
     Student {
-        /// From 1.
+        /// The student's number, from 1.
         student: u32,
         /// The secret by which the student's phone is known.
         token: String,
-        /// May be empty.
+        /// The student's name; may be empty.
         #[serde(default)]
         name: String,
     },
@@ -69,7 +69,7 @@ pub enum ClassLine {
     Pace(Pace),
     /// An answer.
     Answer {
-        /// From 1.
+        /// The student's number, from 1.
         student: u32,
         /// The answer.
         #[serde(flatten)]
@@ -90,7 +90,7 @@ pub struct ClassHead {
     pub digest: String,
     /// The language of the class.
     pub language: Language,
-    /// Decides what is drawn at random: the same for all.
+    /// The seed of what is drawn at random, the same for all students.
     pub seed: u64,
     /// The class's part of the address.
     pub code: String,
@@ -99,7 +99,7 @@ pub struct ClassHead {
 }
 
 impl ClassHead {
-    /// Describes a class about a lesson in the language of the moment.
+    /// Describes a class about a lesson in the current language.
     pub fn new(lesson: &Lesson, seed: u64, code: &str) -> Self {
         Self {
             version: VERSION,
@@ -113,7 +113,7 @@ impl ClassHead {
         }
     }
 
-    /// Returns whether a lesson in it is the one that the digest is of.
+    /// Returns whether the lesson's text, if it is included, matches the digest.
     fn is_whole(&self) -> bool {
         let source = self.source.as_ref();
         source.is_none_or(|source| {
@@ -130,13 +130,13 @@ impl ClassHead {
 /// An answer of a student in a round.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RoundAnswer {
-    /// From 1.
+    /// The step, from 1.
     pub step: usize,
-    /// From 1.
+    /// The round of its question, from 1.
     pub round: u32,
     /// The answer.
     pub answer: Answer,
-    /// When the phone says it was sent, in milliseconds by its own clock; 0 where it does not say.
+    /// The time at which it was sent by the phone's clock, in milliseconds; 0 if the phone does not say.
     #[serde(default)]
     pub sent: u64,
     /// The time since the round was opened, in seconds.
@@ -149,14 +149,14 @@ pub struct RoundAnswer {
 pub struct ClassStudent {
     /// The secret by which the student's phone is known; empty where the record does not say.
     pub token: String,
-    /// May be empty.
+    /// The student's name; may be empty.
     pub name: String,
     /// The answers that count, by step and round.
     pub answers: BTreeMap<(usize, u32), RoundAnswer>,
 }
 
 impl ClassStudent {
-    /// Returns whether an answer counts: it was not sent before the one that stands.
+    /// Returns whether an answer counts: it was not sent before the one that is known.
     pub fn takes(&self, given: &RoundAnswer) -> bool {
         let known = self.answers.get(&(given.step, given.round));
         known.is_none_or(|known| known.sent <= given.sent)
@@ -199,7 +199,7 @@ pub struct ClassRecord {
     pub head: ClassHead,
     /// The students in the order of their first answers.
     pub students: Vec<ClassStudent>,
-    /// The last state of each step, in the order in which the lecturer went on; the last one is where the class is.
+    /// The last state of each step, in the order in which the lecturer went on; the last one is that of the class.
     pub paces: Vec<Pace>,
     /// The length of the lines that are whole, in bytes.
     pub length: u64,

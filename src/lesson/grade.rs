@@ -6,13 +6,13 @@ use serde::{Deserialize, Serialize};
 /// The grade of an answer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Grade {
-    /// The answer is within the question's tolerance, and no nearer to a wrong model.
+    /// True if the answer is within the question's tolerance, and no nearer to a wrong model.
     pub right: bool,
-    /// From 0 to 1; 0 of an answer that is nearer to a wrong model.
+    /// The score, from 0 to 1; 0 for an answer that is nearer to a wrong model.
     pub score: f64,
     /// The distance from the right answer, in the question's own unit, where that has one.
     pub off: Option<f64>,
-    /// The wrong model that the answer agrees with, from 0: of a choice the option.
+    /// The index of the wrong model that the answer agrees with; for a choice, that of the option.
     #[serde(default)]
     pub model: Option<usize>,
     /// The error of an answer that agrees with no wrong model.
@@ -21,7 +21,7 @@ pub struct Grade {
 }
 
 impl Grade {
-    /// Returns full marks within the tolerance, none at twice that.
+    /// Grades by the distance from the right answer: full marks at that, none at twice the tolerance.
     pub(super) fn within(off: f64, tolerance: f64) -> Self {
         let slack = 1e-9 * tolerance;
         Self {

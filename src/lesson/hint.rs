@@ -8,14 +8,14 @@ use serde::{Deserialize, Serialize};
 pub enum Hint {
     /// A number is too high or too low.
     Number {
-        /// Too high.
+        /// True if it is too high.
         high: bool,
     },
     /// The value of a control is too high or too low.
     Control {
         /// The number of the control among those of the question.
         control: usize,
-        /// Too high.
+        /// True if it is too high.
         high: bool,
     },
     /// A piece of a curve is wrong.
@@ -29,7 +29,7 @@ pub enum Hint {
     },
     /// A place lies beside the right one.
     Place {
-        /// To which side.
+        /// The side.
         side: Side,
         /// The fraction of its maximum that the quantity has there, where that says something.
         share: Option<f64>,

@@ -26,7 +26,7 @@ use std::collections::HashMap;
 use std::fmt;
 use std::sync::Arc;
 
-/// Scenes, and what was asked of them.
+/// The scenes of a step, with the answers of the engine about them.
 pub struct Lab {
     model: Option<Arc<Mesh>>,
     inner: RefCell<Inner>,
@@ -52,7 +52,7 @@ impl fmt::Debug for Lab {
     }
 }
 
-/// A scene of a lab with a probe and a line: what quantities are taken of.
+/// A scene of a lab with a probe and a line, at which quantities are taken.
 #[derive(Clone, Copy, Debug)]
 pub struct LabPlace<'l> {
     lab: &'l Lab,
@@ -102,7 +102,7 @@ fn no_clock() -> u64 {
 impl Lab {
     /// The shorter side of its pictures, pixels; smaller ones stay as they are.
     pub const SIDE: u32 = 480;
-    /// Answers kept at most: those of single pixels are many.
+    /// The most answers that are kept: those of single pixels are many.
     const KEPT: usize = 2000;
 
     /// Makes a lab with the scene of a step, which may do the work of a file.

@@ -89,7 +89,7 @@ impl Question {
         }
     }
 
-    /// Returns whether it knows a wrong model.
+    /// Returns whether it explains a wrong model.
     pub fn knows_wrong(&self) -> bool {
         self.says().iter().any(|says| !says.is_empty())
     }

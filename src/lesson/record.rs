@@ -5,7 +5,7 @@ use super::{Answer, Grade, Lesson};
 use crate::text::text;
 use serde::{Deserialize, Serialize};
 
-/// The time from which on it is not shown, in seconds: after a day it says nothing about how long the student
+/// The time, in seconds, from which on it is not shown: after a day it says nothing about how long the student
 /// has thought.
 const DAY: f64 = 86_400.0;
 
@@ -14,28 +14,28 @@ const DAY: f64 = 86_400.0;
 pub struct Record {
     /// The lesson's name.
     pub lesson: String,
-    /// Decides what is drawn at random.
+    /// The seed of what is drawn at random.
     pub seed: u64,
-    /// In the order of their steps, one for each that was answered.
+    /// The answers, in the order of their steps.
     pub answers: Vec<Answered>,
 }
 
 /// The answer to the question of one step.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Answered {
-    /// From 0.
+    /// The step, from 0.
     pub step: usize,
     /// The first answer that was given: the prediction.
     pub prediction: Answer,
     /// The last answer before the right one was shown.
     pub answer: Answer,
-    /// The grade of that.
+    /// The grade of the last answer.
     pub grade: Grade,
     /// The number of times that the right answer was asked for before it was found.
     pub looked_up: u32,
     /// The number of answers that were given.
     pub tries: u32,
-    /// The time from when the question was first seen until the last answer.
+    /// The time from when the question was first seen until the last answer, in seconds.
     pub seconds: f64,
 }
 

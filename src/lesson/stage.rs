@@ -10,7 +10,7 @@ use glam::DVec2;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// The names of what may be drawn over the picture.
+/// The names of the overlays of the picture.
 pub const OVERLAYS: [&str; 8] = [
     "vectors",
     "side-view",
@@ -35,15 +35,15 @@ pub struct Stage {
     pub panes: Option<Vec<String>>,
     /// The view that opens, one of [`VIEWS`].
     pub view: Option<&'static str>,
-    /// From the middle of the picture to the right and down, in units of its shorter side.
+    /// The probe: its offset from the middle of the picture to the right and down, in units of the shorter side.
     pub probe: Option<DVec2>,
-    /// The ends of the profile's line, as `probe` counts.
+    /// The ends of the profile's line, in the same units as `probe`.
     pub line: Option<[DVec2; 2]>,
-    /// Some of [`OVERLAYS`].
+    /// The overlays of the picture, some of [`OVERLAYS`].
     pub overlays: Vec<&'static str>,
     /// Controls by the last word of their keys, or by the whole key; `light` is where the light is.
     pub controls: Vec<String>,
-    /// Numbers are hidden until the question is answered.
+    /// True if numbers are hidden until the question is answered.
     pub hide: bool,
     /// Its line in the file.
     pub line_number: u64,
@@ -58,7 +58,7 @@ pub struct Staged {
     pub model: Option<Arc<Mesh>>,
     /// The built-in scene or the file that it was made from.
     pub name: String,
-    /// The file, where it is one.
+    /// The file, if it is one.
     pub path: Option<PathBuf>,
     /// The settings that make that scene or file into the scene, as `--set` takes them.
     pub settings: Vec<String>,
@@ -67,7 +67,7 @@ pub struct Staged {
 }
 
 impl Stage {
-    /// Longest settings of a step, with those that it takes over, in bytes.
+    /// The maximum length of a step's settings, with those that it takes over, in bytes.
     pub const MAX_SETTINGS: usize = 1 << 15;
 
     /// The farthest that a place may be from the middle of the picture, in units of its shorter side.

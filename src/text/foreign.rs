@@ -1,6 +1,6 @@
 //! Text from others that this program repeats: short in messages, and with terminal control characters escaped.
 
-/// Longest quotation of such text in a message, in characters.
+/// The maximum length of a quotation in a message, in characters.
 pub const LONGEST_QUOTE: usize = 200;
 
 /// Returns a text as quoted in a message: its first 200 characters, and `…` where it is longer.
@@ -13,7 +13,7 @@ pub fn excerpt(text: &str) -> String {
     short
 }
 
-/// Returns another library's message with the names that it quotes between backquotes cut like that.
+/// Returns another library's message with each name that it quotes between backquotes cut as by [`excerpt`].
 pub fn with_short_names(message: &str) -> String {
     let pieces: Vec<_> = message.split('`').map(excerpt).collect();
     pieces.join("`")
@@ -32,7 +32,7 @@ pub fn escaped(text: &str) -> String {
     written_out(text, |c| c.escape_unicode().to_string())
 }
 
-/// Returns JSON in which such characters are JSON escapes, so that its value is unchanged.
+/// Returns JSON in which the characters that [`escaped`] escapes are JSON escapes, so that its value is unchanged.
 pub fn escaped_json(json: &str) -> String {
     written_out(json, |c| format!("\\u{:04x}", u32::from(c)))
 }

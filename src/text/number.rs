@@ -5,7 +5,7 @@ pub fn with_minus(number: &str) -> String {
     number.replace('-', "−")
 }
 
-/// Formats a number with a fixed number of decimals, with a minus sign, and without one before a 0.
+/// Formats a number with a fixed number of decimals and a minus sign, which a 0 never has.
 pub fn fixed(value: f64, decimals: usize) -> String {
     if value.is_infinite() {
         return if value > 0.0 { "∞" } else { "−∞" }.into();

@@ -11,8 +11,8 @@ pub const SCRIPT: &str = include_str!("../../../assets/class/class.js");
 /// The style sheet of the page.
 pub const STYLE: &str = include_str!("../../../assets/class/class.css");
 
-/// Returns the page of a class for phones, with the step that the class is at; its script goes on from there. `lab`: whether the
-/// program's own page can be opened.
+/// Returns the page of a class for phones, with the step that the class is at; its script goes on from there. `lab` says whether
+/// the program's own page can be opened.
 pub fn shell(lesson: &Lesson, step: &StepPage, lab: bool) -> String {
     let meta = |name: &str, content: &str| {
         element("meta")

@@ -1,4 +1,4 @@
-//! What the lecturer does, and what the engine does for it.
+//! The lecturer's commands, and the engine's work for them.
 
 use super::{Inner, Room};
 use crate::class::content::{Spread, graded};
@@ -26,7 +26,7 @@ pub enum Command {
 }
 
 impl Room {
-    /// Does what the lecturer asks for; false where that is not possible now.
+    /// Performs a command. Returns whether that was possible now.
     pub fn perform(&self, command: Command) -> bool {
         let mut inner = self.inner();
         let Pace { step, phase, round } = self.pace_of(&inner);
@@ -63,7 +63,7 @@ impl Room {
         true
     }
 
-    /// Goes where the lecturer wants to be.
+    /// Goes to a step, phase and round.
     fn go(&self, inner: &mut Inner, (step, phase, round): (usize, Phase, u32)) {
         let pace = Pace { step, phase, round };
         if phase != Phase::Closed {
@@ -136,7 +136,7 @@ impl Room {
     }
 }
 
-/// Prepares the first step that is not, from the present one on; false if there is none, or the class is over.
+/// Prepares the first step that is not prepared, from the present one on. Returns false if there is none, or the class is over.
 pub(super) fn prepare_next(room: &Weak<Room>) -> bool {
     let Some(room) = room.upgrade() else {
         return false;

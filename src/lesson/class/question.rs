@@ -11,7 +11,7 @@ use crate::render::Frame;
 pub struct ClassQuestion {
     /// The step, from 0.
     pub step: usize,
-    /// The question.
+    /// The question, in CommonMark.
     pub ask: String,
     /// Why the answer is right; may be empty.
     pub why: String,
@@ -19,11 +19,11 @@ pub struct ClassQuestion {
     pub options: Vec<String>,
     /// The explanation of each wrong model, or of each option of a choice.
     pub says: Vec<String>,
-    /// The right answer and those of the wrong models; none where each student has others, or [`Self::failure`].
+    /// The right answer and those of the wrong models; `None` if each student has others, or after a [`Self::failure`].
     pub key: Option<AnswerKey>,
-    /// Why there is no right answer.
+    /// The reason why there is no right answer.
     pub failure: Option<String>,
-    /// The picture that the students saw, of questions about a place in it.
+    /// The picture that the students saw, for a question about a place in it.
     pub picture: Option<Frame>,
 }
 

@@ -9,14 +9,14 @@ pub struct Student {
     pub index: usize,
     /// The file's name.
     pub file: String,
-    /// May be empty.
+    /// The student's name; may be empty.
     pub name: String,
     pub(super) seed: u64,
-    /// For grading what is in the file.
+    /// The work that grading the file may cause.
     pub(super) budget: Budget,
-    /// The question, from 0, whose answer takes more than that.
+    /// The question, from 0, whose answer takes more than that, with the reason.
     pub(super) heavy: Option<(usize, TooHeavy)>,
-    /// For each question.
+    /// The answers, one entry per question.
     pub given: Vec<Option<Given>>,
 }
 
@@ -25,9 +25,9 @@ pub struct Student {
 pub struct Given {
     /// The answer, with the tries before it.
     pub answered: Answered,
-    /// None where the question has no right answer.
+    /// The grade of the last answer; `None` if the question has no right answer.
     pub grade: Option<Grade>,
-    /// Of the first answer.
+    /// The grade of the first answer.
     pub predicted: Option<Grade>,
 }
 

@@ -209,9 +209,9 @@ pub struct Printed<'p> {
     pub place: LabPlace<'p>,
     /// The step's picture.
     pub picture: &'p Frame,
-    /// Decides what is drawn at random.
+    /// The seed of what is drawn at random.
     pub seed: u64,
-    /// Pictures are left blank.
+    /// True if pictures are left blank.
     pub without_pictures: bool,
 }
 
@@ -229,7 +229,7 @@ impl Printed<'_> {
 pub struct Predictions<'c, Answer, Solution> {
     /// The answers with their grades.
     pub given: Vec<(&'c Answer, Grade)>,
-    /// The right answer, where all have the same.
+    /// The right answer, if it is the same for all.
     pub right: Option<&'c Solution>,
     /// The texts of options or items.
     pub options: &'c [String],

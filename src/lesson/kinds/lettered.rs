@@ -34,7 +34,7 @@ impl Bars {
         }
     }
 
-    /// Returns the bars with those of an answer below them.
+    /// Adds a row for an answer.
     pub fn with(self, label: impl Into<Html>, count: usize, is_right: bool) -> Self {
         let (row, sign) = if is_right {
             (element("tr").class("is-right"), " ✓")

@@ -61,7 +61,7 @@ impl AnyKind for Point {
 }
 
 impl QuestionKind for Point {
-    /// From the middle of the picture to the right and down, in units of its shorter side.
+    /// The offset from the middle of the picture to the right and down, in units of the shorter side.
     type Answer = [f64; 2];
     /// Any of these is right; the first stands for all of them where one is shown.
     type Solution = Vec<DVec2>;

@@ -9,7 +9,7 @@ use super::quantity::Quantity;
 pub const POINTS: usize = 4096;
 /// Most corners; a domain of up to eight names has all of them among its points.
 const CORNERS: usize = 256;
-/// The points before those inside.
+/// The number of points before those inside: corners, edges and faces.
 const EDGES: usize = 1024;
 /// Where the ends of a range are further apart than this, points are spread evenly by their ratio: of exponents from 1 to
 /// 1000, most of what is seen happens below 30.
@@ -79,7 +79,8 @@ impl Values {
         }
     }
 
-    /// Returns the value at a fraction of the way through the range, rounded to so many levels a unit.
+    /// Returns the value at a fraction of the range, rounded to hundredths of the width's power of ten, or to
+    /// thousandths if `finer`; in a wide range to three digits.
     fn at(self, fraction: f64, directions: &[[f64; 3]], finer: bool) -> Quantity {
         match self {
             Self::Between(from, to) if from > 0.0 && to / from > WIDE => {
