@@ -150,6 +150,13 @@ pub struct Step {
     pub line: u64,
 }
 
+impl Step {
+    /// Returns the properties of its question.
+    pub(crate) fn asks(&self) -> Option<&dyn AnyKind> {
+        self.question.as_ref().map(|question| question.kind.asks())
+    }
+}
+
 /// The problems of a lesson.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LessonError {

@@ -416,7 +416,7 @@ impl Room {
             asks: self.asks(pace.step),
             joined: seats.len(),
             connected: seats.iter().filter(|seat| seat.connected > 0).count(),
-            answered: inner.seats.answered(pace).count(),
+            answered: seats.iter().filter(|seat| seat.has_answered(pace)).count(),
             own_pace: inner.own_pace,
             elsewhere: seats.iter().filter(|seat| seat.own.is_some()).count(),
             spread: inner.spread.clone(),

@@ -10,7 +10,7 @@ use crate::analysis::conditions::ConditionsQuestion;
 use crate::analysis::curves::highlight_half_width;
 use crate::analysis::defects::DefectsQuestion;
 use crate::analysis::perception::luminance;
-use crate::analysis::plan::{FramePlan, PlanQuestion};
+use crate::analysis::plan::PlanQuestion;
 use crate::analysis::probe::{Probe, Probed, probe};
 use crate::analysis::profile::{Profile, ProfileQuestion, profile};
 use crate::analysis::{Answer, Question, ReportContext, Subject, unwatched};
@@ -445,8 +445,7 @@ impl LabPlace<'_> {
             }
             "explain" => {
                 let question = PlanQuestion { frames: 1 };
-                let plan: FramePlan = question.answer(&self.subject(EXPLAIN)?, &unwatched)?;
-                object(&plan)
+                object(&question.answer(&self.subject(EXPLAIN)?, &unwatched)?)
             }
             "error" | "beside_phong" => {
                 let mut other = Scene::clone(&scene);

@@ -110,8 +110,9 @@ fn events(text: &str) -> Vec<Event<'_>> {
             ),
             Event::Start(Tag::Image { .. }) | Event::End(TagEnd::Image) => None,
             Event::Start(Tag::Link { ref dest_url, .. }) => {
-                kept_links.push(may_open(dest_url));
-                kept_links.last().copied().unwrap_or(false).then_some(event)
+                let kept = may_open(dest_url);
+                kept_links.push(kept);
+                kept.then_some(event)
             }
             Event::End(TagEnd::Link) => kept_links.pop().unwrap_or(false).then_some(event),
             event => Some(event),

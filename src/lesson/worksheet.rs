@@ -156,7 +156,6 @@ impl StepPart {
         // Solved for a sheet without answers too, since a probe that only the answer needs is marked.
         let seed = (sheet.answers || sheet.samples > 0).then_some(sheet.seed);
         let filled = FilledStep::new((index, step), &lab, place, seed)?;
-        let own_picture = |question: &Question| question.kind.asks().uses_picture();
         let title = Html::from(format!("{}. ", index + 1)).with(inline(&step.title));
         let mut section = element("section")
             .class("step")
@@ -165,7 +164,7 @@ impl StepPart {
         let question = |words: String| step.question_problem(words);
         let frame = stage_picture(&lab, step, &staged, sheet.samples, filled.probed);
         let frame = frame.map_err(|words| wrong((step.line, words)))?;
-        if !step.question.as_ref().is_some_and(own_picture) {
+        if !step.asks().is_some_and(|asks| asks.uses_picture()) {
             let single = staged.scene.shown_panes().len() == 1;
             let class = if single && frame.width < 2 * frame.height {
                 "picture"
@@ -232,12 +231,12 @@ impl FilledStep {
             let solved = seed.map(|seed| asks.solve(place, seed)).transpose();
             right = solved.map_err(|words| step.question_problem(words))?;
         }
-        let places = |question: &Question| question.kind.asks().asks_place();
+        let asks_place = step.asks().is_some_and(|asks| asks.asks_place());
         Ok(Self {
             text,
             asked,
             right,
-            probed: lab.probe_measured() && !step.question.as_ref().is_some_and(places),
+            probed: lab.probe_measured() && !asks_place,
         })
     }
 }
@@ -283,10 +282,8 @@ pub(crate) fn stage_picture(
         return Ok(blank_picture());
     }
     lab.with_renderer(samples, |renderer, scene| {
-        let told = matches!(
-            &step.question,
-            Some(question) if step.stage.hide || question.kind.asks().is_drawn()
-        );
+        let asks = step.asks();
+        let told = asks.is_some_and(|asks| step.stage.hide || asks.is_drawn());
         let over = |frame: &mut Frame, renderer: &mut Renderer, scene: &Scene| {
             draw_over(frame, renderer, scene, step, staged, told);
             if probed && let Some(probe) = staged.shown.probe {
@@ -349,8 +346,7 @@ fn draw_over(
         free_corners,
         ..OverlayOptions::default()
     };
-    let mut question = step.question.iter();
-    let follows = question.any(|question| question.kind.asks().follows_line());
+    let follows = step.asks().is_some_and(|asks| asks.follows_line());
     let line = staged
         .shown
         .line
@@ -366,17 +362,15 @@ fn draw_over(
         match profile(renderer, scene, &question) {
             Ok(taken) if !told => {
                 if let Some(mut pixmap) = pixmap(frame) {
-                    taken
-                        .traces
-                        .iter()
-                        .for_each(|trace| draw_profile(&mut pixmap, &taken, trace, &options));
+                    for trace in &taken.traces {
+                        draw_profile(&mut pixmap, &taken, trace, &options);
+                    }
                 }
             }
             _ => {
                 let mut drawing = Drawing::over_picture([0x10; 3], 0.006 * side);
-                drawing
-                    .shapes
-                    .push(Shape::line(vec![at(from), at(to)], 0.006 * side, [0xff; 3]));
+                let line = Shape::line(vec![at(from), at(to)], 0.006 * side, [0xff; 3]);
+                drawing.shapes.push(line);
                 drawing.draw_over(frame);
             }
         }

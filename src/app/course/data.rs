@@ -192,8 +192,7 @@ impl Open {
 
     /// Returns whether the answer to the step's question is a point in the picture.
     fn asks_place(&self) -> bool {
-        self.question()
-            .is_some_and(|question| question.kind.asks().asks_place())
+        self.current().asks().is_some_and(|asks| asks.asks_place())
     }
 
     /// Returns whether another scene was opened in place of the step's.
@@ -497,10 +496,9 @@ impl Course {
     pub fn line(&self) -> Option<([DVec2; 2], Option<f64>)> {
         let open = self.in_view()?;
         let line = open.staged.as_ref()?.shown.line?;
-        let drawn = open
-            .question()
-            .is_some_and(|question| question.kind.asks().follows_line());
-        let named = open.current().stage.overlays.contains(&"profile");
+        let step = open.current();
+        let drawn = step.asks().is_some_and(|asks| asks.follows_line());
+        let named = step.stage.overlays.contains(&"profile");
         let along = open.draft.widget.as_ref().and_then(|widget| widget.along());
         (drawn || named).then_some((line, along))
     }

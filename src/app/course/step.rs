@@ -282,9 +282,7 @@ fn controls_ui(ui: &mut Ui, open: &Open, session: &mut Session) {
         .iter()
         .map(|word| &**word)
         .collect();
-    let own = open
-        .question()
-        .map(|question| question.kind.asks().controls());
+    let own = open.current().asks().map(|asks| asks.controls());
     for key in own.unwrap_or_default() {
         let named = Named::find(key);
         if !words.iter().any(|word| Named::find(word) == named) {

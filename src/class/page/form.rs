@@ -5,8 +5,8 @@ use super::lab::LabLink;
 use super::picture::Pictures;
 use super::plot::CurvePlot;
 use crate::lesson::{
-    ClassQuestion, Element, FORMULA_SIGNS, Formula, Html, Kind, Question, Value, control_unit,
-    element, inline, letter, lettered_html, long_control_name, short_number, slider, without_marks,
+    ClassQuestion, Element, FORMULA_SIGNS, Formula, Html, Kind, Question, control_unit, element,
+    inline, letter, lettered_html, long_control_name, short_number, slider, without_marks,
 };
 use crate::text::text;
 
@@ -20,7 +20,11 @@ pub fn form(
 ) -> Element {
     let inside = match &question.kind {
         Kind::Choice(_) => choice(asked),
-        Kind::Value(value) => number_of(value),
+        Kind::Value(value) => {
+            let label = text!("course-answer").into();
+            let range = [value.from, value.to];
+            Html::new().line(number_field(0, label, range, &value.unit))
+        }
         Kind::Point(_) => point(asked, pictures, index),
         Kind::Curve(curve) => {
             let plot = CurvePlot::new(curve);
@@ -97,13 +101,6 @@ fn choice(asked: &ClassQuestion) -> Html {
         element("label").class("option").with(button).with(words)
     };
     options.map(option).fold(Html::new(), Html::line)
-}
-
-/// Returns the field of a value.
-fn number_of(value: &Value) -> Html {
-    let label = Html::from(text!("course-answer"));
-    let range = [value.from, value.to];
-    Html::new().line(number_field(0, label, range, &value.unit))
 }
 
 /// Returns a field for each control.

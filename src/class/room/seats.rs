@@ -166,11 +166,4 @@ impl Seats {
             seat.own = seat.own.filter(&stays);
         }
     }
-
-    /// Returns the students who have answered in the present round.
-    pub fn answered(&self, pace: Pace) -> impl Iterator<Item = &Seat> {
-        self.seats
-            .iter()
-            .filter(move |seat| seat.has_answered(pace))
-    }
 }

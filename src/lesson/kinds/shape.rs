@@ -136,8 +136,7 @@ impl Run {
         let mut best = Self::default();
         let mut run = Self::default();
         for (index, difference) in differences.iter().enumerate() {
-            let small = difference.abs() < 0.3 * largest;
-            if small {
+            if difference.abs() < 0.3 * largest {
                 run = Self::default();
                 continue;
             }

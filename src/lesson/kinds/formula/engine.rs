@@ -83,9 +83,6 @@ fn written(term: Term, names: &[Name], scene: &Scene) -> Option<String> {
     (!parts.is_empty()).then(|| parts.join(" * "))
 }
 
-/// The value of a name at a point; none of a name that the question does not have.
-type Named<'n> = &'n dyn Fn(&str) -> Option<f64>;
-
 /// Has the engine evaluate a term at a point of the domain: the surface lies at the origin, and L, N and V in the plane y = 0.
 /// Returns nothing where no directions have these cosines.
 fn evaluate(term: Term, names: &[Name], point: &[Quantity], scene: &Scene) -> Option<f64> {
@@ -125,8 +122,8 @@ fn evaluate(term: Term, names: &[Name], point: &[Quantity], scene: &Scene) -> Op
     Some(value("f").unwrap_or(1.0) * red)
 }
 
-/// Gives the scene the values of the names that are its numbers.
-fn set_numbers(scene: &mut Scene, value: Named<'_>) {
+/// Gives the scene the values of the names that are its numbers, where `value` returns one.
+fn set_numbers(scene: &mut Scene, value: &dyn Fn(&str) -> Option<f64>) {
     let set = |colour: &mut Rgb, name: &str| {
         if let Some(value) = value(name) {
             *colour = Rgb::splat(value);
