@@ -173,12 +173,24 @@ pub struct LessonProblem {
     pub words: String,
 }
 
+impl LessonProblem {
+    pub(crate) fn new(line: u64, words: impl Into<String>) -> Self {
+        let words = words.into();
+        Self { line, words }
+    }
+}
+
+impl From<LessonProblem> for LessonError {
+    fn from(problem: LessonProblem) -> Self {
+        Self {
+            problems: vec![problem],
+        }
+    }
+}
+
 impl LessonError {
     pub(crate) fn one(line: u64, words: impl Into<String>) -> Self {
-        let words = words.into();
-        Self {
-            problems: vec![LessonProblem { line, words }],
-        }
+        LessonProblem::new(line, words).into()
     }
 
     /// Returns each line of what is wrong, with the line of the lesson that it is about.

@@ -79,8 +79,7 @@ pub fn step_page(lesson: &Lesson, index: usize, seed: u64) -> Result<StepPage, L
             };
             let right = right_answer(question, asked, right, &printed);
             let right = right.map_err(|words| step.question_problem(words))?;
-            let after = step.after.filled(&place);
-            let after = after.map_err(|(line, words)| LessonError::one(line, words))?;
+            let after = step.after.filled(&place)?;
             explanation = explanation
                 .line(element("h3").with(text!("phone-right")))
                 .line(right)

@@ -1,7 +1,8 @@
 //! The check of a lesson by the engine.
 
 use super::{
-    Answer, AnswerKey, Budget, Lab, LabPlace, Lesson, LessonError, LessonProblem, Question, Step,
+    Answer, AnswerKey, Budget, Lab, LabPlace, Lesson, LessonError, LessonProblem, Prose, Question,
+    Step,
 };
 use crate::scene::parameter::Parameter;
 use crate::text::{excerpt, fixed, text};
@@ -28,11 +29,10 @@ pub fn check(lesson: &Lesson) -> Result<Vec<LessonProblem>, LessonError> {
             break;
         }
     }
-    if problems.is_empty() {
-        Ok(remarks)
-    } else {
-        Err(LessonError { problems })
-    }
+    problems
+        .is_empty()
+        .then_some(remarks)
+        .ok_or(LessonError { problems })
 }
 
 fn check_step(
@@ -43,54 +43,45 @@ fn check_step(
     let staged = step.stage.load(lesson.folder.as_deref())?;
     let lab = Lab::within(&staged, budget);
     let place = lab.place(&staged);
+    let line = step.stage.line_number;
     let mut problems = Vec::new();
     let mut remarks = Vec::new();
-    let mut take = |line: u64, words: String| problems.push(LessonProblem { line, words });
     for word in &step.stage.controls {
         if word != "light" && Parameter::by_word(word).is_none() {
-            take(
-                step.stage.line_number,
-                text!("lesson-no-control", name = excerpt(word)),
-            );
+            let words = text!("lesson-no-control", name = excerpt(word));
+            problems.push(LessonProblem::new(line, words));
         }
     }
-    for prose in [&step.text, &step.after] {
-        if let Err((line, words)) = prose.filled(&place) {
-            take(line, words);
-        }
-    }
+    let unfilled = |prose: &Prose| prose.filled(&place).err();
+    problems.extend([&step.text, &step.after].into_iter().filter_map(unfilled));
     if let Some(question) = &step.question {
         let texts = [&question.ask, &question.why].into_iter();
-        for prose in texts.chain(question.names()).chain(question.says()) {
-            if let Err((line, words)) = prose.filled(&place) {
-                take(line, words);
-            }
-        }
+        let texts = texts.chain(question.names()).chain(question.says());
+        problems.extend(texts.filter_map(unfilled));
         match check_question(question, place) {
             Ok(found) => remarks = found,
-            Err((line, words)) => take(line, text!("lesson-question", words = words)),
+            Err(LessonProblem { line, words }) => {
+                let words = text!("lesson-question", words = words);
+                problems.push(LessonProblem::new(line, words));
+            }
         }
     }
     let is_outside = |probe: DVec2| place.pixel(probe).is_none();
     if problems.is_empty() && staged.shown.probe.is_some_and(is_outside) {
-        problems.push(LessonProblem {
-            line: step.stage.line_number,
-            words: text!("lesson-probe-outside").to_owned(),
-        });
+        problems.push(LessonProblem::new(line, text!("lesson-probe-outside")));
     }
-    if problems.is_empty() {
-        Ok(remarks)
-    } else {
-        Err(LessonError { problems })
-    }
+    problems
+        .is_empty()
+        .then_some(remarks)
+        .ok_or(LessonError { problems })
 }
 
 /// Checks that the right answer of a question is graded as right, and those of its wrong models as wrong.
 fn check_question(
     question: &Question,
     place: LabPlace<'_>,
-) -> Result<Vec<LessonProblem>, (u64, String)> {
-    let here = |words| (question.line, words);
+) -> Result<Vec<LessonProblem>, LessonProblem> {
+    let here = |words: String| LessonProblem::new(question.line, words);
     let key = question.solve_all(place, 1).map_err(here)?;
     let grade = question.grade(&Answer::right(&key.right), &key, place);
     if !grade.is_some_and(|grade| grade.right) {
@@ -101,22 +92,14 @@ fn check_question(
     for (index, wrong) in question.wrong.iter().enumerate() {
         let number = index + 1;
         let apart = check_wrong(question, index, &key, place).map_err(|words| {
-            (
-                wrong.line,
-                text!("lesson-wrong", number = number, words = words),
-            )
+            let words = text!("lesson-wrong", number = number, words = words);
+            LessonProblem::new(wrong.line, words)
         })?;
-        let apart = fixed(apart, 1);
-        remarks.push(LessonProblem {
-            line: wrong.line,
-            words: text!("lesson-apart", number = number, apart = apart),
-        });
+        let words = text!("lesson-apart", number = number, apart = fixed(apart, 1));
+        remarks.push(LessonProblem::new(wrong.line, words));
     }
     if !question.knows_wrong() {
-        remarks.push(LessonProblem {
-            line: question.line,
-            words: text!("lesson-no-wrong").to_owned(),
-        });
+        remarks.push(here(text!("lesson-no-wrong").to_owned()));
     }
     Ok(remarks)
 }

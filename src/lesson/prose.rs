@@ -1,5 +1,6 @@
 //! Text with numbers in it that the engine computes: `{{ EXPRESSION | DIGITS }}`.
 
+use super::LessonProblem;
 use crate::expression::{Expression, Quantities};
 use crate::text::{fixed, text};
 
@@ -18,30 +19,34 @@ struct Number {
     line: u64,
 }
 
+/// Returns the problem of a number in a line.
+fn problem(line: u64, words: String) -> LessonProblem {
+    LessonProblem::new(line, text!("lesson-number", words = words))
+}
+
 impl Prose {
     /// Reads a text that begins in a line of a file.
     ///
     /// # Errors
-    /// A number that cannot be read: its line, and what is wrong.
-    pub(super) fn read(text: &str, line: u64) -> Result<Self, (u64, String)> {
+    /// A number that cannot be read.
+    pub(super) fn read(text: &str, line: u64) -> Result<Self, LessonProblem> {
         let mut pieces = Vec::new();
         let (mut rest, mut line) = (text, line);
         let lines = |text: &str| text.matches('\n').count() as u64;
         while let Some((before, after)) = rest.split_once("{{") {
             line += lines(before);
             let Some((inside, behind)) = after.split_once("}}") else {
-                return Err((line, text!("lesson-number-open").to_owned()));
+                return Err(LessonProblem::new(line, text!("lesson-number-open")));
             };
             let (value, digits) = match inside.rsplit_once('|') {
                 Some((value, digits)) => {
                     let digits = digits.trim().parse().ok().filter(|digits| *digits <= 9);
-                    let wrong = || (line, text!("lesson-number-digits").to_owned());
+                    let wrong = || LessonProblem::new(line, text!("lesson-number-digits"));
                     (value, digits.ok_or_else(wrong)?)
                 }
                 None => (inside, 2),
             };
-            let value = Expression::read(value.trim())
-                .map_err(|words| (line, text!("lesson-number", words = words)))?;
+            let value = Expression::read(value.trim()).map_err(|words| problem(line, words))?;
             let number = Number {
                 value,
                 digits,
@@ -70,15 +75,14 @@ impl Prose {
     /// Returns the text with its numbers.
     ///
     /// # Errors
-    /// A number that has no value: its line, and why.
-    pub fn filled(&self, quantities: &dyn Quantities) -> Result<String, (u64, String)> {
+    /// A number that has no value.
+    pub fn filled(&self, quantities: &dyn Quantities) -> Result<String, LessonProblem> {
         let mut filled = String::new();
         for (text, number) in &self.pieces {
             filled.push_str(text);
             if let Some(number) = number {
                 let value = number.value.number(quantities);
-                let value =
-                    value.map_err(|words| (number.line, text!("lesson-number", words = words)))?;
+                let value = value.map_err(|words| problem(number.line, words))?;
                 filled.push_str(&fixed(value, number.digits));
             }
         }

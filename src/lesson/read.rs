@@ -253,8 +253,8 @@ impl<'s> Reader<'s> {
             text.push_str(self.source.get(from..to).unwrap_or_default());
             at = to;
         }
-        Prose::read(&text, first).unwrap_or_else(|(line, words)| {
-            self.wrong_at(line, words);
+        Prose::read(&text, first).unwrap_or_else(|problem| {
+            self.problems.push(problem);
             Prose::default()
         })
     }

@@ -23,8 +23,7 @@ pub fn in_words(lesson: &Lesson, seed: u64, answers: bool) -> Result<String, Les
         let staged = step.stage.load(lesson.folder.as_deref())?;
         let lab = Lab::within(&staged, &budget);
         let place = lab.place(&staged);
-        let wrong = |(line, words): (u64, String)| LessonError::one(line, words);
-        let text = step.text.filled(&place).map_err(wrong)?;
+        let text = step.text.filled(&place)?;
         let _ = write!(
             out,
             "\n{}. {}\n\n{}\n",
@@ -37,16 +36,15 @@ pub fn in_words(lesson: &Lesson, seed: u64, answers: bool) -> Result<String, Les
             continue;
         };
         number += 1;
-        let asked = ClassQuestion::filled(index, question, place).map_err(wrong)?;
+        let asked = ClassQuestion::filled(index, question, place)?;
         let heading = text!("class-question", number = number);
         let _ = writeln!(out, "\n{heading} {}", without_marks(&asked.ask));
         out.push_str(&expected(&asked, question));
         if answers {
             let solution = question.solve(place, seed);
-            let solution = solution
-                .map_err(|words| wrong((question.line, text!("lesson-question", words = words))))?;
+            let solution = solution.map_err(|words| step.question_problem(words))?;
             let words = question.kind.solution_words(&solution, &asked.options);
-            let after = step.after.filled(&place).map_err(wrong)?;
+            let after = step.after.filled(&place)?;
             let said = [&asked.why, &after].map(|text| text.trim());
             let said: Vec<&str> = said.into_iter().filter(|text| !text.is_empty()).collect();
             let (words, said) = (without_marks(&words), without_marks(&said.join("\n\n")));

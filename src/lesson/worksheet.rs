@@ -152,7 +152,6 @@ impl StepPart {
         let staged = step.stage.load(lesson.folder.as_deref())?;
         let lab = Lab::within(&staged, budget);
         let place = lab.place(&staged);
-        let wrong = |(line, words): (u64, String)| LessonError::one(line, words);
         // Solved for a sheet without answers too, since a probe that only the answer needs is marked.
         let seed = (sheet.answers || sheet.samples > 0).then_some(sheet.seed);
         let filled = FilledStep::new((index, step), &lab, place, seed)?;
@@ -163,7 +162,7 @@ impl StepPart {
             .line(element("h2").with(title));
         let question = |words: String| step.question_problem(words);
         let frame = stage_picture(&lab, step, &staged, sheet.samples, filled.probed);
-        let frame = frame.map_err(|words| wrong((step.line, words)))?;
+        let frame = frame.map_err(|words| LessonError::one(step.line, words))?;
         if !step.asks().is_some_and(|asks| asks.uses_picture()) {
             let single = staged.scene.shown_panes().len() == 1;
             let class = if single && frame.width < 2 * frame.height {
@@ -179,7 +178,7 @@ impl StepPart {
             question: None,
         };
         if let (Some(asks), Some(asked)) = (&step.question, filled.asked) {
-            let after = step.after.filled(&place).map_err(wrong)?;
+            let after = step.after.filled(&place)?;
             let told = sheet.answers || asks.kind.asks().shows_target();
             let right = filled.right.filter(|_| told);
             let printed = Printed {
@@ -223,11 +222,10 @@ impl FilledStep {
         place: LabPlace<'_>,
         seed: Option<u64>,
     ) -> Result<Self, LessonError> {
-        let wrong = |(line, words): (u64, String)| LessonError::one(line, words);
-        let text = step.text.filled(&place).map_err(wrong)?;
+        let text = step.text.filled(&place)?;
         let (mut asked, mut right) = (None, None);
         if let Some(asks) = &step.question {
-            asked = Some(ClassQuestion::filled(index, asks, place).map_err(wrong)?);
+            asked = Some(ClassQuestion::filled(index, asks, place)?);
             let solved = seed.map(|seed| asks.solve(place, seed)).transpose();
             right = solved.map_err(|words| step.question_problem(words))?;
         }

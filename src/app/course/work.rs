@@ -70,8 +70,8 @@ impl Work for Prepare {
         let lab = Lab::new(&staged);
         let place = lab.place(&staged);
         let fill = |prose: &Prose| {
-            let wrong = |(line, words): (u64, String)| format!("{line}: {words}");
-            prose.filled(&place).map_err(wrong)
+            let filled = prose.filled(&place);
+            filled.map_err(|problem| format!("{}: {}", problem.line, problem.words))
         };
         let mut prepared = Prepared {
             text: fill(&step.text)?,

@@ -2,7 +2,8 @@
 
 use super::student::{Given, Student};
 use crate::lesson::{
-    Answer, AnswerKey, Answered, Budget, Lab, LabPlace, Lesson, Question, Solution, Step, TooHeavy,
+    Answer, AnswerKey, Answered, Budget, Lab, LabPlace, Lesson, LessonProblem, Question, Solution,
+    Step, TooHeavy,
 };
 use crate::render::Frame;
 
@@ -156,7 +157,7 @@ impl ClassQuestion {
         place: LabPlace<'_>,
         seed: u64,
     ) -> Result<Self, String> {
-        let filled = Self::filled(step, question, place).map_err(|(_, words)| words)?;
+        let filled = Self::filled(step, question, place).map_err(|problem| problem.words)?;
         let picture = question.kind.asks().asks_place();
         let picture = picture.then(|| place.counted_picture()).transpose()?;
         Ok(Self {
@@ -171,7 +172,7 @@ impl ClassQuestion {
         step: usize,
         question: &Question,
         place: LabPlace<'_>,
-    ) -> Result<Self, (u64, String)> {
+    ) -> Result<Self, LessonProblem> {
         let options = question.kind.asks().options().into_iter();
         let options: Result<_, _> = options.map(|prose| prose.filled(&place)).collect();
         let says = question.says().into_iter();

@@ -242,8 +242,8 @@ impl KeyReader<'_, '_> {
             return Prose::default();
         };
         let line = self.lesson.line(self.at + text.span().start);
-        Prose::read(text.get_ref(), line).unwrap_or_else(|(line, words)| {
-            self.lesson.wrong_at(line, words);
+        Prose::read(text.get_ref(), line).unwrap_or_else(|problem| {
+            self.lesson.problems.push(problem);
             Prose::default()
         })
     }

@@ -31,8 +31,7 @@ impl Reader<'_> {
 
     /// Notes a problem in a line.
     pub fn wrong_at(&mut self, line: u64, words: impl Into<String>) {
-        let words = words.into();
-        self.problems.push(LessonProblem { line, words });
+        self.problems.push(LessonProblem::new(line, words));
     }
 
     /// Reads a block of TOML.
