@@ -3,8 +3,7 @@
 use super::row::{RowOptions, parameter_with};
 use super::sampling::{Finding, Sampling};
 use crate::app::session::Session;
-use crate::app::session::action::Action;
-use crate::app::session::action::Requests;
+use crate::app::session::action::{Action, Requests};
 use crate::app::session::window::WindowState;
 use crate::app::widgets::focus::{named, switch_named};
 use crate::app::widgets::sign::{light_sign, signed};

@@ -13,8 +13,7 @@ use crate::app::session::action::Action;
 #[cfg(feature = "class")]
 use crate::app::session::action::ClassAction;
 use crate::app::session::window::WindowState;
-use crate::app::shell::state::AppState;
-use crate::app::shell::state::Leaving;
+use crate::app::shell::state::{AppState, Leaving};
 use crate::app::system;
 use crate::app::views::report;
 use crate::app::widgets::dialog::{Choice, both, buttons_ui, path_ui, question_ui};

@@ -240,7 +240,6 @@ fn panels_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, size: Vec2) {
         requests,
         ..
     } = state;
-
     if window.appearance.stages {
         Panel::bottom("stages").show(ui, |ui| {
             bars::stages_ui(ui, session, window, course, requests, engine);
@@ -308,7 +307,6 @@ fn drawer_ui(ui: &mut Ui, state: &mut AppState, engine: &Engine, size: Vec2, tal
         requests,
         ..
     } = state;
-
     if tall {
         Panel::bottom("rail-below").show(ui, |ui| {
             ui.horizontal(|ui| views::rail_ui(ui, window, true, views::narrow_size(size.x)));

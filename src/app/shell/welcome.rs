@@ -1,7 +1,6 @@
 //! The welcome below the picture at the first start: a description of the program, and ways to begin.
 
-use crate::app::session::action::Requests;
-use crate::app::session::action::{Action, Turn};
+use crate::app::session::action::{Action, Requests, Turn};
 use crate::app::session::window::WindowState;
 use crate::app::widgets::focus::heading;
 use crate::text::text;

@@ -8,8 +8,7 @@
 use super::beam::{self, MARGIN, on_sphere};
 use crate::app::session::Session;
 use crate::app::session::place::{Place, tidy};
-use crate::app::session::window::WindowState;
-use crate::app::session::window::{Grip, LightStart};
+use crate::app::session::window::{Grip, LightStart, WindowState};
 use crate::app::widgets::letter::letter;
 use crate::app::widgets::lines::{exact, line, outline};
 use crate::app::widgets::palette;
@@ -22,6 +21,7 @@ use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, 
 use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 use std::ops::RangeInclusive;
+
 /// The radius of the sphere on which the handles of directional and of far lights slide, as a fraction of the picture's
 /// shorter side at the depth of its centre.
 const SPHERE: f64 = 0.42;

@@ -6,8 +6,7 @@
 use crate::app::controls::vertices::{MOST_HANDLES, move_vertex};
 use crate::app::session::Session;
 use crate::app::session::place::{Place, tidy};
-use crate::app::session::window::Grip;
-use crate::app::session::window::WindowState;
+use crate::app::session::window::{Grip, WindowState};
 use crate::app::widgets::letter::letter;
 use crate::app::widgets::palette;
 use crate::figure::palette::Vector;
@@ -19,6 +18,7 @@ use glam::{DVec2, DVec3};
 const RADIUS: f32 = 6.0;
 /// The maximum distance to the pointer at which a vertex shows its number, in points.
 const NEAR: f32 = 40.0;
+
 /// Returns the positions of the visible vertices, with their numbers.
 pub fn seen(session: &Session, view: &View, place: Place) -> Vec<(u32, Pos2)> {
     let object = &session.shown.scene.object;
