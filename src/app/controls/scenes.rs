@@ -7,7 +7,7 @@ use crate::app::session::document::Origin;
 use crate::app::session::window::WindowState;
 use crate::app::widgets::background::{PICTURES, Pictures};
 use crate::app::widgets::dialog::Choice;
-use crate::app::widgets::focus::{heading, named};
+use crate::app::widgets::focus::{heading, named, take_if_free};
 use crate::app::widgets::theme::text_field;
 use crate::app::widgets::tile::picture_tile;
 use crate::jobs::Work;
@@ -112,9 +112,7 @@ pub fn scenes_ui(ui: &mut Ui, window: &mut WindowState, requests: &mut Requests)
             .desired_width(ui.available_width() - 76.0);
         let field = named(ui.add(field), Role::SearchInput, text!("scenes-search"));
         entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
-        if !field.has_focus() && ui.memory(|memory| memory.focused().is_none()) {
-            field.request_focus();
-        }
+        take_if_free(&field);
         if ui.button(text!("close")).clicked() {
             choice = Choice::Leave;
         }

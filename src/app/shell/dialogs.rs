@@ -17,7 +17,7 @@ use crate::app::shell::state::{AppState, Leaving};
 use crate::app::system;
 use crate::app::views::report;
 use crate::app::widgets::dialog::{Choice, both, buttons_ui, path_ui, question_ui};
-use crate::app::widgets::focus::{heading, keep_in_sight, named};
+use crate::app::widgets::focus::{heading, keep_in_sight, named, take_if_free};
 use crate::app::widgets::theme::text_field;
 use crate::lesson::MAX_NAME;
 use crate::scene::Image;
@@ -293,11 +293,8 @@ fn file_ui(ui: &mut Ui, task: &mut FileTask, path: &mut String, state: &AppState
                 .desired_width(f32::INFINITY);
             let field = named(ui.add(field), Role::TextInput, text!("course-hand-in-name"));
             // The name is entered first if none is known.
-            if name.is_empty()
-                && !field.has_focus()
-                && ui.memory(|memory| memory.focused().is_none())
-            {
-                field.request_focus();
+            if name.is_empty() {
+                take_if_free(&field);
             }
         });
     }
@@ -396,6 +393,16 @@ fn shape([width, height]: [u32; 2]) -> f64 {
     f64::from(width) / f64::from(height.max(1))
 }
 
+/// Shows the button below a text, which closes the dialog.
+fn close_ui(ui: &mut Ui) -> Choice {
+    ui.add_space(12.0);
+    if ui.button(text!("close")).clicked() {
+        Choice::Leave
+    } else {
+        Choice::Stay
+    }
+}
+
 /// The manual of the window, whose lines on pictures and on the next page mean nothing here.
 const MANUAL: &str = include_str!("../../../docs/window.md");
 
@@ -416,12 +423,7 @@ fn manual_ui(ui: &mut Ui, window: &mut WindowState) -> Choice {
                 .own
                 .change(|manual: &mut Manual| _ = prose_ui(ui, &mut manual.0, &text.join("\n")));
         });
-    ui.add_space(12.0);
-    if ui.button(text!("close")).clicked() {
-        Choice::Leave
-    } else {
-        Choice::Stay
-    }
+    close_ui(ui)
 }
 
 /// The text sought among the keys.
@@ -436,9 +438,7 @@ fn keys_ui(ui: &mut Ui, window: &mut WindowState) -> Choice {
         .hint_text(text!("keys-search"))
         .desired_width(f32::INFINITY);
     let field = named(ui.add(field), Role::SearchInput, text!("keys-search"));
-    if ui.memory(|memory| memory.focused().is_none()) {
-        field.request_focus();
-    }
+    take_if_free(&field);
     ui.add_space(8.0);
     let wanted = sought.0.trim().to_lowercase();
     let is_sought = |command: &Command| {
@@ -479,10 +479,5 @@ fn keys_ui(ui: &mut Ui, window: &mut WindowState) -> Choice {
                 });
         });
     window.own.put(sought);
-    ui.add_space(12.0);
-    if ui.button(text!("close")).clicked() {
-        Choice::Leave
-    } else {
-        Choice::Stay
-    }
+    close_ui(ui)
 }

@@ -9,7 +9,7 @@ use crate::app::shell::state::AppState;
 use crate::app::system;
 use crate::app::widgets::code::{code_side, qr_code_ui};
 use crate::app::widgets::dialog::Choice;
-use crate::app::widgets::focus::{heading, named};
+use crate::app::widgets::focus::{heading, named, take_if_free};
 use crate::app::widgets::theme::text_field;
 use crate::figure::QrCode;
 use crate::lesson::may_open;
@@ -18,8 +18,8 @@ use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
 use eframe::egui::{
-    Align, Area, Button, Color32, Context, Event, FontId, Galley, Id, Key, OpenUrl, Order,
-    OutputCommand, Painter, Rect, RichText, Sense, Ui, UiBuilder, Vec2, pos2,
+    Align, Area, Color32, Context, Event, FontId, Galley, Id, Key, OpenUrl, Order, OutputCommand,
+    Painter, Rect, RichText, Sense, Ui, UiBuilder, Vec2, pos2,
 };
 use std::sync::Arc;
 
@@ -294,8 +294,8 @@ pub fn page_ui(ui: &mut Ui, form: &mut PageForm, requests: &mut Requests) -> Cho
     let field = named(ui.add(field), Role::TextInput, text!("link-page"));
     if field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter)) {
         choice = Choice::Accept;
-    } else if !field.has_focus() && ui.memory(|memory| memory.focused().is_none()) {
-        field.request_focus();
+    } else {
+        take_if_free(&field);
     }
     // The line is there before there is an error, so that nothing moves.
     let wrong = form.wrong.as_deref().unwrap_or(" ");
@@ -307,7 +307,7 @@ pub fn page_ui(ui: &mut Ui, form: &mut PageForm, requests: &mut Requests) -> Cho
         } else {
             text!("save")
         };
-        if ui.add(Button::new(verb)).clicked() {
+        if ui.button(verb).clicked() {
             choice = Choice::Accept;
         }
         if ui.button(text!("cancel")).clicked() {

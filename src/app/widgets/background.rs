@@ -4,7 +4,7 @@ use crate::analysis::Watch;
 use crate::analysis::codec::{Codec, from_bytes, to_bytes};
 use crate::jobs::{Background, Work};
 use crate::text::text;
-use eframe::egui::{Button, ColorImage, Context, ProgressBar, TextureHandle, TextureOptions, Ui};
+use eframe::egui::{ColorImage, Context, ProgressBar, TextureHandle, TextureOptions, Ui};
 use std::time::Duration;
 
 /// Returns a function that requests a repaint of the window after a duration.
@@ -121,11 +121,7 @@ pub fn progress_ui<W: Work>(ui: &mut Ui, background: &Background<W>, tip: &str) 
         return false;
     };
     ui.horizontal(|ui| {
-        if ui
-            .add(Button::new(text!("report-stop")))
-            .on_hover_text(tip)
-            .clicked()
-        {
+        if ui.button(text!("report-stop")).on_hover_text(tip).clicked() {
             background.stop();
         }
         ui.add(

@@ -1,6 +1,6 @@
 //! Widgets shared by all dialogs.
 
-use super::focus::{heading, named};
+use super::focus::{heading, named, take_if_free};
 use super::theme::text_field;
 use crate::text::text;
 use eframe::egui::accesskit::Role;
@@ -82,8 +82,8 @@ pub fn path_ui(ui: &mut Ui, path: &mut String, hint: &str, no_dialog: bool) -> C
         let field = named(ui.add(field), Role::TextInput, text!("file"));
         if field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter)) {
             choice = Choice::Accept;
-        } else if !field.has_focus() && ui.memory(|memory| memory.focused().is_none()) {
-            field.request_focus();
+        } else {
+            take_if_free(&field);
         }
         if ui
             .button(text!("browse"))

@@ -95,7 +95,8 @@ pub fn one_stop(ui: &Ui, rect: Rect) {
 }
 
 /// Returns the widgets of the panels in the order in which they were shown, and whether each is a stop.
-fn stops(ctx: &Context, passed: &Passed) -> Vec<(Id, bool)> {
+fn stops(ctx: &Context) -> Vec<(Id, bool)> {
+    let passed = kept(ctx, |kept| kept.last.clone());
     let mut entered = vec![false; passed.groups.len()];
     let mut is_stop = |widget: &WidgetRect| {
         let centre = widget.rect.center();
@@ -137,7 +138,7 @@ pub fn listen(ctx: &Context, in_front: bool) {
     let (pointed, escape) =
         ctx.input(|input| (input.pointer.any_pressed(), input.key_pressed(Key::Escape)));
     let (height, typing) = (ctx.content_rect().height(), ctx.text_edit_focused());
-    let passed = kept(ctx, |kept| {
+    kept(ctx, |kept| {
         kept.last = std::mem::take(&mut kept.now);
         kept.lower = typing && height < kept.height;
         kept.height = height;
@@ -147,7 +148,6 @@ pub fn listen(ctx: &Context, in_front: bool) {
             Some(frames) if frames < ESCAPE => Some(frames + 1),
             _ => None,
         };
-        kept.last.clone()
     });
     if in_front || !ctx.input(|input| input.key_pressed(Key::Tab)) {
         return;
@@ -171,7 +171,7 @@ pub fn listen(ctx: &Context, in_front: bool) {
     if !ctx.input_mut(|input| input.consume_key(held, Key::Tab)) {
         return;
     }
-    if let Some(next) = next(&stops(ctx, &passed), focused, back) {
+    if let Some(next) = next(&stops(ctx), focused, back) {
         take(ctx, next);
     }
 }
@@ -185,10 +185,16 @@ pub fn take(ctx: &Context, id: Id) {
     kept(ctx, |kept| (kept.moved, kept.by_key) = (true, true));
 }
 
+/// Gives a field the focus if no widget has it.
+pub fn take_if_free(field: &Response) {
+    if field.ctx.memory(|memory| memory.focused().is_none()) {
+        field.request_focus();
+    }
+}
+
 /// Gives the focus to the first stop of the window, the menus.
 pub fn take_first(ctx: &Context) {
-    let passed = kept(ctx, |kept| kept.last.clone());
-    if let Some(first) = next(&stops(ctx, &passed), None, false) {
+    if let Some(first) = next(&stops(ctx), None, false) {
         take(ctx, first);
     }
 }
@@ -197,8 +203,7 @@ pub fn take_first(ctx: &Context) {
 /// given up then.
 #[cfg(target_arch = "wasm32")]
 pub fn leaves(ctx: &Context, back: bool) -> bool {
-    let passed = kept(ctx, |kept| kept.last.clone());
-    let stops = stops(ctx, &passed);
+    let stops = stops(ctx);
     let focused = ctx.memory(|memory| memory.focused());
     let Some(place) = stops.iter().position(|(id, _)| Some(*id) == focused) else {
         return false;
@@ -222,8 +227,7 @@ pub fn enter(ctx: &Context, back: bool) {
     if ctx.memory(|memory| memory.focused()).is_some() {
         return;
     }
-    let passed = kept(ctx, |kept| kept.last.clone());
-    if let Some(stop) = next(&stops(ctx, &passed), None, back) {
+    if let Some(stop) = next(&stops(ctx), None, back) {
         take(ctx, stop);
         ctx.request_repaint();
     }
