@@ -19,6 +19,7 @@ use crate::app::session::place::{Place, ProbePoint};
 use crate::app::session::window::{Grip, WindowState};
 use crate::app::views::defects::shows_ring;
 use crate::app::views::profile;
+use crate::app::widgets::lines::area;
 use crate::figure::Area;
 use crate::scene::View;
 use eframe::egui::{Color32, Context, Painter, Pos2, Rect, Stroke, Vec2, vec2};
@@ -78,10 +79,7 @@ pub fn covered(session: &Session, window: &WindowState, view: &View, place: Plac
     }
     if window.appearance.overlay.vectors {
         let probe = place.point(window.probe.centre(place.size));
-        covered.push(light::area(Rect::from_center_size(
-            probe,
-            Vec2::splat(PROBE),
-        )));
+        covered.push(area(Rect::from_center_size(probe, Vec2::splat(PROBE))));
     }
     let pixels = |area: Area| {
         let [min, max] = [area.min, area.max].map(|at| place.exact_pixel(at));

@@ -2,6 +2,7 @@
 //! scene when the window is resized.
 
 use crate::app::widgets::lines;
+use crate::scene::View;
 use eframe::egui::{Pos2, Rect, Ui, vec2};
 use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};
@@ -20,14 +21,8 @@ impl Place {
     pub fn of(ui: &Ui) -> Self {
         let pixels_per_point = ui.ctx().pixels_per_point();
         let room = ui.available_rect_before_wrap();
-        let min = vec2(
-            (room.min.x * pixels_per_point).ceil(),
-            (room.min.y * pixels_per_point).ceil(),
-        );
-        let max = vec2(
-            (room.max.x * pixels_per_point).floor(),
-            (room.max.y * pixels_per_point).floor(),
-        );
+        let min = (room.min.to_vec2() * pixels_per_point).ceil();
+        let max = (room.max.to_vec2() * pixels_per_point).floor();
         let size = (max - min).max(vec2(1.0, 1.0));
         let rect = Rect::from_min_size((min / pixels_per_point).to_pos2(), size / pixels_per_point);
         Self {
@@ -57,6 +52,16 @@ impl Place {
     /// reach far out of sight.
     pub fn exact_point(&self, pixel: DVec2) -> DVec2 {
         lines::exact(self.rect.min) + pixel / f64::from(self.pixels_per_point)
+    }
+
+    /// Returns where a point of the world is on the screen; `None` if the viewer cannot see that way, see [`View::project`].
+    pub fn seen(&self, view: &View, world: DVec3) -> Option<Pos2> {
+        Some(self.point(view.project(world)?.0))
+    }
+
+    /// Returns where a point of the world is on the screen, as [`Place::seen`] does, in double precision.
+    pub fn exact_seen(&self, view: &View, world: DVec3) -> Option<DVec2> {
+        Some(self.exact_point(view.project(world)?.0))
     }
 }
 

@@ -1,9 +1,10 @@
 //! Drawings painted in the window, and plots that show their values under the pointer.
 
+use super::letter::runs;
 use super::lines;
+pub use super::palette::rgb;
 use super::theme::TEXT;
-use crate::figure::palette::Rgb8;
-use crate::figure::{Drawing, Paper, Plot, PlotStyle, Set, Shape, Text, can_be_filled, short};
+use crate::figure::{Drawing, Paper, Plot, PlotStyle, Shape, Text, can_be_filled, short};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
     self, Color32, CornerRadius, CursorIcon, FontId, Mesh, Painter, Pos2, Rect, Response, Sense,
@@ -38,11 +39,6 @@ pub fn plot_style(ui: &Ui) -> PlotStyle {
         text: LETTERS * f64::from(TEXT),
         titled: false,
     }
-}
-
-/// Converts a colour to that of drawings.
-pub fn rgb(colour: Color32) -> Rgb8 {
-    [colour.r(), colour.g(), colour.b()]
 }
 
 pub fn height(plot: &Plot, width: f64, letters: f64) -> f64 {
@@ -246,16 +242,9 @@ fn paint_shape(painter: &Painter, line: &Shape, origin: Pos2) {
 
 /// Paints a line of text, with subscripts and superscripts set separately, since the fonts only have ordinary letters.
 fn paint_text(painter: &Painter, text: &Text, origin: Pos2) {
-    let mut runs: Vec<(Set, String)> = Vec::new();
-    for set in text.text.chars().map(Set::of) {
-        match runs.last_mut().filter(|(last, _)| last.rise == set.rise) {
-            Some((_, run)) => run.push(set.letter),
-            None => runs.push((set, set.letter.to_string())),
-        }
-    }
     let colour = colour_of(text.colour, 1.0);
     let size = text.size as f32;
-    let laid: Vec<_> = runs
+    let laid: Vec<_> = runs(&text.text)
         .into_iter()
         .map(|(set, run)| {
             let galley = painter.layout_no_wrap(run, FontId::proportional(size * set.size), colour);

@@ -66,8 +66,8 @@ pub fn set(text: &str, font_id: FontId, color: Color32) -> LayoutJob {
     job
 }
 
-/// Appends text with subscripts and superscripts to a layout job.
-pub fn append(job: &mut LayoutJob, text: &str, format: &TextFormat) {
+/// Splits text into runs of letters that are set alike, each as the first of them.
+pub fn runs(text: &str) -> Vec<(Set, String)> {
     let mut runs: Vec<(Set, String)> = Vec::new();
     for set in text.chars().map(Set::of) {
         match runs.last_mut().filter(|(last, _)| last.rise == set.rise) {
@@ -75,7 +75,12 @@ pub fn append(job: &mut LayoutJob, text: &str, format: &TextFormat) {
             None => runs.push((set, set.letter.to_string())),
         }
     }
-    for (set, run) in runs {
+    runs
+}
+
+/// Appends text with subscripts and superscripts to a layout job.
+pub fn append(job: &mut LayoutJob, text: &str, format: &TextFormat) {
+    for (set, run) in runs(text) {
         let mut format = format.clone();
         format.font_id.size *= set.size;
         if set.rise != 0.0 {

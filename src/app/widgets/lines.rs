@@ -1,7 +1,7 @@
 //! Lines in the window, clipped to the painter's area before they are dashed or sent to the graphics card.
 
 use crate::figure::{Area, clipped};
-use eframe::egui::{Painter, Pos2, Shape, Stroke, pos2};
+use eframe::egui::{Painter, Pos2, Rect, Shape, Stroke, pos2};
 use glam::DVec2;
 
 /// Converts a point of the screen to double precision, in which lines may reach far out of sight.
@@ -13,22 +13,22 @@ fn rounded(at: &DVec2) -> Pos2 {
     pos2(at.x as f32, at.y as f32)
 }
 
-/// Returns the painter's clip rectangle with a margin for a stroke of `width`; points.
-pub fn sight(painter: &Painter, width: f32) -> Area {
-    let rect = painter.clip_rect().expand(2.0 * width);
+/// Converts a rectangle of the screen to double precision.
+pub fn area(rect: Rect) -> Area {
     Area {
         min: exact(rect.min),
         max: exact(rect.max),
     }
 }
 
+/// Returns the painter's clip rectangle with a margin for a stroke of `width`; points.
+fn sight(painter: &Painter, width: f32) -> Area {
+    area(painter.clip_rect().expand(2.0 * width))
+}
+
 /// Returns the area of the whole window; points.
 pub fn window(painter: &Painter) -> Area {
-    let rect = painter.ctx().content_rect();
-    Area {
-        min: exact(rect.min),
-        max: exact(rect.max),
-    }
+    area(painter.ctx().content_rect())
 }
 
 /// Draws a line through points of the screen. `dashes` are alternating lengths of dashes and gaps; empty for a solid

@@ -44,7 +44,8 @@ pub fn readable(colour: Color32, background: Color32) -> Color32 {
     Color32::from_rgb(r, g, b)
 }
 
-fn rgb(colour: Color32) -> Rgb8 {
+/// Converts a colour to that of drawings.
+pub fn rgb(colour: Color32) -> Rgb8 {
     [colour.r(), colour.g(), colour.b()]
 }
 

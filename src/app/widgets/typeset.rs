@@ -136,10 +136,7 @@ fn known(
     colour: Color32,
     here: impl Fn(&str) -> String,
 ) -> Piece {
-    let vector = Vector::ALL
-        .into_iter()
-        .find(|vector| vector.letter() == name);
-    let colour = vector.map_or(colour, |vector| vector_text(visuals, vector));
+    let colour = vector(name).map_or(colour, |vector| vector_text(visuals, vector));
     let meaning = if meaning.is_empty() {
         format!("{}; {}", symbol.meaning(), symbol.unit())
     } else {
@@ -153,6 +150,12 @@ fn known(
     }
 }
 
+/// Returns the vector of this letter.
+fn vector(letter: &str) -> Option<Vector> {
+    let mut all = Vector::ALL.into_iter();
+    all.find(|vector| vector.letter() == letter)
+}
+
 /// Returns a letter of the formulas by its name, such as `Ka` or `n`, in its own colour; `None` for an unknown name.
 pub fn letter(visuals: &Visuals, name: &str) -> Option<Piece> {
     let exponent = ("n", "n", "", Symbol::Exponent, "");
@@ -161,9 +164,7 @@ pub fn letter(visuals: &Visuals, name: &str) -> Option<Piece> {
     let vector = match symbol {
         Symbol::Kd => Some(Vector::L),
         Symbol::Ks => Some(Vector::R),
-        _ => Vector::ALL
-            .into_iter()
-            .find(|vector| vector.letter() == name),
+        _ => vector(name),
     };
     let colour = vector.map_or(visuals.text_color(), |vector| vector_text(visuals, vector));
     let tip = (!meaning.is_empty()).then(|| text!(meaning).to_owned());

@@ -80,7 +80,7 @@ impl<'a> Beam<'a> {
     /// Returns the visible handles: that of the axis, and that of a cone's edge.
     pub fn grips(&self, view: &View, place: Place) -> Vec<(Grip, Pos2)> {
         let inner = place.rect.shrink(MARGIN * 0.5);
-        let seen = |world: DVec3| view.project(world).map(|(pixel, _)| place.point(pixel));
+        let seen = |world: DVec3| place.seen(view, world);
         let Some(head) = seen(self.head()) else {
             return vec![];
         };
@@ -112,10 +112,7 @@ impl<'a> Beam<'a> {
 
     /// Draws the axis and, faintly, the cone about it.
     fn paint(&self, painter: &Painter, view: &View, place: Place) {
-        let seen = |world: DVec3| {
-            view.project(world)
-                .map(|(pixel, _)| place.exact_point(pixel))
-        };
+        let seen = |world: DVec3| place.exact_seen(view, world);
         let orange = palette::vector(Vector::L);
         if let (Some(from), Some(to)) = (seen(self.light.position), seen(self.head())) {
             let way = (to - from).normalize_or_zero();
@@ -183,10 +180,7 @@ fn area(painter: &Painter, light: &Light, view: &View, place: Place, stroke: Str
             .map(|turn| (view.right * turn.cos() + view.up * turn.sin()) * light.radius)
             .collect(),
     };
-    let seen = |offset: DVec3| {
-        view.project(light.position + offset)
-            .map(|(pixel, _)| place.exact_point(pixel))
-    };
+    let seen = |offset: DVec3| place.exact_seen(view, light.position + offset);
     closed(painter, stroke, points.into_iter().map(seen));
 }
 

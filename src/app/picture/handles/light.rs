@@ -10,7 +10,7 @@ use crate::app::session::Session;
 use crate::app::session::place::{Place, tidy};
 use crate::app::session::window::{Grip, LightStart, WindowState};
 use crate::app::widgets::letter::letter;
-use crate::app::widgets::lines::{exact, line, outline};
+use crate::app::widgets::lines::{area, exact, line, outline};
 use crate::app::widgets::palette;
 use crate::app::widgets::swatch::display_colour;
 use crate::app::widgets::theme::TEXT;
@@ -118,7 +118,7 @@ fn paint_arc(painter: &Painter, view: &View, place: Place, middle: DVec3, radius
     let points = (0..ROUND).map(|k| {
         let (sine, cosine) = (f64::from(k) / f64::from(ROUND) * TAU).sin_cos();
         let at = middle + (view.right * cosine + view.up * sine) * radius;
-        Some(place.exact_point(view.project(at)?.0))
+        place.exact_seen(view, at)
     });
     if let Some(points) = points.collect::<Option<Vec<_>>>() {
         for (width, colour) in [
@@ -158,14 +158,8 @@ pub fn paint(
     beam::chosen(session, view)
         .into_iter()
         .for_each(|beam| beam.paint_grips(painter, view, place));
-    paint_numbers(painter, session, place, &markers, foot(view, middle, place));
-}
-
-pub fn area(rect: Rect) -> Area {
-    Area {
-        min: exact(rect.min),
-        max: exact(rect.max),
-    }
+    let foot = place.exact_seen(view, middle);
+    paint_numbers(painter, session, place, &markers, foot);
 }
 
 impl Marker {
@@ -183,15 +177,10 @@ impl Marker {
     }
 }
 
-/// Returns the object's centre on the screen, or far outside it; `None` behind the viewer.
-fn foot(view: &View, middle: DVec3, place: Place) -> Option<DVec2> {
-    Some(place.exact_point(view.project(middle)?.0))
-}
-
 /// Returns the area that each handle covers with its number, in points.
 pub fn covered(scene: &Scene, view: &View, place: Place) -> Vec<Area> {
     let middle = middle(scene, view);
-    let foot = foot(view, middle, place);
+    let foot = place.exact_seen(view, middle);
     let covered = |light| {
         let (at, marker) = marker(light, view, middle, place, false);
         let (way, clearance) = marker.number(at, foot);
@@ -272,6 +261,15 @@ fn paint_numbers(
     }
 }
 
+/// Returns the offset from the object's centre towards a light.
+fn offset(light: &Light, middle: DVec3) -> DVec3 {
+    if light.kind == LightKind::Directional {
+        -light.direction
+    } else {
+        light.position - middle
+    }
+}
+
 /// Returns the positions of the lights' handles.
 pub fn places(scene: &Scene, view: &View, place: Place) -> Vec<Pos2> {
     let middle = middle(scene, view);
@@ -284,27 +282,22 @@ fn marker(light: &Light, view: &View, middle: DVec3, place: Place, far: bool) ->
     let inner = place.rect.shrink(MARGIN * 0.5);
     let directional = light.kind == LightKind::Directional;
     if !directional && !far {
-        let seen = view.project(light.position);
-        let at = seen.map(|(pixel, _)| place.point(pixel));
+        let at = place.seen(view, light.position);
         if let Some(at) = at.filter(|at| inner.contains(*at)) {
             return (at, Marker::Point);
         }
     }
-    let towards = if directional {
-        -light.direction
-    } else {
-        light.position - middle
-    };
-    let towards = towards.normalize_or(DVec3::Y);
-    let on_screen = |at: DVec3| view.project(at).map(|(pixel, _)| place.point(pixel));
-    let handle = on_screen(middle + towards * sphere_radius(view, middle));
+    let towards = offset(light, middle).normalize_or(DVec3::Y);
+    let handle = place.seen(view, middle + towards * sphere_radius(view, middle));
     let at = handle.unwrap_or(place.rect.center());
     let at = at.max(inner.min).min(inner.max);
     let front = towards.dot(view.forward) <= 0.0;
     if directional {
         return (at, Marker::Directional { front });
     }
-    let way = on_screen(middle).map_or(Vec2::ZERO, |foot| at - foot);
+    let way = place
+        .seen(view, middle)
+        .map_or(Vec2::ZERO, |foot| at - foot);
     let way = if way.length() > 1.0 {
         way.normalized()
     } else {
@@ -379,11 +372,7 @@ pub fn start(scene: &Scene, index: usize, view: &View, place: Place) -> LightSta
     };
     let (at, marker) = marker(light, view, middle, place, false);
     LightStart {
-        offset: if light.kind == LightKind::Directional {
-            -light.direction
-        } else {
-            light.position - middle
-        },
+        offset: offset(light, middle),
         pixel: place.pixel(at),
         in_picture: matches!(marker, Marker::Point),
     }

@@ -12,7 +12,7 @@ use crate::app::widgets::palette;
 use crate::figure::palette::Vector;
 use crate::scene::{Object, ObjectKind, Scene, View};
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Shape, Stroke, vec2};
-use glam::{DVec2, DVec3};
+use glam::DVec2;
 
 /// The distance from a diamond's centre to its corners, in points.
 const RADIUS: f32 = 6.0;
@@ -26,11 +26,10 @@ pub fn seen(session: &Session, view: &View, place: Place) -> Vec<(u32, Pos2)> {
     if object.kind != ObjectKind::Polygons || vertices.len() > MOST_HANDLES {
         return Vec::new();
     }
-    let at = |vertex: &DVec3| view.project(*vertex).map(|(pixel, _)| place.point(pixel));
     let points = vertices
         .iter()
         .zip(0..)
-        .filter_map(|(vertex, v)| Some((v, at(vertex)?)));
+        .filter_map(|(vertex, v)| Some((v, place.seen(view, *vertex)?)));
     points.filter(|(_, at)| place.rect.contains(*at)).collect()
 }
 
