@@ -318,7 +318,7 @@ fn gesture(
         if response.secondary_clicked() && !course.asks_point() {
             menu::open(window, pointed.under(session, course, at).0, at, place);
         } else if response.clicked() && course.asks_point() {
-            put_mark(course, place, at);
+            course.put_mark(course::from_pixel(place.pixel(at), place.size));
         } else if response.clicked() {
             match pointed.under(session, course, at).0 {
                 Grip::Camera => put_probe(window, place, at),
@@ -363,21 +363,12 @@ fn choose(session: &mut Session, grip: Grip) {
     }
 }
 
-fn put_mark(course: &mut Course, place: Place, at: Pos2) {
-    let mark = course::from_pixel(place.pixel(at), place.size);
-    course.put_mark(mark);
-}
-
 fn put_probe(window: &mut WindowState, place: Place, at: Pos2) {
     let pixel = place.pixel(at);
     let inside = |value: f64, side: u32| value.clamp(0.0, f64::from(side.saturating_sub(1))) as u32;
-    window.probe = ProbePoint::at(
-        [
-            inside(pixel.x, place.size[0]),
-            inside(pixel.y, place.size[1]),
-        ],
-        place.size,
-    );
+    let [width, height] = place.size;
+    let pixel = [inside(pixel.x, width), inside(pixel.y, height)];
+    window.probe = ProbePoint::at(pixel, place.size);
 }
 
 /// Turns the camera by `way`, a fraction of the picture's span: the point under the pointer follows it, however the picture
@@ -417,9 +408,7 @@ fn drag(
         Grip::Camera => turn(&mut scene.camera, DVec2::new(-dx, dy)),
         Grip::SideView => {}
         Grip::Probe => put_probe(window, *place, at),
-        Grip::Mark => {
-            course.put_mark(course::from_pixel(pixel, place.size));
-        }
+        Grip::Mark => course.put_mark(course::from_pixel(pixel, place.size)),
         Grip::Wipe => {
             let share = whole.pixel(at).x / f64::from(whole.size[0].max(1));
             let share = (share.clamp(0.0, 1.0) * 1000.0).round() / 1000.0;
@@ -509,6 +498,7 @@ fn paint_over(
     pane: usize,
 ) {
     let painter = ui.painter().with_clip_rect(place.rect);
+    let font = TextStyle::Body.resolve(ui.style());
     let active = pane == session.panes.active;
     for texture in engine.overlays().into_iter().flatten().filter(|_| active) {
         painter.image(texture.id(), place.rect, WHOLE, Color32::WHITE);
@@ -527,13 +517,7 @@ fn paint_over(
     }
     handles::paint_below(&painter, session, window, &view, place, active);
     if active {
-        defects::paint(
-            &painter,
-            session,
-            window,
-            place,
-            &TextStyle::Body.resolve(ui.style()),
-        );
+        defects::paint(&painter, session, window, place, &font);
     }
     if handles::visible(ui.ctx(), window, place) {
         let pointer = ui.input(|input| input.pointer.hover_pos());
@@ -542,7 +526,6 @@ fn paint_over(
     scan::paint(&painter, window, place);
     handles::paint(&painter, session, window, &view, place);
     if active {
-        let font = TextStyle::Body.resolve(ui.style());
         course::paint(&painter, course, place, &font);
     }
 }

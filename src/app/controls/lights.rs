@@ -38,20 +38,17 @@ pub fn lights_ui(
         light,
         ..
     } = session;
-    let index = *light;
-    let (scene, view) = (
-        &mut shown.scene,
-        RowOptions {
-            index,
-            ..RowOptions::default()
-        },
-    );
+    let (index, scene) = (*light, &mut shown.scene);
+    let view = RowOptions {
+        index,
+        ..RowOptions::default()
+    };
     if index >= scene.lights.len() {
         ui.label(RichText::new(text!("lights-none")).weak());
         return;
     }
     parameter_with(ui, initial, scene, &NAME, &view);
-    kind_ui(ui, initial, scene, index);
+    kind_ui(ui, initial, scene, &view);
     for row in [
         &POSITION, &DIRECTION, &CONE, &EXPONENT, &SOFTNESS, &SHAPE, &EXTENT, &RADIUS, &SAMPLES,
     ] {
@@ -218,23 +215,17 @@ fn name_ui(
     response.on_hover_text(tip).clicked()
 }
 
-fn kind_ui(ui: &mut Ui, initial: &Scene, scene: &mut Scene, index: usize) {
+/// Shows the row of the light's kind. A light that has never been aimed is aimed at the camera's target.
+fn kind_ui(ui: &mut Ui, initial: &Scene, scene: &mut Scene, view: &RowOptions) {
     let target = scene.camera.target;
-    let before = scene.lights.get(index).is_some_and(Light::has_direction);
-    parameter_with(
-        ui,
-        initial,
-        scene,
-        &KIND,
-        &RowOptions {
-            index,
-            ..RowOptions::default()
-        },
-    );
-    let Some(light) = scene.lights.get_mut(index) else {
+    let before = scene
+        .lights
+        .get(view.index)
+        .is_some_and(Light::has_direction);
+    parameter_with(ui, initial, scene, &KIND, view);
+    let Some(light) = scene.lights.get_mut(view.index) else {
         return;
     };
-    // A light that has never been aimed is aimed at the camera's target.
     let default = Light::default();
     let unaimed = light.direction == default.direction && light.position != default.position;
     let aim = target - light.position;

@@ -134,8 +134,7 @@ pub fn gallery_ui(ui: &mut Ui, initial: &Material, gallery: &mut Gallery, materi
         tip,
         ..About::default()
     };
-    let opened = initial.clone();
-    value_row(ui, &about, opened, material, |ui, material| {
+    value_row(ui, &about, initial.clone(), material, |ui, material| {
         let button =
             Button::new(present.map_or(text!("controls-materials.none"), NamedMaterial::title))
                 .min_size(vec2(92.0, 0.0));
@@ -154,15 +153,10 @@ pub fn gallery_ui(ui: &mut Ui, initial: &Material, gallery: &mut Gallery, materi
                     }
                     ui.end_row();
                     for place in 0..OF_A_KIND {
-                        for (index, named) in
-                            NAMED.iter().enumerate().skip(place).step_by(OF_A_KIND)
-                        {
-                            if material_ui(
-                                ui,
-                                named,
-                                gallery.textures.get(index),
-                                present == Some(named),
-                            ) {
+                        let all = NAMED.iter().enumerate();
+                        for (index, named) in all.skip(place).step_by(OF_A_KIND) {
+                            let texture = gallery.textures.get(index);
+                            if material_ui(ui, named, texture, present == Some(named)) {
                                 *material = named.material();
                             }
                         }

@@ -96,12 +96,8 @@ pub fn list_ui(ui: &mut Ui, session: &mut Session, window: &mut WindowState, eng
         }
         let scene = &session.shown.scene.material;
         let colour = scene.kd * scene.color;
-        if line_ui(
-            ui,
-            text!("controls-model-none"),
-            colour,
-            chosen.number.is_none(),
-        ) {
+        let none = text!("controls-model-none");
+        if line_ui(ui, none, colour, chosen.number.is_none()) {
             chosen.number = None;
         }
     });

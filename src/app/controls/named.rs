@@ -3,7 +3,6 @@
 use super::law::law_ui;
 use super::row::{RowOptions, parameter_with};
 use crate::app::session::Session;
-use crate::scene::material::FORMULA;
 use crate::scene::parameter::{Kind, Parameter};
 use crate::scene::{LightKind, light};
 use crate::text::text;
@@ -60,26 +59,10 @@ pub fn rows_ui(ui: &mut Ui, session: &mut Session, controls: &[Named], wide: boo
 }
 
 fn row_ui(ui: &mut Ui, session: &mut Session, control: Named, wide: bool) {
-    if let Named::Row(
-        Parameter {
-            kind: Kind::Lines(..),
-            ..
-        },
-        _,
-    ) = control
-    {
-        return formula_ui(ui, session);
-    }
-    let Session {
-        initial,
-        shown,
-        light,
-        lock,
-        ..
-    } = session;
-    let last = shown.scene.lights.len().saturating_sub(1);
-    let chosen = (*light).min(last);
-    let kind = shown.scene.lights.get(chosen).map(|light| light.kind);
+    let lights = &session.shown.scene.lights;
+    let last = lights.len().saturating_sub(1);
+    let chosen = session.light.min(last);
+    let kind = lights.get(chosen).map(|light| light.kind);
     let (parameter, index) = match control {
         Named::Row(parameter, index) => (parameter, index.unwrap_or(chosen).min(last)),
         Named::Light if kind == Some(LightKind::Directional) => (&light::DIRECTION, chosen),
@@ -93,25 +76,16 @@ fn row_ui(ui: &mut Ui, session: &mut Session, control: Named, wide: bool) {
         in_full: parameter.section() == "ground",
         ..RowOptions::default()
     };
-    let free = lock
-        .as_ref()
-        .is_none_or(|lock| lock.frees(parameter, index));
+    let lock = session.lock.as_ref();
+    let free = lock.is_none_or(|lock| lock.frees(parameter, index));
     ui.add_enabled_ui(free, |ui| {
-        parameter_with(ui, initial, &mut shown.scene, parameter, &options);
+        if let Kind::Lines(..) = parameter.kind {
+            law_ui(ui, session);
+        } else {
+            let Session { initial, shown, .. } = session;
+            parameter_with(ui, initial, &mut shown.scene, parameter, &options);
+        }
     });
-    waits_ui(ui, free);
-}
-
-/// Shows the editor of the scene's own law.
-fn formula_ui(ui: &mut Ui, session: &mut Session) {
-    let free = session.lock.as_ref();
-    let free = free.is_none_or(|lock| lock.frees(&FORMULA, 0));
-    ui.add_enabled_ui(free, |ui| law_ui(ui, session));
-    waits_ui(ui, free);
-}
-
-/// Says that a row waits for the answer to the open question, if it is not `free`.
-fn waits_ui(ui: &mut Ui, free: bool) {
     if !free {
         ui.label(RichText::new(text!("course-after-answer")).weak().small());
     }

@@ -76,16 +76,11 @@ pub fn object_ui(ui: &mut Ui, session: &mut Session, requests: &mut Requests, en
     let counts = text!("lights-mesh", faces = faces, vertices = vertices);
     ui.label(RichText::new(counts).weak()).on_hover_text(tip);
     let scene = &mut shown.scene;
-    parameter_with(
-        ui,
-        initial,
-        scene,
-        &NORMALS,
-        &RowOptions {
-            offered: has_normals,
-            ..RowOptions::default()
-        },
-    );
+    let options = RowOptions {
+        offered: has_normals,
+        ..RowOptions::default()
+    };
+    parameter_with(ui, initial, scene, &NORMALS, &options);
     if scene.object.normal_source() == NormalSource::Averaged {
         parameter(ui, initial, scene, &WEIGHTING);
     }
@@ -135,15 +130,12 @@ fn triangles_ui(ui: &mut Ui, initial: &Scene, idle: Option<&str>, object: &mut O
     };
     let (now, default) = (triangles(object) as f64, triangles(&plain) as f64);
     let mut wanted = now;
-    number(
-        ui,
-        &NumberRow {
-            about,
-            range,
-            default,
-        },
-        &mut wanted,
-    );
+    let row = NumberRow {
+        about,
+        range,
+        default,
+    };
+    number(ui, &row, &mut wanted);
     if wanted == now {
         return;
     }
@@ -158,8 +150,7 @@ fn triangles_ui(ui: &mut Ui, initial: &Scene, idle: Option<&str>, object: &mut O
 /// Shows the size of the scene's own polygons, the ways to edit them, and the chosen vertex in numbers.
 fn polygons_ui(ui: &mut Ui, vertex: &mut usize, object: &mut Object) {
     let polygons = object.polygons();
-    let count = polygons.vertices.len();
-    let faces = polygons.faces.len();
+    let (count, faces) = (polygons.vertices.len(), polygons.faces.len());
     ui.label(text!("lights-polygons", vertices = count, faces = faces));
     let how = if count <= MOST_HANDLES {
         text!("lights-polygons-drag")
@@ -182,15 +173,12 @@ fn polygons_ui(ui: &mut Ui, vertex: &mut usize, object: &mut Object) {
         tip: text!("lights-vertex.tip"),
         ..About::default()
     };
-    whole(
-        ui,
-        &NumberRow {
-            about,
-            range,
-            default: 0.0,
-        },
-        &mut number,
-    );
+    let row = NumberRow {
+        about,
+        range,
+        default: 0.0,
+    };
+    whole(ui, &row, &mut number);
     *vertex = number as usize;
     let about = About {
         label: text!("lights-vertex-position"),

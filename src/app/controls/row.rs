@@ -248,13 +248,12 @@ impl Edited<'_> {
 /// Returns the width that a parameter's control needs, in points.
 fn room(ui: &Ui, scene: &Scene, parameter: &Parameter, options: &RowOptions) -> f32 {
     match parameter.kind {
-        Kind::Number(..) | Kind::Whole(..) | Kind::Coefficient(..)
-            if options.wide || theme::is_touch(ui) =>
-        {
-            f32::INFINITY
-        }
         Kind::Number(..) | Kind::Whole(..) | Kind::Coefficient(..) => {
-            range(scene, parameter, options).room()
+            if options.wide || theme::is_touch(ui) {
+                f32::INFINITY
+            } else {
+                range(scene, parameter, options).room()
+            }
         }
         Kind::Colour(..) => SWATCHED,
         Kind::Point(_) | Kind::Direction(..) | Kind::Channels(..) => FIELDS,

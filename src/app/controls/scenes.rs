@@ -2,6 +2,7 @@
 
 use crate::analysis::Watch;
 use crate::analysis::codec::Codec;
+use crate::app::engine::image_of;
 use crate::app::session::action::{Action, Requests};
 use crate::app::session::document::Origin;
 use crate::app::session::window::WindowState;
@@ -53,11 +54,7 @@ impl Work for Thumbnails {
             let mut scene = preset.scene();
             scene.image.size = self.0;
             let frame = Renderer::default().render_supersampled(&scene, 4, &mut |_| true);
-            let size = self.0.map(|side| side as usize);
-            pictures.push(ColorImage::from_rgba_unmultiplied(
-                size,
-                frame.pixels.as_flattened(),
-            ));
+            pictures.push(image_of(&frame));
             watch.found(&pictures);
             if !watch.progress(pictures.len() as f32 / presets::ALL.len() as f32) {
                 break;

@@ -114,7 +114,10 @@ pub fn paint_below(
         beam::paint(painter, session, view, place);
         light::paint_stem(painter, session, window, view, place);
     }
-    paint_tabs(painter, session, window, place, active);
+    profile::paint(painter, session, window, place, active);
+    if shows_ring(session, window) {
+        paint_ring(painter, session, place);
+    }
 }
 
 /// Draws the lights' handles.
@@ -137,13 +140,8 @@ fn ring(place: Place) -> f32 {
 /// Returns the position of the ring's knob: at the right without roll, counter-clockwise from there with it.
 fn knob(session: &Session, place: Place) -> Pos2 {
     // Reduced to one turn, since single precision would lose the angle of many turns.
-    let angle = session
-        .shown
-        .scene
-        .camera
-        .roll
-        .rem_euclid(360.0)
-        .to_radians() as f32;
+    let roll = session.shown.scene.camera.roll.rem_euclid(360.0);
+    let angle = roll.to_radians() as f32;
     place.rect.center() + ring(place) * vec2(angle.cos(), -angle.sin())
 }
 
@@ -164,27 +162,14 @@ pub fn turn_to(session: &mut Session, window: &mut WindowState, place: Place, at
     window.probe = ProbePoint(DVec2::from_angle(-turned.to_radians()).rotate(window.probe.0));
 }
 
-/// Draws the profile's line and the ring.
-fn paint_tabs(
-    painter: &Painter,
-    session: &Session,
-    window: &WindowState,
-    place: Place,
-    active: bool,
-) {
-    profile::paint(painter, session, window, place, active);
+/// Draws the ring and its knob.
+fn paint_ring(painter: &Painter, session: &Session, place: Place) {
     let dark = |width, alpha| Stroke::new(width, Color32::from_black_alpha(alpha));
-    let white = |width| Stroke::new(width, Color32::WHITE);
-    if shows_ring(session, window) {
-        let centre = place.rect.center();
-        painter.circle_stroke(centre, ring(place), dark(3.0, 110));
-        painter.circle_stroke(
-            centre,
-            ring(place),
-            Stroke::new(1.0, Color32::from_white_alpha(130)),
-        );
-        let at = knob(session, place);
-        painter.circle(at, KNOB, Color32::from_black_alpha(170), dark(3.5, 150));
-        painter.circle_stroke(at, KNOB, white(2.0));
-    }
+    let pale = Stroke::new(1.0, Color32::from_white_alpha(130));
+    let (centre, radius) = (place.rect.center(), ring(place));
+    painter.circle_stroke(centre, radius, dark(3.0, 110));
+    painter.circle_stroke(centre, radius, pale);
+    let at = knob(session, place);
+    painter.circle(at, KNOB, Color32::from_black_alpha(170), dark(3.5, 150));
+    painter.circle_stroke(at, KNOB, Stroke::new(2.0, Color32::WHITE));
 }

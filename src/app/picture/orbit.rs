@@ -16,15 +16,11 @@ pub fn orbit(camera: &mut Camera, right: f64, up: f64) {
     let offset = camera.eye - camera.target;
     let pole = camera.up.normalize_or(DVec3::Y);
     // The picture may be rolled about its centre; the eye still moves round the upright axis.
-    let View {
-        right: sideways, ..
-    } = View::new(
-        &Camera {
-            roll: 0.0,
-            ..camera.clone()
-        },
-        [1, 1],
-    );
+    let level = Camera {
+        roll: 0.0,
+        ..camera.clone()
+    };
+    let sideways = View::new(&level, [1, 1]).right;
     let height = 90.0 - offset.angle_between(pole).to_degrees();
     let up = (height + up).clamp(-90.0 + POLE, 90.0 - POLE) - height;
     let turn = DQuat::from_axis_angle(pole, right.to_radians())
