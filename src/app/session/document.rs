@@ -80,12 +80,16 @@ impl From<Loaded> for Document {
 impl Document {
     /// Returns the built-in scene of this name, if there is one.
     pub fn built_in(name: &str) -> Option<Self> {
-        let scene = presets::find(name)?.scene();
-        Some(Self {
+        Some(Self::named(presets::find(name)?.scene(), name.to_owned()))
+    }
+
+    /// Creates a document of `scene`, which comes from the built-in scene of this name.
+    pub(crate) fn named(scene: Scene, name: String) -> Self {
+        Self {
             scene,
-            origin: Origin::BuiltIn(name.to_owned()),
+            origin: Origin::BuiltIn(name),
             ..Self::default()
-        })
+        }
     }
 
     /// Returns whether it is a built-in scene, and no step of a lesson or hand-in.

@@ -98,15 +98,8 @@ pub struct Shown {
 impl Shown {
     fn of(part: &Part, most: usize) -> Self {
         let all = part.text.lines().count();
-        let end = part
-            .text
-            .split_inclusive('\n')
-            .take(most)
-            .map(str::len)
-            .sum();
-        let text = part.text.get(..end).unwrap_or_default().to_owned();
         Self {
-            text,
+            text: part.text.split_inclusive('\n').take(most).collect(),
             lines: all.min(most),
             hidden: all.saturating_sub(most),
         }
@@ -235,12 +228,8 @@ pub fn code_ui(
                     };
                     ui.label(RichText::new(text).weak());
                 });
-                text_ui(
-                    ui,
-                    form,
-                    &shown.text,
-                    (bottom - ui.cursor().top() - 2.0 * MARGIN).max(LEAST_TEXT),
-                );
+                let height = (bottom - ui.cursor().top() - 2.0 * MARGIN).max(LEAST_TEXT);
+                text_ui(ui, form, &shown.text, height);
             }
         }
     }
@@ -256,13 +245,8 @@ pub fn code_ui(
     let entered = path_ui(ui, path, form.language.file_kind().example, no_dialog);
     let sound = ready.filter(|_| !path.trim().is_empty());
     if let Some(written) = sound.filter(|written| written.export.parts.len() > 1) {
-        ui.label(
-            RichText::new(text!(
-                "code-files",
-                names = written.names(Path::new(path.trim()))
-            ))
-            .weak(),
-        );
+        let names = written.names(Path::new(path.trim()));
+        ui.weak(text!("code-files", names = names));
     }
     buttons_ui(
         ui,

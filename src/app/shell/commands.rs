@@ -236,68 +236,44 @@ fn edit() -> Section {
 fn view() -> Section {
     let (show, change) = (Action::Show, Action::ChangeAppearance);
     Section::new("view")
-        .item(
-            "controls",
-            "F4",
-            show(|appearance| &mut appearance.controls),
-        )
-        .item("views", "F5", show(|appearance| &mut appearance.views))
-        .item("stages", "F6", show(|appearance| &mut appearance.stages))
+        .item("controls", "F4", show(|shown| &mut shown.controls))
+        .item("views", "F5", show(|shown| &mut shown.views))
+        .item("stages", "F6", show(|shown| &mut shown.stages))
         .item("next-view", "C", change(next_view))
         .line()
-        .item(
-            "vectors",
-            "V",
-            show(|appearance| &mut appearance.overlay.vectors),
-        )
-        .item(
-            "angles",
-            "",
-            show(|appearance| &mut appearance.overlay.angles),
-        )
+        .item("vectors", "V", show(|shown| &mut shown.overlay.vectors))
+        .item("angles", "", show(|shown| &mut shown.overlay.angles))
         .item(
             "construction",
             "",
-            show(|appearance| &mut appearance.overlay.construction),
+            show(|shown| &mut shown.overlay.construction),
         )
-        .item(
-            "side-view",
-            "",
-            show(|appearance| &mut appearance.overlay.side_view),
-        )
+        .item("side-view", "", show(|shown| &mut shown.overlay.side_view))
         .item(
             "side-view-where-needed",
             "",
-            show(|appearance| &mut appearance.overlay.side_view_where_needed),
+            show(|shown| &mut shown.overlay.side_view_where_needed),
         )
-        .item("lobe", "B", show(|appearance| &mut appearance.overlay.lobe))
+        .item("lobe", "B", show(|shown| &mut shown.overlay.lobe))
         .item(
             "half-vector",
             "",
-            show(|appearance| &mut appearance.overlay.half_vector),
+            show(|shown| &mut shown.overlay.half_vector),
         )
-        .item(
-            "handles",
-            "L",
-            show(|appearance| &mut appearance.overlay.handles),
-        )
+        .item("handles", "L", show(|shown| &mut shown.overlay.handles))
         .item("normals", "M", change(Appearance::switch_normals))
         .item(
             "face-normals",
             "",
-            show(|appearance| &mut appearance.overlay.face_normals),
+            show(|shown| &mut shown.overlay.face_normals),
         )
         .item(
             "vertex-normals",
             "",
-            show(|appearance| &mut appearance.overlay.vertex_normals),
+            show(|shown| &mut shown.overlay.vertex_normals),
         )
-        .item("channels", "", show(|appearance| &mut appearance.channels))
-        .item(
-            "smooth-edges",
-            "",
-            show(|appearance| &mut appearance.smooth_edges),
-        )
+        .item("channels", "", show(|shown| &mut shown.channels))
+        .item("smooth-edges", "", show(|shown| &mut shown.smooth_edges))
         .line()
         .item("picture-alone", "F11", Action::PictureAlone)
         .item("projector", "F9", change(Appearance::projector))
@@ -423,29 +399,15 @@ pub fn listen(ctx: &Context, window: &mut WindowState, course: &Course, requests
                     pressed: true,
                     modifiers,
                     ..
-                } if (lesson || free && !scanning)
-                    && modifiers.is_none()
-                    && matches!(key, Key::PageUp | Key::PageDown) =>
-                {
-                    // Keys of a presenter's remote. In a lesson they work anywhere in the window.
-                    let by = if *key == Key::PageDown { 1 } else { -1 };
-                    Some(if let Some(action) = class_step(course, by) {
-                        action
-                    } else if lesson {
-                        Action::Course(Turn::Step(by))
-                    } else {
-                        Action::NextScene(by)
-                    })
-                }
-                Event::Key {
-                    key,
-                    pressed: true,
-                    modifiers,
-                    ..
                 } => {
-                    let wanted =
-                        find(*key, *modifiers).filter(|_| allowed(*key, *modifiers, free, editing));
-                    wanted.filter(|action| scanning || !matches!(action, Action::Scan(_)))
+                    let turns = modifiers.is_none() && (lesson || free && !scanning);
+                    match key {
+                        Key::PageUp if turns => Some(page_turn(course, -1)),
+                        Key::PageDown if turns => Some(page_turn(course, 1)),
+                        _ => find(*key, *modifiers)
+                            .filter(|_| allowed(*key, *modifiers, free, editing))
+                            .filter(|action| scanning || !matches!(action, Action::Scan(_))),
+                    }
                 }
                 _ => None,
             };
@@ -460,6 +422,17 @@ pub fn listen(ctx: &Context, window: &mut WindowState, course: &Course, requests
         if window.picture_alone && !enlarged {
             requests.ask(Action::PictureAlone);
         }
+    }
+}
+
+/// Returns what a key of a presenter's remote does. In a lesson they work anywhere in the window.
+fn page_turn(course: &Course, by: isize) -> Action {
+    if let Some(action) = class_step(course, by) {
+        action
+    } else if course.open.is_some() {
+        Action::Course(Turn::Step(by))
+    } else {
+        Action::NextScene(by)
     }
 }
 

@@ -231,25 +231,24 @@ impl Dialog {
         }
     }
 
-    /// Appends the usual extension to the name of a file to be written, if the name has none that the program
-    /// knows.
-    pub fn complete(&mut self) {
-        if matches!(
+    /// Returns whether the dialog asks for a file to open.
+    pub fn opens(&self) -> bool {
+        matches!(
             self,
             Self::File {
                 task: FileTask::Open,
                 ..
             }
-        ) {
+        )
+    }
+
+    /// Appends the usual extension to the name of a file to be written, if the name has none that the program
+    /// knows.
+    pub fn complete(&mut self) {
+        if self.opens() {
             return;
         }
-        let Some((
-            path,
-            FileKind {
-                endings, example, ..
-            },
-        )) = self.file()
-        else {
+        let Some((path, kind)) = self.file() else {
             return;
         };
         let extension = |path: &str| {
@@ -259,16 +258,14 @@ impl Dialog {
         };
         let trimmed = path.trim().to_owned();
         let known = extension(&trimmed).is_some_and(|ending| {
-            endings.is_empty()
-                || endings
-                    .iter()
-                    .any(|known| ending.eq_ignore_ascii_case(known))
+            let mut endings = kind.endings.iter();
+            kind.endings.is_empty() || endings.any(|known| ending.eq_ignore_ascii_case(known))
         });
         let complete = known || trimmed.ends_with(std::path::is_separator);
         *path = if complete {
             trimmed
         } else {
-            format!("{trimmed}.{}", extension(example).unwrap_or_default())
+            format!("{trimmed}.{}", extension(kind.example).unwrap_or_default())
         };
     }
 }

@@ -114,10 +114,7 @@ fn accept(ctx: &Context, state: &mut AppState, files: &mut Files, mut dialog: Di
     dialog.complete();
     let agreed = state.agreed.take();
     let targets = match &dialog {
-        Dialog::File {
-            task: FileTask::Open,
-            ..
-        } => vec![],
+        _ if dialog.opens() => vec![],
         // A class goes on with the answers that are there.
         #[cfg(feature = "class")]
         Dialog::File {

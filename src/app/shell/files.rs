@@ -1,6 +1,6 @@
 //! Work on files, in the background: the window stays responsive while a model is read or a picture is drawn.
 
-use super::dialog::{Dialog, ExportForm, FileTask};
+use super::dialog::{Dialog, ExportForm};
 use super::film::FilmForm;
 use crate::analysis::codec::Codec;
 use crate::analysis::comparison::{Captions, comparison_sheet, draw_panes, panes_on_sheet};
@@ -27,7 +27,7 @@ use crate::app::system;
 use crate::app::views;
 use crate::app::widgets::background::{Task, wake};
 use crate::app::widgets::dialog::Picked;
-use crate::document::{load_with, save_film, save_picture, write_whole};
+use crate::document::{SaveError, load_with, save_film, save_picture, write_whole};
 use crate::geometry::Mesh;
 use crate::jobs::{Job, Work, model_from_bytes, model_to_bytes};
 use crate::lesson::{Lesson, hand_in};
@@ -38,7 +38,7 @@ use eframe::egui::Context;
 use serde::{Deserialize, Serialize};
 use std::cell::Cell;
 use std::convert::Infallible;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 /// The size of the picture that is handed in with answers, in pixels.
@@ -412,28 +412,18 @@ impl Files {
         Ok(())
     }
 
-    /// Writes the drawn picture in the background, since it may take a while.
-    fn write(&mut self, ctx: &Context, work: Arc<Exported>, frame: Frame) {
+    /// Writes what has been drawn, in the background since it may take a while.
+    fn write(
+        &mut self,
+        ctx: &Context,
+        path: PathBuf,
+        save: impl Fn(&Path) -> Result<(), SaveError> + Send + Sync + 'static,
+    ) {
         let title = std::mem::take(&mut self.title);
         self.start(ctx, title, text!("not-exported"), move |_| {
-            save_picture(&work.path, &frame, &work.scene).map_err(|error| error.to_string())?;
-            let text = text!("exported", path = work.path.display().to_string());
-            let notice = Notice::written(text, &work.path);
-            Ok(move |state: &mut AppState| state.session.notice = Some(notice.clone()))
-        });
-    }
-
-    /// Writes the drawn animation, if that is not done yet.
-    fn write_film(&mut self, ctx: &Context, work: Arc<Filmed>, file: Option<Vec<u8>>) {
-        let title = std::mem::take(&mut self.title);
-        self.start(ctx, title, text!("not-exported"), move |_| {
-            let path = &work.first.path;
-            if let Some(bytes) = &file {
-                let written = write_whole(path, |out| out.write_all(bytes));
-                written.map_err(|error| error.to_string())?;
-            }
+            save(&path).map_err(|error| error.to_string())?;
             let text = text!("exported", path = path.display().to_string());
-            let notice = Notice::written(text, path);
+            let notice = Notice::written(text, &path);
             Ok(move |state: &mut AppState| state.session.notice = Some(notice.clone()))
         });
     }
@@ -441,13 +431,7 @@ impl Files {
     /// Shows the desktop's own dialog for the file that `dialog` asks for. That dialog asks by itself whether
     /// to replace a file.
     pub fn pick(&mut self, ctx: &Context, dialog: &mut Dialog) {
-        let opens = matches!(
-            dialog,
-            Dialog::File {
-                task: FileTask::Open,
-                ..
-            }
-        );
+        let opens = dialog.opens();
         let Some((_, kind)) = dialog.file() else {
             return;
         };
@@ -473,14 +457,25 @@ impl Files {
     /// Handles the results of finished work.
     pub fn poll(&mut self, ctx: &Context, state: &mut AppState) {
         match Job::take(&mut self.drawing) {
-            Some((work, Ok(frame))) => self.write(ctx, work, frame),
+            Some((work, Ok(frame))) => {
+                let path = work.path.clone();
+                let save = move |path: &Path| save_picture(path, &frame, &work.scene);
+                self.write(ctx, path, save);
+            }
             Some((_, Err(text))) => {
                 state.dialog = Some(Dialog::message(text!("not-exported"), text));
             }
             None => {}
         }
         match Job::take(&mut self.filming) {
-            Some((work, Ok(file))) => self.write_film(ctx, work, file),
+            Some((work, Ok(file))) => {
+                // Elsewhere than on a web page, the file is written already.
+                let save = move |path: &Path| match &file {
+                    Some(bytes) => write_whole(path, |out| out.write_all(bytes)),
+                    None => Ok(()),
+                };
+                self.write(ctx, work.first.path.clone(), save);
+            }
             Some((_, Err(text))) => {
                 state.dialog = Some(Dialog::message(text!("not-exported"), text));
             }

@@ -111,10 +111,9 @@ impl AppState {
             self.requests.ask(Action::LoadStage);
             return;
         }
-        match open.current().stage.load(open.lesson.folder.as_deref()) {
-            Ok(staged) => self.stage(open.opening, open.step, Ok(Arc::new(staged))),
-            Err(error) => self.stage(open.opening, open.step, Err(error.to_string())),
-        }
+        let staged = open.current().stage.load(open.lesson.folder.as_deref());
+        let staged = staged.map(Arc::new).map_err(|error| error.to_string());
+        self.stage(open.opening, open.step, staged);
     }
 
     /// Shows the scene of a step, or the reason why it cannot be shown, if that step is still the current

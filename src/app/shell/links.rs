@@ -96,12 +96,7 @@ impl AppState {
         {
             if shown.lesson.is_none() {
                 self.turn(Turn::List);
-                let origin = Origin::BuiltIn(name);
-                self.open(Document {
-                    scene,
-                    origin,
-                    ..Document::default()
-                });
+                self.open(Document::named(scene, name));
             }
             self.show(&shown);
         }
@@ -119,7 +114,7 @@ impl AppState {
 
     /// Shows the state contained in a link.
     pub fn show(&mut self, shown: &Shown) {
-        if let Some(Ok(view)) = shown.view.map(|view| serde_json::from_value(view.into())) {
+        if let Some(view) = shown.view.and_then(ViewName::named) {
             self.window.show_view(view);
         }
         self.window.probe = shown.probe.map_or(self.window.probe, ProbePoint);
@@ -142,12 +137,7 @@ impl AppState {
     pub fn open_link(&mut self, text: &str) {
         match read(text) {
             Ok(Link { scene, name, shown }) => {
-                let document = Document {
-                    scene,
-                    origin: Origin::BuiltIn(name),
-                    ..Document::default()
-                };
-                if self.open(document) {
+                if self.open(Document::named(scene, name)) {
                     self.window.seek_highlight = shown.probe.is_none();
                     self.show(&shown);
                     self.session.notice = Some(text!("link-opened").into());

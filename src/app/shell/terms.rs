@@ -21,8 +21,8 @@ fn coefficients(material: &mut Material) -> [&mut Rgb; 3] {
 
 /// Switches a term, given by its index, off or on again; in all of a model's materials, which get their opened values back.
 pub fn switch(session: &mut Session, window: &mut WindowState, term: usize) {
-    let opened = coefficients(&mut session.opened().material.clone()).map(|value| *value)[term];
-    let usual = coefficients(&mut Material::default()).map(|value| *value)[term];
+    let opened = *coefficients(&mut session.opened().material.clone())[term];
+    let usual = *coefficients(&mut Material::default())[term];
     let mut kept: SwitchedOff = window.own.take();
     let value = &mut coefficients(&mut session.shown.scene.material)[term];
     if **value == Rgb::ZERO {
@@ -43,8 +43,8 @@ pub fn switch(session: &mut Session, window: &mut WindowState, term: usize) {
         let (name, own) = (&material.name, material.face_material());
         let mut wanted = object.material(name, &own);
         let mut opened = initial.object.material(name, &own);
-        let opened = coefficients(&mut opened.material).map(|value| *value);
-        *coefficients(&mut wanted.material)[term] = if off { Rgb::ZERO } else { opened[term] };
+        let restored = *coefficients(&mut opened.material)[term];
+        *coefficients(&mut wanted.material)[term] = if off { Rgb::ZERO } else { restored };
         object.change_material(name, &own, &wanted);
     }
 }
