@@ -509,7 +509,7 @@ fn section_ui(
         .show_unindented(ui, |ui| {
             ui.add_space(2.0);
             if session.lock.is_some() {
-                ui.label(RichText::new(text!("course-after-answer")).weak());
+                ui.weak(text!("course-after-answer"));
                 ui.disable();
             }
             let items = section.items.iter();
@@ -565,7 +565,7 @@ fn mode_ui(ui: &mut Ui, scene: &Scene) {
     } else {
         shading.mode.help()
     };
-    ui.label(RichText::new(what).weak());
+    ui.weak(what);
 }
 
 /// Shows the number of pixels that the overflow policy affects.
@@ -581,7 +581,7 @@ fn overflow_ui(ui: &mut Ui, scene: &Scene, engine: &Engine) {
     } else {
         text!("controls-overflowing", count = count, number = number)
     };
-    ui.label(RichText::new(text).weak());
+    ui.weak(text);
 }
 
 /// Shows the constant that best approximates the drawn bounce, and a button that applies it.
@@ -591,7 +591,7 @@ fn fit_ui(ui: &mut Ui, scene: &mut Scene, engine: &Engine) {
         return;
     }
     if ambient.source == AmbientSource::Split {
-        ui.label(RichText::new(text!("controls-halves")).weak());
+        ui.weak(text!("controls-halves"));
     }
     let fit = engine.report().ambient_fit;
     let about = About {
@@ -636,7 +636,7 @@ fn depths_ui(ui: &mut Ui, session: &mut Session) {
         return;
     }
     if scene.depth_cueing.by == CuedBy::Vertex && scene.shading.mode == ShadingMode::Exact {
-        ui.label(RichText::new(text!("controls-depth-exact")).weak());
+        ui.weak(text!("controls-depth-exact"));
     }
     let (before, reach) = (scene.depth_cueing.front, 2.0 * scene.camera.distance());
     for row in [&surroundings::FRONT, &surroundings::BACK] {

@@ -44,7 +44,7 @@ pub fn lights_ui(
         ..RowOptions::default()
     };
     if index >= scene.lights.len() {
-        ui.label(RichText::new(text!("lights-none")).weak());
+        ui.weak(text!("lights-none"));
         return;
     }
     parameter_with(ui, initial, scene, &NAME, &view);
@@ -61,8 +61,7 @@ pub fn lights_ui(
         let mut sampling: Sampling = window.own.take();
         let text = error_text(sampling.ask(ui.ctx(), shown, index), samples);
         window.own.put(sampling);
-        ui.label(RichText::new(text).weak())
-            .on_hover_text(text!("lights-sampling.tip"));
+        ui.weak(text).on_hover_text(text!("lights-sampling.tip"));
     }
     let scene = &mut shown.scene;
     parameter_with(ui, initial, scene, &COLOR, &view);
@@ -76,7 +75,7 @@ pub fn lights_ui(
         parameter_with(ui, initial, scene, row, &view);
     }
     if viewer_far(scene, index) {
-        ui.label(RichText::new(text!("lights-viewer-far")).weak());
+        ui.weak(text!("lights-viewer-far"));
     }
 }
 

@@ -149,7 +149,7 @@ pub fn gallery_ui(ui: &mut Ui, initial: &Material, gallery: &mut Gallery, materi
                 .spacing([6.0, 6.0])
                 .show(ui, |ui| {
                     for kind in KINDS {
-                        ui.label(RichText::new(text!(kind)).weak());
+                        ui.weak(text!(kind));
                     }
                     ui.end_row();
                     for place in 0..OF_A_KIND {

@@ -14,7 +14,7 @@ use crate::geometry::{divisions_for, triangles};
 use crate::scene::object::{FIT, KIND, NORMALS, RINGS, SEGMENTS, WEIGHTING};
 use crate::scene::{ChoiceOption, NormalSource, Object, ObjectKind, Scene};
 use crate::text;
-use eframe::egui::{RichText, Ui};
+use eframe::egui::Ui;
 
 /// Maximum number of triangles on the slider, and the maximum that can be typed, which takes more than a gigabyte.
 const SLIDER: f64 = 1e6;
@@ -52,7 +52,7 @@ pub fn object_ui(ui: &mut Ui, session: &mut Session, requests: &mut Requests, en
                 name.to_string_lossy()
             });
             ui.horizontal(|ui| {
-                ui.label(RichText::new(name).weak());
+                ui.weak(name);
                 if ui.button(text!("lights-model-open")).clicked() {
                     requests.ask(Action::Open);
                 }
@@ -74,7 +74,7 @@ pub fn object_ui(ui: &mut Ui, session: &mut Session, requests: &mut Requests, en
         [report.faces, report.vertices, report.triangles].map(grouped);
     let tip = text!("lights-mesh.tip", triangles = triangles);
     let counts = text!("lights-mesh", faces = faces, vertices = vertices);
-    ui.label(RichText::new(counts).weak()).on_hover_text(tip);
+    ui.weak(counts).on_hover_text(tip);
     let scene = &mut shown.scene;
     let options = RowOptions {
         offered: has_normals,
@@ -157,7 +157,7 @@ fn polygons_ui(ui: &mut Ui, vertex: &mut usize, object: &mut Object) {
     } else {
         text!("lights-polygons-many")
     };
-    ui.label(RichText::new(how).weak());
+    ui.weak(how);
     let Some(at) = polygons.vertices.get(*vertex).copied() else {
         return;
     };

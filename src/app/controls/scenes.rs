@@ -127,7 +127,7 @@ pub fn scenes_ui(ui: &mut Ui, window: &mut WindowState, requests: &mut Requests)
                 ui.label(text!("scenes-none", sought = gallery.sought.trim()));
             }
             for (topic, scenes) in topics {
-                ui.label(RichText::new(presets::topic_title(topic)).strong());
+                ui.strong(presets::topic_title(topic));
                 ui.horizontal_wrapped(|ui| {
                     ui.spacing_mut().item_spacing = vec2(8.0, 8.0);
                     // Two fit side by side in a narrow window.

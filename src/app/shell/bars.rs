@@ -308,7 +308,7 @@ pub fn stages_ui(
         // numbers are hidden.
         ui.horizontal(|ui| {
             if window.shows(ViewName::Course) {
-                ui.label(RichText::new(text!("course-hidden")).weak());
+                ui.weak(text!("course-hidden"));
             }
             ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
                 said_ui(ui, session, requests, TextWrapMode::Truncate);
@@ -324,7 +324,7 @@ pub fn stages_ui(
         }
         ui.separator();
         let ms = engine.nanoseconds() as f64 / 1e6;
-        ui.label(RichText::new(format!("{ms:.1} ms")).monospace());
+        ui.monospace(format!("{ms:.1} ms"));
         if engine.coarser() > 1 {
             let text = text!("coarser", share = engine.coarser());
             ui.label(text).on_hover_text(text!("coarser-tip"));

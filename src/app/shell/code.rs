@@ -18,7 +18,7 @@ use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::text::LayoutJob;
 use eframe::egui::{
-    Button, Context, Frame, Label, RichText, ScrollArea, TextBuffer, TextEdit, TextStyle, Ui,
+    Button, Context, Frame, Label, ScrollArea, TextBuffer, TextEdit, TextStyle, Ui,
 };
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -226,7 +226,7 @@ pub fn code_ui(
                         0 => text!("code-lines", count = *lines),
                         _ => text!("code-first-lines", shown = *lines, all = lines + hidden),
                     };
-                    ui.label(RichText::new(text).weak());
+                    ui.weak(text);
                 });
                 let height = (bottom - ui.cursor().top() - 2.0 * MARGIN).max(LEAST_TEXT);
                 text_ui(ui, form, &shown.text, height);
@@ -260,10 +260,10 @@ pub fn code_ui(
 /// Shows the features of the scene that the target cannot express, as prominently as the text itself.
 fn limits_ui(ui: &mut Ui, limits: &[Limit]) {
     if limits.is_empty() {
-        ui.label(RichText::new(text!("code-complete")).weak());
+        ui.weak(text!("code-complete"));
         return;
     }
-    ui.label(RichText::new(text!("code-limits")).weak());
+    ui.weak(text!("code-limits"));
     ScrollArea::vertical()
         .id_salt("limits")
         .max_height(LIMITS)

@@ -22,10 +22,10 @@ use crate::app::widgets::theme::text_field;
 use crate::lesson::MAX_NAME;
 use crate::scene::Image;
 use crate::text::{has, text};
+#[cfg(feature = "class")]
+use eframe::egui::RichText;
 use eframe::egui::accesskit::Role;
-use eframe::egui::{
-    Context, DragValue, Grid, Id, Key, Label, Modal, ProgressBar, RichText, ScrollArea, Ui,
-};
+use eframe::egui::{Context, DragValue, Grid, Id, Key, Label, Modal, ProgressBar, ScrollArea, Ui};
 use egui_commonmark::CommonMarkCache;
 use std::path::{Path, PathBuf};
 
@@ -281,7 +281,7 @@ fn file_ui(ui: &mut Ui, task: &mut FileTask, path: &mut String, state: &AppState
         ui.add(Label::new(RichText::new(text!("wall-file.sentence")).weak()).wrap());
     }
     if let FileTask::HandIn(name) = task {
-        ui.label(RichText::new(text!("course-hand-in.sentence")).weak());
+        ui.weak(text!("course-hand-in.sentence"));
         ui.add_space(8.0);
         ui.horizontal(|ui| {
             ui.label(text!("course-hand-in-name"));
@@ -324,7 +324,7 @@ const PRESETS: [(&str, [u32; 2]); 4] = [
 ];
 
 fn export_ui(ui: &mut Ui, form: &mut ExportForm, window: [u32; 2]) {
-    ui.label(RichText::new(text!("export-scene")).weak());
+    ui.weak(text!("export-scene"));
     ui.add_space(8.0);
     let number_ui = |ui: &mut Ui, name: &str, value: &mut u32, most: u32| {
         named(
@@ -459,13 +459,13 @@ fn keys_ui(ui: &mut Ui, window: &mut WindowState) -> Choice {
                         if !section.commands.iter().any(|one| is_sought(one).is_some()) {
                             continue;
                         }
-                        ui.label(RichText::new(section.title()).strong());
+                        ui.strong(section.title());
                         ui.end_row();
                         for command in &section.commands {
                             let Some(does) = is_sought(command) else {
                                 continue;
                             };
-                            ui.label(RichText::new(command.keys()).monospace());
+                            ui.monospace(command.keys());
                             if narrow {
                                 ui.end_row();
                             }

@@ -10,7 +10,7 @@ use crate::app::session::window::{Figure, WindowState};
 use crate::app::widgets::focus::keep_in_sight;
 use crate::scene::Choice as _;
 use crate::text::text;
-use eframe::egui::{CentralPanel, Frame, Panel, RichText, ScrollArea, Ui};
+use eframe::egui::{CentralPanel, Frame, Panel, ScrollArea, Ui};
 
 /// The minimum fraction of the height that the picture keeps.
 const PICTURE: f32 = 0.45;
@@ -33,7 +33,7 @@ pub fn embedded_ui(
     } = window.embedded.clone().unwrap_or_default();
     if let Some(problem) = problem {
         CentralPanel::default().show(ui, |ui| {
-            ui.label(RichText::new(text!("link-not-opened")).strong());
+            ui.strong(text!("link-not-opened"));
             ui.label(problem);
         });
         return None;
@@ -55,10 +55,10 @@ pub fn embedded_ui(
         }
         for word in words.iter().filter(|word| Named::find(word).is_none()) {
             let words = text!("embed-unknown", name = word.as_str());
-            ui.label(RichText::new(words).color(ui.visuals().error_fg_color));
+            ui.colored_label(ui.visuals().error_fg_color, words);
         }
         ui.horizontal(|ui| {
-            ui.label(RichText::new(session.shown.scene.shading.mode.label()).weak());
+            ui.weak(session.shown.scene.shading.mode.label());
             if ui
                 .link(text!("embed-open"))
                 .on_hover_text(text!("embed-open.tip"))

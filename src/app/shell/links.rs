@@ -19,7 +19,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::text::{LayoutJob, TextFormat, TextWrapping};
 use eframe::egui::{
     Align, Area, Color32, Context, Event, FontId, Galley, Id, Key, OpenUrl, Order, OutputCommand,
-    Painter, Rect, RichText, Sense, Ui, UiBuilder, Vec2, pos2,
+    Painter, Rect, Sense, Ui, UiBuilder, Vec2, pos2,
 };
 use std::sync::Arc;
 
@@ -289,7 +289,7 @@ pub fn page_ui(ui: &mut Ui, form: &mut PageForm, requests: &mut Requests) -> Cho
     }
     // The line is there before there is an error, so that nothing moves.
     let wrong = form.wrong.as_deref().unwrap_or(" ");
-    ui.label(RichText::new(wrong).color(ui.visuals().error_fg_color));
+    ui.colored_label(ui.visuals().error_fg_color, wrong);
     ui.add_space(12.0);
     ui.horizontal(|ui| {
         let verb = if form.then_code {

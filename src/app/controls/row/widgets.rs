@@ -10,8 +10,8 @@ use crate::scene::{ChoiceOption, Rgb};
 use crate::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Button, ComboBox, Label, Popup, PopupCloseBehavior, RichText, Slider, SliderClamping, Ui,
-    WidgetInfo, vec2,
+    Button, ComboBox, Label, Popup, PopupCloseBehavior, Slider, SliderClamping, Ui, WidgetInfo,
+    vec2,
 };
 use glam::DVec3;
 
@@ -68,7 +68,7 @@ fn picker(ui: &mut Ui, name: &str, value: &mut Rgb) {
                     text!("controls-channel-slider", name = name, channel = channel),
                 )
             });
-            ui.label(RichText::new(format!("{shown:.2}")).monospace());
+            ui.monospace(format!("{shown:.2}"));
         });
     }
     ui.add_space(4.0);
