@@ -165,7 +165,7 @@ impl App {
         &self.state
     }
 
-    /// Welcomes first-time users, if the default scene is open. In a built-in scene the probe is beside the highlight.
+    /// Welcomes first-time users, if the default scene is open. In a built-in scene, puts the probe beside the highlight.
     #[must_use]
     pub fn with_welcome(mut self) -> Self {
         let default = Origin::BuiltIn(presets::DEFAULT.to_owned());
@@ -240,6 +240,7 @@ impl App {
         self
     }
 
+    /// Shows everything but dialogs and messages.
     fn panels(&mut self, ui: &mut Ui) {
         let Self {
             state,
@@ -247,31 +248,25 @@ impl App {
             layout,
             ..
         } = self;
-        if state.window.embedded.is_some() {
-            let room = embed::embedded_ui(
-                ui,
-                &mut state.session,
-                &mut state.window,
-                &mut state.course,
-                &mut state.requests,
-                engine,
-            );
-            if let Some(room) = room {
-                (self.room, state.window.room) = (room, room.whole);
-            }
-            return;
-        }
         let known = layout.picture.is_some();
-        if let Some(room) = layout.ui(ui, state, engine) {
+        let room = if state.window.embedded.is_some() {
+            let (session, course) = (&mut state.session, &mut state.course);
+            let (window, requests) = (&mut state.window, &mut state.requests);
+            embed::embedded_ui(ui, session, window, course, requests, engine)
+        } else {
+            layout.ui(ui, state, engine)
+        };
+        if let Some(room) = room {
             (self.room, state.window.room) = (room, room.whole);
-            if !known {
-                // The height of the bars above the picture is known only now. Repeating the layout at once is
-                // faster than a frame that jumps.
-                ui.ctx().request_discard("layout");
-            }
+        }
+        if !known && layout.picture.is_some() {
+            // The height of the bars above the picture is known only now. Repeating the layout at once is faster
+            // than a frame that jumps.
+            ui.ctx().request_discard("layout");
         }
     }
 
+    /// Performs the actions requested in this frame, and whatever follows them.
     fn settle(&mut self, ctx: &Context) {
         let asked = self.state.requests.take();
         if !asked.is_empty() {
@@ -292,7 +287,7 @@ impl App {
         if symbol::turn(ctx) {
             ctx.request_repaint();
         }
-        self.show_look(ctx);
+        self.show_appearance(ctx);
         if let Some(recovery) = &mut self.recovery {
             let AppState {
                 session,
@@ -329,7 +324,7 @@ impl App {
         ctx.send_viewport_cmd(ViewportCommand::Close);
     }
 
-    fn show_look(&mut self, ctx: &Context) {
+    fn show_appearance(&mut self, ctx: &Context) {
         ctx.set_theme(match self.state.window.appearance.theme {
             ThemeChoice::System => ThemePreference::System,
             ThemeChoice::Dark => ThemePreference::Dark,

@@ -297,12 +297,8 @@ impl Engine {
             return;
         };
         let appearance = (compare.difference, compare.gain, window.appearance.scale);
-        if !redrawn
-            && self
-                .difference
-                .as_ref()
-                .is_some_and(|(_, drawn)| *drawn == appearance)
-        {
+        let drawn = self.difference.as_ref().map(|(_, drawn)| drawn);
+        if !redrawn && drawn == Some(&appearance) {
             return;
         }
         let (Some(a), Some(b)) = (self.panes[first].linear(), self.panes[last].linear()) else {
@@ -311,21 +307,11 @@ impl Engine {
         let mut frame = difference_picture(a, b, compare.difference, compare.gain);
         let em = f64::from(ctx.pixels_per_point()) * f64::from(crate::app::widgets::theme::TEXT);
         let em = em / f64::from(self.panes[first].coarser);
-        difference_scale(
-            [frame.width, frame.height],
-            compare.difference,
-            compare.gain,
-            em,
-        )
-        .draw_over(&mut frame);
+        let size = [frame.width, frame.height];
+        difference_scale(size, compare.difference, compare.gain, em).draw_over(&mut frame);
         let mut texture = self.difference.take().map(|(texture, _)| texture);
-        upload(
-            ctx,
-            &mut texture,
-            "difference",
-            image_of(&frame),
-            TextureOptions::NEAREST,
-        );
+        let (image, options) = (image_of(&frame), TextureOptions::NEAREST);
+        upload(ctx, &mut texture, "difference", image, options);
         self.difference = texture.map(|texture| (texture, appearance));
     }
 
@@ -345,12 +331,8 @@ impl Engine {
             scale,
             window.covered.clone(),
         );
-        if !reprobed
-            && self
-                .overlay
-                .as_ref()
-                .is_some_and(|overlay| overlay.appearance == appearance)
-        {
+        let drawn = self.overlay.as_ref().map(|drawn| &drawn.appearance);
+        if !reprobed && drawn == Some(&appearance) {
             return;
         }
         let (size, pane) = (self.size, self.active());
@@ -465,23 +447,17 @@ impl Engine {
 
     /// Returns the polygon under the probe.
     pub fn probed_face(&self) -> Option<u32> {
-        let ([x, y], probe) = self.active().probed.as_ref()?;
-        let coarser = self.coarser();
-        probe.hit.as_ref()?.face.or_else(|| {
-            self.active()
-                .renderer()
-                .polygon_at(x / coarser, y / coarser)
-        })
+        let pane = self.active();
+        let (pixel, probe) = pane.probed.as_ref()?;
+        let [x, y] = pixel.map(|v| v / pane.coarser);
+        let face = probe.hit.as_ref()?.face;
+        face.or_else(|| pane.renderer().polygon_at(x, y))
     }
 
     /// Scans a polygon of the picture in this many rows.
     pub fn scan(&self, face: u32, rows: u32) -> Option<Result<Scan, ScanError>> {
-        Some(scan_drawn(
-            self.active().renderer(),
-            self.drawn()?,
-            face,
-            rows,
-        ))
+        let (renderer, scene) = (self.active().renderer(), self.drawn()?);
+        Some(scan_drawn(renderer, scene, face, rows))
     }
 
     /// Sets `known` to the normals of the active pane's picture, unless it already holds them.

@@ -161,7 +161,7 @@ impl PaneEngine {
     /// Updates the picture, downscaled by the factor `coarser`; returns whether the picture shown has changed.
     pub fn draw(&mut self, ctx: &Context, wanted: &Wanted<'_>, coarser: u32) -> bool {
         let size = coarser_size(wanted.size, coarser);
-        if self.coarser == coarser && self.in_sight().shows(wanted, size) {
+        if self.coarser == coarser && self.shown().shows(wanted, size) {
             return false;
         }
         self.coarser = coarser;
@@ -207,7 +207,7 @@ impl PaneEngine {
             .iter_mut()
             .position(|image| Arc::get_mut(image).is_some());
         let mut image = free.map_or_else(Arc::default, |index| self.images.swap_remove(index));
-        let frame = self.in_sight().renderer.frame();
+        let frame = self.shown().renderer.frame();
         let size = [frame.width as usize, frame.height as usize];
         match Arc::get_mut(&mut image).filter(|image| image.size == size) {
             Some(image) => image
@@ -225,7 +225,7 @@ impl PaneEngine {
         self.costs.push((parts, time));
     }
 
-    fn in_sight(&self) -> &Drawing {
+    fn shown(&self) -> &Drawing {
         self.draft
             .as_ref()
             .filter(|_| self.coarser > 1)
@@ -267,27 +267,27 @@ impl PaneEngine {
 
     /// Returns whether the picture shown is that of `scene`, to its last row.
     pub fn shows_all_of(&self, scene: &Scene) -> bool {
-        self.is_finished() && self.in_sight().changed_parts(scene).is_empty()
+        self.is_finished() && self.shown().changed_parts(scene).is_empty()
     }
 
     /// Returns the renderer of the picture shown.
     pub fn renderer(&self) -> &Renderer {
-        &self.in_sight().renderer
+        &self.shown().renderer
     }
 
     /// Returns the scene of the picture shown, in that picture's size.
     pub fn drawn(&self) -> Option<&Scene> {
-        self.in_sight().drawn.as_ref()
+        self.shown().drawn.as_ref()
     }
 
     /// Returns the report of drawing the picture shown.
     pub fn report(&self) -> &FrameReport {
-        &self.in_sight().report
+        &self.shown().report
     }
 
     /// Returns the linear picture shown, before the display.
     pub fn linear(&self) -> Option<LinearPicture<'_>> {
-        let drawing = self.in_sight();
+        let drawing = self.shown();
         let finished = drawing.linear && drawing.renderer.is_finished();
         let scene = drawing.drawn.as_ref().filter(|_| finished)?;
         Some(LinearPicture {
@@ -300,21 +300,13 @@ impl PaneEngine {
 
 /// Returns the options of an overlay with this `appearance`, for the light of index `light`.
 pub fn overlay_options(appearance: &Overlays, light: usize, scene: &Scene) -> OverlayOptions {
+    let on = |layer: bool| appearance.vectors && layer;
     let layers = [
         (appearance.vectors, OverlayLayer::Vectors),
-        (
-            appearance.vectors && appearance.angles,
-            OverlayLayer::Angles,
-        ),
-        (
-            appearance.vectors && appearance.construction,
-            OverlayLayer::Construction,
-        ),
-        (appearance.vectors && appearance.lobe, OverlayLayer::Lobe),
-        (
-            appearance.vectors && appearance.side_view,
-            OverlayLayer::SideView,
-        ),
+        (on(appearance.angles), OverlayLayer::Angles),
+        (on(appearance.construction), OverlayLayer::Construction),
+        (on(appearance.lobe), OverlayLayer::Lobe),
+        (on(appearance.side_view), OverlayLayer::SideView),
         (appearance.face_normals, OverlayLayer::FaceNormals),
         (appearance.vertex_normals, OverlayLayer::VertexNormals),
     ];

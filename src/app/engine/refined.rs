@@ -163,15 +163,10 @@ impl Refined {
 
     fn take(&mut self, ctx: &Context, pictures: Pictures) {
         self.samples = pictures.samples;
-        self.textures = pictures
-            .images
-            .into_iter()
-            .map(|(pane, image)| {
-                (
-                    pane,
-                    ctx.load_texture("refined", image, TextureOptions::NEAREST),
-                )
-            })
+        let options = TextureOptions::NEAREST;
+        let images = pictures.images.into_iter();
+        self.textures = images
+            .map(|(pane, image)| (pane, ctx.load_texture("refined", image, options)))
             .collect();
     }
 

@@ -3,7 +3,7 @@
 
 use super::commands::{MENUS, SECTIONS};
 use super::equation;
-use super::menu::{commands_ui, looks_ui, scrolled};
+use super::menu::{appearance_ui, commands_ui, scrolled};
 use super::notice::said_ui;
 use super::terms;
 use crate::analysis::plan_words::stage_words;
@@ -155,8 +155,8 @@ fn menu_ui(
         ui.separator();
         commands_ui(ui, session, window, requests, "compare");
     });
-    looks_ui(ui, window, requests, "controls-theme");
-    looks_ui(ui, window, requests, "language");
+    appearance_ui(ui, window, requests, "controls-theme");
+    appearance_ui(ui, window, requests, "language");
 }
 
 /// Shows the equation, and a switch for each of its terms.

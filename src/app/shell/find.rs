@@ -126,10 +126,10 @@ fn entries() -> Vec<Entry> {
         let name = || command.name().trim_end_matches('…').to_owned();
         entries.push(Entry::new(action, keys, name, help));
     }
-    for look in &APPEARANCE_CHOICES {
-        let name = || format!("{}: {}", text!(look.setting), (look.name)());
-        let help = || text!(look.tip).to_owned();
-        let action = Action::ChangeAppearance(look.choose);
+    for choice in &APPEARANCE_CHOICES {
+        let name = || format!("{}: {}", text!(choice.setting), (choice.name)());
+        let help = || text!(choice.tip).to_owned();
+        let action = Action::ChangeAppearance(choice.choose);
         entries.push(Entry::new(action, text!("find-setting"), name, help));
     }
     for (view, name, help) in VIEWS {

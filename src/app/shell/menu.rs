@@ -60,51 +60,54 @@ pub const APPEARANCE_CHOICES: [AppearanceChoice; 6] = [
         setting: "controls-theme",
         name: || text!("theme-system"),
         tip: "theme-system.tip",
-        choose: |look| look.theme = ThemeChoice::System,
+        choose: |appearance| appearance.theme = ThemeChoice::System,
     },
     AppearanceChoice {
         setting: "controls-theme",
         name: || text!("theme-dark"),
         tip: "theme-dark.tip",
-        choose: |look| look.theme = ThemeChoice::Dark,
+        choose: |appearance| appearance.theme = ThemeChoice::Dark,
     },
     AppearanceChoice {
         setting: "controls-theme",
         name: || text!("theme-light"),
         tip: "theme-light.tip",
-        choose: |look| look.theme = ThemeChoice::Light,
+        choose: |appearance| appearance.theme = ThemeChoice::Light,
     },
     AppearanceChoice {
         setting: "language",
         name: || text!("language-system"),
         tip: "language-system.tip",
-        choose: |look| look.language = None,
+        choose: |appearance| appearance.language = None,
     },
     AppearanceChoice {
         setting: "language",
         name: || Language::English.name(),
         tip: "language-english",
-        choose: |look| look.language = Some(Language::English),
+        choose: |appearance| appearance.language = Some(Language::English),
     },
     AppearanceChoice {
         setting: "language",
         name: || Language::TraditionalChinese.name(),
         tip: "language-chinese",
-        choose: |look| look.language = Some(Language::TraditionalChinese),
+        choose: |appearance| appearance.language = Some(Language::TraditionalChinese),
     },
 ];
 
 /// Shows a menu of the values of a setting of [`APPEARANCE_CHOICES`].
-pub fn looks_ui(ui: &mut Ui, window: &WindowState, requests: &mut Requests, setting: &'static str) {
+pub fn appearance_ui(
+    ui: &mut Ui,
+    window: &WindowState,
+    requests: &mut Requests,
+    setting: &'static str,
+) {
     ui.menu_button(text!(setting), |ui| {
-        for look in APPEARANCE_CHOICES
-            .iter()
-            .filter(|look| look.setting == setting)
-        {
-            let chosen = look.is_chosen(&window.appearance);
-            let radio = ui.radio(chosen, (look.name)());
-            if radio.on_hover_text(text!(look.tip)).clicked() {
-                requests.ask(Action::ChangeAppearance(look.choose));
+        let all = APPEARANCE_CHOICES.iter();
+        for choice in all.filter(|choice| choice.setting == setting) {
+            let chosen = choice.is_chosen(&window.appearance);
+            let radio = ui.radio(chosen, (choice.name)());
+            if radio.on_hover_text(text!(choice.tip)).clicked() {
+                requests.ask(Action::ChangeAppearance(choice.choose));
             }
         }
     });

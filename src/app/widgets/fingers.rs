@@ -162,7 +162,7 @@ impl Plugin for Fingers {
         );
         for event in events {
             self.count(ctx, &event, &mut input.events);
-            self.hear(ctx, event, touched, &mut input.events);
+            self.filter(ctx, event, touched, &mut input.events);
         }
         if !self.later.is_empty() {
             ctx.request_repaint();
@@ -196,7 +196,8 @@ impl Fingers {
         }
     }
 
-    fn hear(&mut self, ctx: &Context, event: Event, touched: bool, out: &mut Vec<Event>) {
+    /// Passes an event on, holds it back, or puts others in its place.
+    fn filter(&mut self, ctx: &Context, event: Event, touched: bool, out: &mut Vec<Event>) {
         if let Event::PointerButton {
             pos,
             button: PointerButton::Primary,

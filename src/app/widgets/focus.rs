@@ -51,7 +51,7 @@ pub fn picture_id() -> Id {
     Id::unique("picture")
 }
 
-fn kept<R>(ctx: &Context, change: impl FnOnce(&mut FocusMemory) -> R) -> R {
+fn with<R>(ctx: &Context, change: impl FnOnce(&mut FocusMemory) -> R) -> R {
     ctx.data_mut(|data| change(data.get_temp_mut_or_default(Id::unique("focus"))))
 }
 
@@ -85,18 +85,18 @@ pub fn live(response: &Response) {
 
 /// Removes a widget that stands beside a stop from the order of Tab.
 pub fn aside(response: &Response) {
-    kept(&response.ctx, |kept| kept.now.aside.push(response.id));
+    with(&response.ctx, |focus| focus.now.aside.push(response.id));
 }
 
 /// Makes all widgets within `rect` a single stop of Tab, at the first of them.
 pub fn one_stop(ui: &Ui, rect: Rect) {
     let seen = ui.clip_rect();
-    kept(ui.ctx(), |kept| kept.now.groups.push([rect, seen]));
+    with(ui.ctx(), |focus| focus.now.groups.push([rect, seen]));
 }
 
 /// Returns the widgets of the panels in the order in which they were shown, and whether each is a stop.
 fn stops(ctx: &Context) -> Vec<(Id, bool)> {
-    let passed = kept(ctx, |kept| kept.last.clone());
+    let passed = with(ctx, |focus| focus.last.clone());
     let mut entered = vec![false; passed.groups.len()];
     let mut is_stop = |widget: &WidgetRect| {
         let centre = widget.rect.center();
@@ -138,12 +138,12 @@ pub fn listen(ctx: &Context, in_front: bool) {
     let (pointed, escape) =
         ctx.input(|input| (input.pointer.any_pressed(), input.key_pressed(Key::Escape)));
     let (height, typing) = (ctx.content_rect().height(), ctx.text_edit_focused());
-    kept(ctx, |kept| {
-        kept.last = std::mem::take(&mut kept.now);
-        kept.lower = typing && height < kept.height;
-        kept.height = height;
-        (kept.moved, kept.by_key) = (false, kept.by_key && !pointed);
-        kept.escaped = match kept.escaped {
+    with(ctx, |focus| {
+        focus.last = std::mem::take(&mut focus.now);
+        focus.lower = typing && height < focus.height;
+        focus.height = height;
+        (focus.moved, focus.by_key) = (false, focus.by_key && !pointed);
+        focus.escaped = match focus.escaped {
             _ if escape => Some(0),
             Some(frames) if frames < ESCAPE => Some(frames + 1),
             _ => None,
@@ -182,7 +182,7 @@ pub fn take(ctx: &Context, id: Id) {
         memory.request_focus(id);
         memory.move_focus(FocusDirection::None);
     });
-    kept(ctx, |kept| (kept.moved, kept.by_key) = (true, true));
+    with(ctx, |focus| (focus.moved, focus.by_key) = (true, true));
 }
 
 /// Gives a field the focus if no widget has it.
@@ -235,12 +235,12 @@ pub fn enter(ctx: &Context, back: bool) {
 
 /// Returns whether Escape has just taken the focus from a field, so that the typed text is discarded.
 pub fn escaped(ctx: &Context) -> bool {
-    kept(ctx, |kept| kept.escaped.is_some())
+    with(ctx, |focus| focus.escaped.is_some())
 }
 
 /// Requests that the row with the focus resets its value in the next frame.
 pub fn ask_reset(ctx: &Context) {
-    kept(ctx, |kept| kept.reset = true);
+    with(ctx, |focus| focus.reset = true);
 }
 
 /// Returns where a widget is, in this frame or the one before. Its response is not asked for: that takes the focus from
@@ -262,9 +262,9 @@ fn focused_in(ui: &Ui, rect: Rect) -> Option<Rect> {
 
 /// Returns whether the keyboard resets the row in `rect`, and clears the request.
 pub fn resets(ui: &Ui, rect: Rect) -> bool {
-    let reset = kept(ui.ctx(), |kept| kept.reset) && focused_in(ui, rect).is_some();
+    let reset = with(ui.ctx(), |focus| focus.reset) && focused_in(ui, rect).is_some();
     if reset {
-        kept(ui.ctx(), |kept| kept.reset = false);
+        with(ui.ctx(), |focus| focus.reset = false);
     }
     reset
 }
@@ -272,7 +272,7 @@ pub fn resets(ui: &Ui, rect: Rect) -> bool {
 /// Scrolls to the focused widget, at the end of a scroll area, if a key has just moved the focus or the window has
 /// become lower.
 pub fn keep_in_sight(ui: &Ui) {
-    let (moved, lower) = kept(ui.ctx(), |kept| (kept.moved, kept.lower));
+    let (moved, lower) = with(ui.ctx(), |focus| (focus.moved, focus.lower));
     let Some(rect) = focused_in(ui, ui.min_rect()).filter(|_| moved || lower) else {
         return;
     };
@@ -287,7 +287,7 @@ pub fn keep_in_sight(ui: &Ui) {
 
 /// Draws a ring around the focused widget at the end of a frame; around the picture only if a key gave it the focus.
 pub fn show(ctx: &Context) {
-    let by_key = kept(ctx, |kept| kept.by_key);
+    let by_key = with(ctx, |focus| focus.by_key);
     let Some(id) = ctx.memory(|memory| memory.focused()) else {
         return;
     };

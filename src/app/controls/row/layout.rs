@@ -9,7 +9,7 @@ use crate::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Align, Button, Color32, Label, Layout, Rect, Response, RichText, Sense, TextStyle, Ui,
-    UiBuilder, Vec2, pos2, vec2,
+    UiBuilder, pos2, vec2,
 };
 
 /// Minimum and maximum width of a panel's labels, in points, and their share of the row's width in between.
@@ -109,12 +109,8 @@ pub fn row(ui: &mut Ui, about: &About<'_>, changed: bool, control: impl FnOnce(&
         ui.painter()
             .rect_filled(rect.expand2(vec2(4.0, 2.0)), 6.0, fill);
     }
-    let reset_here = label(
-        ui,
-        about,
-        changed,
-        Rect::from_min_size(rect.min, vec2(label_width, size.y)),
-    );
+    let label_rect = Rect::from_min_size(rect.min, vec2(label_width, size.y));
+    let reset_here = label(ui, about, changed, label_rect);
     let inner = Rect::from_min_max(
         pos2(rect.min.x + from, rect.max.y - size.y),
         pos2(rect.max.x - to, rect.max.y),
@@ -180,20 +176,12 @@ fn label(ui: &mut Ui, about: &About<'_>, changed: bool, rect: Rect) -> bool {
         let tint = about
             .tint
             .unwrap_or_else(|| child.visuals().strong_text_color());
-        let letter = child.allocate_ui_with_layout(
-            vec2(LETTER, rect.height()),
-            Layout::left_to_right(Align::Center),
-            |ui| {
-                ui.add(
-                    Label::new(RichText::new(about.letter).color(tint).strong())
-                        .sense(Sense::CLICK),
-                )
-            },
-        );
-        child.advance_cursor_after_rect(Rect::from_min_size(
-            letter.response.rect.min,
-            Vec2::new(LETTER, rect.height()),
-        ));
+        let text = RichText::new(about.letter).color(tint).strong();
+        let words = Label::new(text).sense(Sense::CLICK);
+        let size = vec2(LETTER, rect.height());
+        let layout = Layout::left_to_right(Align::Center);
+        let letter = child.allocate_ui_with_layout(size, layout, |ui| ui.add(words));
+        child.advance_cursor_after_rect(Rect::from_min_size(letter.response.rect.min, size));
         response = Some(letter.inner);
     }
     if !about.label.is_empty() {

@@ -130,17 +130,13 @@ pub fn number(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
 
 /// Shows a row with a slider and a field for a whole number.
 pub fn whole(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut u32) {
-    value_row(
-        ui,
-        &spec.about(),
-        spec.default as u32,
-        value,
-        |ui, value| {
-            whole_slider(ui, spec, value);
-        },
-    );
+    let default = spec.default as u32;
+    value_row(ui, &spec.about(), default, value, |ui, value| {
+        whole_slider(ui, spec, value);
+    });
 }
 
+/// Shows a slider and a field for a whole number.
 pub fn whole_slider(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut u32) {
     let mut real = f64::from(*value);
     slider_and_field(ui, spec, &mut real);
@@ -265,12 +261,8 @@ pub fn slider_and_field(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
         let on = *value == f64::INFINITY;
         ui.spacing_mut().button_padding.x = 4.0;
         let button = ui.add(Button::selectable(on, "∞").min_size(vec2(INFINITY_SWITCH, 0.0)));
-        let button = switch_named(
-            button,
-            Role::Button,
-            on,
-            &text!("controls-infinite", name = name),
-        );
+        let switch = text!("controls-infinite", name = name);
+        let button = switch_named(button, Role::Button, on, &switch);
         aside(&button);
         if button
             .on_hover_text(text!("controls-infinite-tip"))

@@ -209,11 +209,9 @@ pub fn captions(session: &Session, place: Place) -> Vec<Area> {
         Rect::from_min_size(bottom, size),
     ];
     if view == CompareView::Wipe {
-        let right = rect.right_top() - vec2(0.3 * rect.width(), 0.0);
-        covered.push(Rect::from_min_size(
-            right,
-            vec2(0.3 * rect.width(), CAPTION),
-        ));
+        let size = vec2(0.3 * rect.width(), CAPTION);
+        let right = rect.right_top() - vec2(size.x, 0.0);
+        covered.push(Rect::from_min_size(right, size));
     }
     covered.into_iter().map(area).collect()
 }
