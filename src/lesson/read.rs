@@ -137,7 +137,8 @@ impl<'s> Reader<'s> {
         let mut title = String::new();
         let parser = Parser::new_ext(&source[body..], Options::ENABLE_TABLES).into_offset_iter();
         let mut depth = 0usize;
-        let mut fence: Option<(String, usize, Option<usize>, usize)> = None;
+        // The fenced block at hand: its info string, its start, and the range of its text.
+        let mut fence: Option<(String, usize, Option<(usize, usize)>)> = None;
         for (event, span) in parser {
             let (start, end) = (body + span.start, body + span.end);
             match event {
@@ -167,24 +168,19 @@ impl<'s> Reader<'s> {
                 }
                 Event::Text(text) | Event::Code(text) if heading.is_some() => title.push_str(&text),
                 Event::Start(Tag::CodeBlock(CodeBlockKind::Fenced(info))) if depth == 0 => {
-                    fence = Some((info.trim().to_owned(), start, None, start));
+                    fence = Some((info.trim().to_owned(), start, None));
                     depth += 1;
                 }
                 Event::Text(text) if fence.is_some() => {
-                    if let Some((_, _, first, last)) = &mut fence {
-                        first.get_or_insert(start);
-                        *last = start + text.len();
+                    if let Some((_, _, inside)) = &mut fence {
+                        let (first, _) = inside.unwrap_or((start, start));
+                        *inside = Some((first, start + text.len()));
                     }
                 }
                 Event::End(TagEnd::CodeBlock) if fence.is_some() => {
                     depth -= 1;
-                    if let Some((info, at, first, last)) = fence.take() {
-                        self.block(
-                            &mut steps,
-                            &info,
-                            (at, end),
-                            first.map(|first| (first, last)),
-                        );
+                    if let Some((info, at, inside)) = fence.take() {
+                        self.block(&mut steps, &info, (at, end), inside);
                     }
                 }
                 Event::Start(_) => depth += 1,

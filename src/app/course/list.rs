@@ -81,11 +81,8 @@ fn card_ui(ui: &mut Ui, lesson: &Listed, course: &Course) -> bool {
         .count();
     // A lesson with questions is done once all are answered rightly, a test once all are answered.
     let done = right == lesson.questions && (right > 0 || course.kept.done.contains(&lesson.name));
-    let begun = course
-        .kept
-        .left
-        .get(&lesson.name)
-        .is_some_and(|step| *step > 0);
+    let left = course.kept.left.get(&lesson.name);
+    let begun = left.is_some_and(|step| *step > 0);
     let card = Card {
         id: ui.scope_id().with(&lesson.name),
         pad: vec2(10.0, 7.0),
@@ -123,10 +120,6 @@ fn card_ui(ui: &mut Ui, lesson: &Listed, course: &Course) -> bool {
         }
     });
     let state = if done { text!("course-done") } else { "" };
-    let response = named(
-        response,
-        Role::Button,
-        format!("{} {state}", lesson.title).trim(),
-    );
-    response.clicked()
+    let name = format!("{} {state}", lesson.title);
+    named(response, Role::Button, name.trim()).clicked()
 }

@@ -16,6 +16,7 @@ const MARK: f32 = 8.0;
 pub fn paint(painter: &Painter, course: &Course, place: Place, font: &FontId) {
     let dark = |width| Stroke::new(width, Color32::from_black_alpha(170));
     let white = |width| Stroke::new(width, Color32::WHITE);
+    let name = |at, align, text: &str| letter(painter, at, align, text, font, Color32::WHITE);
     if let Some((line, along)) = course.line() {
         let ends = ProfileLine(line)
             .pixels(place.size)
@@ -31,8 +32,7 @@ pub fn paint(painter: &Painter, course: &Course, place: Place, font: &FontId) {
         };
         for ((end, share), side) in ends.into_iter().zip(["0", "1"]).zip(sides) {
             painter.circle(end, 4.0, Color32::WHITE, dark(1.5));
-            let at = end + vec2(0.0, -8.0);
-            letter(painter, at, side, share, font, Color32::WHITE);
+            name(end + vec2(0.0, -8.0), side, share);
         }
         if let Some(along) = along {
             let at = ends[0] + (ends[1] - ends[0]) * along as f32;
@@ -46,14 +46,7 @@ pub fn paint(painter: &Painter, course: &Course, place: Place, font: &FontId) {
         let at = point(*only);
         ring(painter, at, MARK + 4.0, green);
         let below = at + vec2(0.0, MARK + 8.0);
-        letter(
-            painter,
-            below,
-            Align2::CENTER_TOP,
-            text!("course-mark-right"),
-            font,
-            Color32::WHITE,
-        );
+        name(below, Align2::CENTER_TOP, text!("course-mark-right"));
     } else {
         for at in right {
             painter.circle(point(*at), 2.5, green, dark(1.0));
@@ -68,14 +61,7 @@ pub fn paint(painter: &Painter, course: &Course, place: Place, font: &FontId) {
         }
         if !right.is_empty() {
             let above = at - vec2(0.0, MARK + 4.0);
-            letter(
-                painter,
-                above,
-                Align2::CENTER_BOTTOM,
-                text!("course-mark-yours"),
-                font,
-                Color32::WHITE,
-            );
+            name(above, Align2::CENTER_BOTTOM, text!("course-mark-yours"));
         }
     }
 }

@@ -35,9 +35,7 @@ impl Widget for ValueWidget {
                 .desired_width(110.0);
             let field = ui.add_enabled(!asked.revealed, field);
             let field = named(field, Role::TextInput, text!("course-answer"));
-            if field.changed() {
-                asked.changed = true;
-            }
+            asked.changed |= field.changed();
             entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
             if entered {
                 // Ready for the next try; after a right answer the focus moves to the next step's button.
