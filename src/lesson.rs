@@ -123,7 +123,7 @@ pub struct Lesson {
     pub minutes: u32,
     /// A sentence about it; may be empty.
     pub about: String,
-    /// True of a test: answers are kept without a word about them, and the last one counts.
+    /// True for a test: answers are kept without feedback, and the last one counts.
     pub test: bool,
     /// Its steps, at least one.
     pub steps: Vec<Step>,

@@ -1,4 +1,4 @@
-//! Where the class is found: the port that it gets, and the address that phones in the room reach it at.
+//! The port of the class, and the address at which phones in the room reach it.
 
 use crate::text::text;
 use std::io;
@@ -12,7 +12,7 @@ const NEXT: u16 = 50;
 /// Opens a port: the given one, or the first that is free.
 ///
 /// # Errors
-/// None could be opened, in a sentence that says what to do.
+/// No port could be opened; a sentence says what to do.
 pub fn listen(bind: IpAddr, port: Option<u16>) -> Result<TcpListener, String> {
     let open = |port: u16| TcpListener::bind(SocketAddr::new(bind, port));
     if let Some(port) = port {

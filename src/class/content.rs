@@ -1,4 +1,4 @@
-//! What the engine adds to a class: the page of each step, its right answer, and the grades of what was answered.
+//! The engine's part in a class: the page of each step, its right answer, and the grades of the answers.
 
 use super::files::StaticFile;
 use super::page::{StepPage, step_page};

@@ -1,4 +1,4 @@
-//! How much one student may ask for.
+//! The limits of the requests of students.
 
 use std::time::Instant;
 

@@ -50,7 +50,7 @@ impl Random {
 #[derive(Clone, Copy)]
 enum Belief {
     Right,
-    /// That of a wrong model, of those that there are, or a mistake where there is none.
+    /// A wrong model, as a fraction of their list in thousandths, or a mistake if there is none.
     Wrong(usize),
 }
 
@@ -138,7 +138,7 @@ impl Simulated {
         drop(room.answer(self.token, request));
     }
 
-    /// Makes up the student's mind.
+    /// Decides what the student believes.
     fn believe(&mut self, now: Pace, random: &mut Random) -> Belief {
         let before = self.belief.filter(|(step, _)| *step == now.step);
         let right = match before {
@@ -157,7 +157,7 @@ impl Simulated {
     }
 }
 
-/// Makes the answer that a belief leads to; none where the step asks nothing.
+/// Returns the answer that a belief leads to; `None` if the step asks nothing.
 fn answer(
     lesson: &Lesson,
     content: &StepContent,

@@ -1,4 +1,4 @@
-//! What the server answers to each request. The protocol is told in [`super`].
+//! The responses to requests. [`super`] describes the protocol.
 
 use super::content::StepContent;
 use super::events::events;

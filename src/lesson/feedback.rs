@@ -1,12 +1,12 @@
-//! What a wrong answer is told: the wrong model that it agrees with, or where it is off.
+//! The feedback to a wrong answer: the wrong model that it agrees with, or where it is off.
 
 use super::kinds::{digits, short_number, with_unit};
 use super::{CurveFault, Grade, Hint, Kind, Question, Side, control_name, without_marks};
 use crate::text::{fixed, text};
 
 impl Question {
-    /// Says which wrong model an answer agrees with, or where it is off; nothing of a right answer. `says` and `names` are the
-    /// question's with their numbers.
+    /// Says which wrong model an answer agrees with, or where it is off; `None` for a right answer. `says` and `names` are the
+    /// question's with their numbers filled in.
     pub fn feedback(&self, grade: &Grade, says: &[String], names: &[String]) -> Option<String> {
         let named = grade.model.and_then(|model| says.get(model));
         match (named, grade.hint) {

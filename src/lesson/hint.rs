@@ -1,4 +1,4 @@
-//! Where a wrong answer is off, for answers that agree with no wrong model.
+//! The error of a wrong answer that agrees with no wrong model.
 
 use serde::{Deserialize, Serialize};
 
@@ -40,9 +40,9 @@ pub enum Hint {
     Formula {
         /// The number of the point of the domain where they differ most.
         point: usize,
-        /// The components of the value there, of a number the first; none where there is no value.
+        /// The components of the value there, of a number the first; `None` if there is no value.
         given: Option<[f64; 3]>,
-        /// Those of the right value.
+        /// The components of the right value; `None` if that has none.
         expected: Option<[f64; 3]>,
     },
     /// An item is in the wrong place.

@@ -105,12 +105,12 @@ impl Lab {
     /// The most answers that are kept: those of single pixels are many.
     const KEPT: usize = 2000;
 
-    /// Makes a lab with the scene of a step, which may do the work of a file.
+    /// Creates a lab with the scene of a step, which may do the work of a file.
     pub fn new(staged: &Staged) -> Self {
         Self::within(staged, &Budget::of_file())
     }
 
-    /// Makes a lab whose work is counted against that of the lesson's file.
+    /// Creates a lab with the scene of a step, whose work is counted against that of the lesson's file.
     pub fn within(staged: &Staged, budget: &Budget) -> Self {
         let mut scene = staged.scene.clone();
         let [width, height] = scene.image.size;
@@ -143,7 +143,7 @@ impl Lab {
         self.probe_measured.get()
     }
 
-    /// Has what follows counted against another budget, as a step of its own.
+    /// Counts the work that follows against another budget, as a step of its own.
     pub(super) fn bill(&self, budget: &Budget) {
         self.account.replace(Account::new(budget.clone()));
     }
@@ -293,7 +293,7 @@ impl LabPlace<'_> {
         self.lab.refused()
     }
 
-    /// Has the renderer do something with the scene, at the work of so many pictures.
+    /// Calls `draw` with the renderer and the scene, at the work of so many pictures.
     fn render<T>(
         &self,
         pictures: u64,

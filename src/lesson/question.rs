@@ -45,7 +45,7 @@ impl Question {
     /// Finds the right answer in the scene of a step; `seed` decides what is drawn at random.
     ///
     /// # Errors
-    /// Why there is none, or why it is not the only one, in a sentence.
+    /// The reason why there is none, or not only one, in a sentence.
     pub fn solve(&self, place: LabPlace<'_>, seed: u64) -> Result<Solution, String> {
         let there = place.under(&self.set);
         let solution = there.and_then(|there| self.kind.solve(there, seed));
@@ -55,7 +55,7 @@ impl Question {
     /// Finds the right answer and those of the wrong models.
     ///
     /// # Errors
-    /// Why one of them is missing, in a sentence.
+    /// The reason why one of them is missing, in a sentence.
     pub fn solve_all(&self, place: LabPlace<'_>, seed: u64) -> Result<AnswerKey, String> {
         let right = self.solve(place, seed)?;
         let wrong = self.wrong.iter().enumerate();
@@ -99,7 +99,7 @@ impl Wrong {
     /// Finds its answer in the scene of a step.
     ///
     /// # Errors
-    /// Why there is none, in a sentence.
+    /// The reason why there is none, in a sentence.
     pub fn solve(&self, place: LabPlace<'_>, seed: u64) -> Result<Solution, String> {
         let there = place.under(&self.set);
         let solution = there.and_then(|there| self.kind.solve_wrong(there, seed));

@@ -52,7 +52,7 @@ impl Answered {
 }
 
 impl Record {
-    /// Makes a record without answers.
+    /// Creates a record without answers.
     pub fn new(lesson: &str, seed: u64) -> Self {
         Self {
             lesson: lesson.to_owned(),

@@ -90,7 +90,7 @@ pub struct Listed {
     pub about: String,
     /// The number of questions.
     pub questions: usize,
-    /// True of a test, whose answers are not marked.
+    /// True for a test, whose answers are not marked.
     pub test: bool,
 }
 

@@ -19,7 +19,7 @@ const SAMPLES: u32 = 4;
 pub struct Pictures {
     lab: Lab,
     staged: Staged,
-    /// That of the step, and of a match the target.
+    /// The picture of the step and, for a match, the target.
     frames: Vec<Frame>,
     bytes: Vec<Vec<u8>>,
 }

@@ -1,4 +1,4 @@
-//! What surrounds the steps: the page that a phone opens first. Style and script are files of their own, whose addresses
+//! The page around the steps, which a phone opens first. Style and script are files of their own, whose addresses
 //! change with their content, so that they are kept for as long as they are the same.
 
 use super::StepPage;

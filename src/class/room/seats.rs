@@ -25,7 +25,7 @@ pub struct Seat {
 /// A step that a student has turned to.
 #[derive(Clone, Copy, Debug)]
 pub struct OwnStep {
-    /// From 1.
+    /// The step, from 1.
     pub step: usize,
     pub since: Instant,
 }

@@ -14,7 +14,7 @@ pub struct ClassQuestion {
     pub step: usize,
     /// The question, in CommonMark.
     pub ask: String,
-    /// Why the answer is right; may be empty.
+    /// The explanation of the right answer; may be empty.
     pub why: String,
     /// The texts of options or items.
     pub options: Vec<String>,
@@ -28,7 +28,7 @@ pub struct ClassQuestion {
     pub picture: Option<Frame>,
 }
 
-/// Why a question is not graded.
+/// The reason why a question is not graded.
 pub(super) enum Failure {
     Question(String),
     Heavy(TooHeavy),
@@ -150,7 +150,7 @@ impl ClassQuestion {
     /// Fills in the numbers of a step's question and solves it for a live class, which has one right answer.
     ///
     /// # Errors
-    /// Why there is none, in a sentence.
+    /// The reason why there is none, in a sentence.
     pub fn live(
         step: usize,
         question: &Question,

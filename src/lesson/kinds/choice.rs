@@ -34,9 +34,9 @@ pub struct ChoiceOption {
 /// The reason why an option is right.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RightIf {
-    /// The lesson says whether it is.
+    /// The lesson's own statement: true if it is right.
     Said(bool),
-    /// This is true.
+    /// An expression that is true if it is right.
     Holds(Expression),
 }
 

@@ -26,7 +26,7 @@ pub struct Bars {
 }
 
 impl Bars {
-    /// Makes an empty table; `total` answers fill a bar.
+    /// Creates an empty table; `total` answers fill a bar.
     pub fn new(total: usize) -> Self {
         Self {
             total: total.max(1),

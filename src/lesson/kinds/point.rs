@@ -63,7 +63,7 @@ impl AnyKind for Point {
 impl QuestionKind for Point {
     /// The offset from the middle of the picture to the right and down, in units of the shorter side.
     type Answer = [f64; 2];
-    /// Any of these is right; the first stands for all of them where one is shown.
+    /// The right places; the first stands for all of them if only one is shown.
     type Solution = Vec<DVec2>;
 
     const MODEL_KEYS: &[&str] = &["find", "of", "mode", "at"];

@@ -40,7 +40,7 @@ pub struct Answers<'a> {
     pub spread: &'a Spread,
     /// True if the right answer may be seen.
     pub right: bool,
-    /// From 1.
+    /// The step, from 1.
     pub step: usize,
     pub markdown: &'a mut CommonMarkCache,
     /// The picture of a step that clicks are shown in.

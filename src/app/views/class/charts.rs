@@ -9,9 +9,9 @@ use glam::DVec2;
 /// The colours of answers.
 #[derive(Clone, Copy, Debug)]
 pub struct Colours {
-    /// Of all, until the right one is shown; then of those that are right.
+    /// The colour of every answer.
     pub answer: Rgb8,
-    /// Of those that are right, and of the right answer itself.
+    /// The colour of the right answer.
     pub right: Rgb8,
 }
 

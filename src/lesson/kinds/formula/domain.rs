@@ -11,7 +11,7 @@ pub const POINTS: usize = 4096;
 const CORNERS: usize = 256;
 /// The number of points before those inside: corners, edges and faces.
 const EDGES: usize = 1024;
-/// Where the ends of a range are further apart than this, points are spread evenly by their ratio: of exponents from 1 to
+/// The ratio of the ends of a range above which points are spread evenly by their logarithm: of exponents from 1 to
 /// 1000, most of what is seen happens below 30.
 const WIDE: f64 = 50.0;
 

@@ -83,7 +83,7 @@ fn written(term: Term, names: &[Name], scene: &Scene) -> Option<String> {
     (!parts.is_empty()).then(|| parts.join(" * "))
 }
 
-/// Has the engine evaluate a term at a point of the domain: the surface lies at the origin, and L, N and V in the plane y = 0.
+/// Evaluates a term by the engine at a point of the domain: the surface lies at the origin, and L, N and V in the plane y = 0.
 /// Returns nothing where no directions have these cosines.
 fn evaluate(term: Term, names: &[Name], point: &[Quantity], scene: &Scene) -> Option<f64> {
     let value = |wanted: &str| {

@@ -28,7 +28,7 @@ impl Quantity {
         }
     }
 
-    /// Returns whether it is a number, or three.
+    /// Returns whether all its components are finite.
     pub fn is_finite(self) -> bool {
         self.components().into_iter().all(f64::is_finite)
     }
