@@ -260,7 +260,8 @@ impl LabPlace<'_> {
         (DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5) - size / 2.0) / size.min_element()
     }
 
-    fn size(&self) -> DVec2 {
+    /// Returns the size of the picture, in pixels.
+    pub(super) fn size(&self) -> DVec2 {
         DVec2::from_array(self.scene().image.size.map(f64::from))
     }
 

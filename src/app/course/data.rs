@@ -365,25 +365,22 @@ impl Course {
         let Some(open) = &mut self.open else { return };
         (open.draft.grade, open.draft.told) = (Some(grade), true);
         let since = open.draft.seen.replace(now).unwrap_or(now);
-        let (prediction, tries, looked_up, seconds) = match before {
-            Some(before) if test => (answer.clone(), 0, 0, before.seconds),
-            Some(before) => (
-                before.prediction,
-                before.tries,
-                before.looked_up,
-                before.seconds,
-            ),
-            None => (answer.clone(), 0, 0, 0.0),
-        };
-        let answered = Answered {
+        let mut answered = before.unwrap_or_else(|| Answered {
             step: open.step,
-            prediction,
-            answer,
+            prediction: answer.clone(),
+            answer: answer.clone(),
             grade,
-            looked_up,
-            tries: tries + 1,
-            seconds: seconds + (now - since).max(0.0),
-        };
+            looked_up: 0,
+            tries: 0,
+            seconds: 0.0,
+        });
+        if test {
+            answered.prediction.clone_from(&answer);
+            (answered.tries, answered.looked_up) = (0, 0);
+        }
+        (answered.answer, answered.grade) = (answer, grade);
+        answered.tries += 1;
+        answered.seconds += (now - since).max(0.0);
         let name = open.lesson.name.clone();
         self.kept.record_mut(&name, seed).put(answered);
     }

@@ -346,7 +346,7 @@ fn crossing(place: LabPlace<'_>, of: &Expression, ends: [(DVec2, f64); 2]) -> DV
 
 /// Evaluates an expression at places all over the object.
 fn grid(place: LabPlace<'_>, of: &Expression) -> Result<Vec<(DVec2, f64)>, String> {
-    let size = DVec2::from_array(place.scene().image.size.map(f64::from));
+    let size = place.size();
     let half = size / size.min_element() / 2.0;
     let step = 1.0 / TRIED as f64;
     let count = (half / step).ceil();
@@ -414,7 +414,7 @@ fn brightest(place: LabPlace<'_>, sign: f64, tolerance: f64) -> Result<Vec<DVec2
 /// Finds the place on the line where the slope jumps most.
 fn corner(place: LabPlace<'_>, mode: ShadingMode, tolerance: f64) -> Result<Vec<DVec2>, String> {
     let profile = place.profile(&[mode])?;
-    let size = DVec2::from_array(place.scene().image.size.map(f64::from));
+    let size = place.size();
     let values: Vec<(DVec2, f64)> = profile
         .borders
         .iter()
