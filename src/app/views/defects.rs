@@ -61,14 +61,9 @@ pub fn defects_ui(
     if size.contains(&0) {
         return;
     }
-    view.measured.ask(
-        ui.ctx(),
-        &session.shown,
-        size,
-        &DefectsQuestion {
-            pixel: Some(window.probe.pixel(size)),
-        },
-    );
+    let pixel = Some(window.probe.pixel(size));
+    let question = DefectsQuestion { pixel };
+    view.measured.ask(ui.ctx(), &session.shown, size, &question);
     ui.label(text!("picture-defects-about"));
     let work = &view.measured.work;
     ui.vertical(|ui| {
@@ -229,13 +224,9 @@ fn conditions_ui(
         }
         ui.add_space(6.0);
     }
-    let further = found.further.is_empty();
-    condition_ui(
-        ui,
-        further,
-        text!("picture-further"),
-        &found.further_words(),
-    );
+    let holds = found.further.is_empty();
+    let words = found.further_words();
+    condition_ui(ui, holds, text!("picture-further"), &words);
     ui.add_space(6.0);
     // The section of the pictures comes after those with the text above.
     conditions.view.section_ui(ui, CONDITIONS.len() + 1);
@@ -380,12 +371,8 @@ pub fn paint(
             Stroke::new(1.8, Color32::WHITE),
         ] {
             for line in &mark.lines {
-                lines::line(
-                    painter,
-                    line.iter().map(|point| place.exact_point(*point)),
-                    stroke,
-                    &[],
-                );
+                let points = line.iter().map(|point| place.exact_point(*point));
+                lines::line(painter, points, stroke, &[]);
             }
         }
         letter(

@@ -352,21 +352,13 @@ fn numbers_ui(ui: &mut Ui, here: Here<'_>, light: usize) {
                 let colour =
                     vector.map_or(visuals.text_color(), |vector| vector_text(&visuals, vector));
                 let name = vector.map_or(text!("point-position-short"), Vector::letter);
-                cell(
-                    ui,
-                    RichText::new(name).color(colour),
-                    name_width,
-                    Align::Min,
-                );
+                let name = RichText::new(name).color(colour);
+                cell(ui, name, name_width, Align::Min);
                 for value in v.to_array() {
                     // Rounded, so that the residue of a 0 shows no digits.
                     let number = digits((value * 1e4).round() / 1e4);
-                    cell(
-                        ui,
-                        set(&number, FontId::monospace(TEXT), colour),
-                        number_width,
-                        Align::Max,
-                    );
+                    let number = set(&number, FontId::monospace(TEXT), colour);
+                    cell(ui, number, number_width, Align::Max);
                 }
                 ui.end_row();
             }

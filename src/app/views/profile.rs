@@ -206,13 +206,10 @@ impl Profiles {
         let work = || Perceived(Request::new(question.clone(), scene, model, size));
         if self.seen.ask(wake(ctx), same, work) {
             match self.seen.answer().map(image_of) {
-                Some(image) => upload(
-                    ctx,
-                    &mut self.perceived,
-                    "perceived",
-                    image,
-                    TextureOptions::NEAREST,
-                ),
+                Some(image) => {
+                    let options = TextureOptions::NEAREST;
+                    upload(ctx, &mut self.perceived, "perceived", image, options);
+                }
                 None => self.perceived = None,
             }
             ctx.request_repaint();
@@ -320,14 +317,9 @@ fn switches_ui(ui: &mut Ui, own: ShadingMode, window: &mut WindowState) {
             dash: Dash::Dashed,
             width: 1.7,
         };
+        let name = text!("line-perceived-switch");
         let tip = text!("line-perceived-switch.tip");
-        appearance.brightness ^= switch_ui(
-            ui,
-            text!("line-perceived-switch"),
-            tip,
-            appearance.brightness,
-            perceived,
-        );
+        appearance.brightness ^= switch_ui(ui, name, tip, appearance.brightness, perceived);
         let edges = Sample {
             ink: Ink::Reference,
             dash: Dash::Dashed,
@@ -354,12 +346,8 @@ fn switch_ui(ui: &mut Ui, name: &str, tip: &str, on: bool, sample: Sample) -> bo
     let line = Atom::paint(vec2(SAMPLE[0], SAMPLE[1]), move |ui, place| {
         let ends = [place.rect.left_center(), place.rect.right_center()];
         let dash: Vec<f32> = dash.iter().map(|length| length * width).collect();
-        lines::line(
-            ui.painter(),
-            ends.map(lines::exact),
-            Stroke::new(width, colour),
-            &dash,
-        );
+        let stroke = Stroke::new(width, colour);
+        lines::line(ui.painter(), ends.map(lines::exact), stroke, &dash);
     });
     let visuals = ui.visuals();
     let (text, outline) = if on {

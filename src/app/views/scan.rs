@@ -171,15 +171,12 @@ fn settings_ui(ui: &mut Ui, scan: &mut ScanView) {
         decimals: 1,
         ..SliderRange::logarithmic(ScanView::SPEEDS)
     };
-    number(
-        ui,
-        &NumberRow {
-            about,
-            range,
-            default: usual.speed,
-        },
-        &mut scan.speed,
-    );
+    let row = NumberRow {
+        about,
+        range,
+        default: usual.speed,
+    };
+    number(ui, &row, &mut scan.speed);
     let about = About {
         label: text!("line-scan-rows"),
         name: text!("line-scan-rows.name"),
@@ -192,15 +189,12 @@ fn settings_ui(ui: &mut Ui, scan: &mut ScanView) {
         decimals: 0,
         ..SliderRange::linear(span)
     };
-    whole(
-        ui,
-        &NumberRow {
-            about,
-            range,
-            default: f64::from(usual.rows),
-        },
-        &mut scan.rows,
-    );
+    let row = NumberRow {
+        about,
+        range,
+        default: f64::from(usual.rows),
+    };
+    whole(ui, &row, &mut scan.rows);
 }
 
 /// Shows the buttons under the picture: by pixel, edge and line, forwards and back; play; and a slider over all steps.

@@ -123,11 +123,8 @@ fn part_ui(ui: &mut Ui, part: &FilledPart, values: &Values, id: Id) {
         FilledPart::Rule => {
             let (rect, _) = strip(ui, 5.0, Sense::hover());
             let stroke = Stroke::new(1.0, ui.visuals().weak_text_color());
-            ui.painter().hline(
-                channel_edge(rect, 0) - COLUMN..=rect.max.x,
-                rect.center().y,
-                stroke,
-            );
+            let span = channel_edge(rect, 0) - COLUMN..=rect.max.x;
+            ui.painter().hline(span, rect.center().y, stroke);
         }
     }
 }
@@ -176,11 +173,8 @@ fn flat_ui(ui: &mut Ui, line: &FilledLine) {
     let name = name_galley(ui, line);
     let (rect, response) = strip(ui, name.size().y.max(LINE), Sense::hover());
     response.widget_info(|| {
-        WidgetInfo::labeled(
-            Role::Label,
-            true,
-            format!("{} {}", line.name, line.value.words()),
-        )
+        let words = format!("{} {}", line.name, line.value.words());
+        WidgetInfo::labeled(Role::Label, true, words)
     });
     paint(ui, line, name, rect);
     if !line.letters.is_empty() {
@@ -198,10 +192,8 @@ fn flat_ui(ui: &mut Ui, line: &FilledLine) {
 ///
 /// The line of a light also unfolds when that light has been `chosen`, and those of other lights fold.
 fn fold_ui(ui: &mut Ui, session: &mut Session, here: Here<'_>, line: &FilledLine, chosen: bool) {
-    let id = ui.make_persistent_id(
-        line.light
-            .map_or_else(|| line.name.clone(), |index| format!("light {index}")),
-    );
+    let light = line.light.map(|index| format!("light {index}"));
+    let id = ui.make_persistent_id(light.unwrap_or_else(|| line.name.clone()));
     let own = line.light.is_none_or(|index| index == session.light);
     let mut fold = CollapsingState::load_with_default_open(ui.ctx(), id, own);
     let galley = name_galley(ui, line);
@@ -230,13 +222,9 @@ fn fold_ui(ui: &mut Ui, session: &mut Session, here: Here<'_>, line: &FilledLine
         } else {
             Stroke::NONE
         };
-        ui.painter().rect(
-            rect.expand2(vec2(2.0, 0.0)),
-            5.0,
-            fill,
-            stroke,
-            StrokeKind::Inside,
-        );
+        let area = rect.expand2(vec2(2.0, 0.0));
+        ui.painter()
+            .rect(area, 5.0, fill, stroke, StrokeKind::Inside);
     }
     let icon = Rect::from_center_size(pos2(rect.min.x + 22.0, rect.center().y), vec2(10.0, 10.0));
     let openness = fold.openness(ui.ctx());
@@ -364,12 +352,9 @@ fn bar_ui(ui: &mut Ui, shares: &[Share]) {
     let whole: f64 = shares.iter().map(|share| share.weight).sum();
     let seen: Vec<_> = shares.iter().filter(|share| share.weight > 0.0).collect();
     if seen.is_empty() {
-        ui.painter().rect_stroke(
-            rect,
-            4.0,
-            Stroke::new(1.0, ui.visuals().weak_text_color()),
-            StrokeKind::Inside,
-        );
+        let stroke = Stroke::new(1.0, ui.visuals().weak_text_color());
+        ui.painter()
+            .rect_stroke(rect, 4.0, stroke, StrokeKind::Inside);
         return;
     }
     let mut x = rect.min.x;
@@ -387,22 +372,13 @@ fn bar_ui(ui: &mut Ui, shares: &[Share]) {
 }
 
 fn share_ui(ui: &Ui, share: &Share, place: Rect, whole: f64) {
-    let text = format!(
-        "{}: {}",
-        share.name,
-        percent(share.weight, whole).unwrap_or_default()
-    );
-    let response = ui.interact(
-        place,
-        ui.scope_id().with(("share", &share.name)),
-        Sense::hover(),
-    );
+    let part = percent(share.weight, whole).unwrap_or_default();
+    let text = format!("{}: {part}", share.name);
+    let id = ui.scope_id().with(("share", &share.name));
+    let response = ui.interact(place, id, Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &text));
-    ui.painter().rect_filled(
-        place,
-        CornerRadius::same(3),
-        colour(ui.visuals(), share.tone),
-    );
+    let fill = colour(ui.visuals(), share.tone);
+    ui.painter().rect_filled(place, CornerRadius::same(3), fill);
     let dark = ui.visuals().panel_fill;
     let names = [&share.name, &share.short];
     let galleys = names.map(|name| line_galley(ui, name, FontId::proportional(13.0), dark));
@@ -492,25 +468,14 @@ impl TermTable<'_> {
         let columns = self.product.columns.iter().zip(&self.heads).enumerate();
         let mut all: Vec<_> = columns
             .map(|(index, (column, head))| {
-                laid(
-                    index,
-                    head,
-                    LETTERS * scale.max(0.85),
-                    digits_below(column.values),
-                    plain,
-                    column.mean,
-                )
+                let size = LETTERS * scale.max(0.85);
+                let numbers = digits_below(column.values);
+                laid(index, head, size, numbers, plain, column.mean)
             })
             .collect();
         let value = self.product.value.to_array().map(digits);
-        all.push(laid(
-            self.heads.len(),
-            &[],
-            LETTERS,
-            value,
-            self.colour,
-            false,
-        ));
+        let last = self.heads.len();
+        all.push(laid(last, &[], LETTERS, value, self.colour, false));
         all
     }
 
@@ -540,14 +505,9 @@ impl TermTable<'_> {
             }
             let left = x + (column.width - column.head.width()) / 2.0;
             let middle = rect.min.y + HEAD / 2.0;
-            column.head.paint(
-                ui,
-                pos2(left, middle),
-                RunId {
-                    id: place.id.with(index),
-                    ..place
-                },
-            );
+            let id = place.id.with(index);
+            let start = pos2(left, middle);
+            column.head.paint(ui, start, RunId { id, ..place });
             if column.mean {
                 // The bar that the textbooks draw over a mean.
                 let top = middle - LETTERS * 0.66;
@@ -556,13 +516,8 @@ impl TermTable<'_> {
             }
             let right = x + (column.width + column.digits) / 2.0;
             for (channel, number) in column.numbers.iter().enumerate() {
-                place_at(
-                    ui,
-                    Arc::clone(number),
-                    right - number.size().x,
-                    line(channel),
-                    plain,
-                );
+                let left = right - number.size().x;
+                place_at(ui, Arc::clone(number), left, line(channel), plain);
             }
             x += column.width;
         }
