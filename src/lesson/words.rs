@@ -24,13 +24,8 @@ pub fn in_words(lesson: &Lesson, seed: u64, answers: bool) -> Result<String, Les
         let lab = Lab::within(&staged, &budget);
         let place = lab.place(&staged);
         let text = step.text.filled(&place)?;
-        let _ = write!(
-            out,
-            "\n{}. {}\n\n{}\n",
-            index + 1,
-            step.title,
-            without_marks(text.trim())
-        );
+        let text = without_marks(text.trim());
+        let _ = write!(out, "\n{}. {}\n\n{text}\n", index + 1, step.title);
         let _ = writeln!(out, "\n    {}", arguments(&staged, &step.stage.scene));
         let Some(question) = &step.question else {
             continue;

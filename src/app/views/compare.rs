@@ -168,14 +168,9 @@ fn pane_ui(
                 focus::named(menu.response, Role::Button, &label).on_hover_text(&label);
             }
             ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-                let button = ui.add_enabled(
-                    shown,
-                    Button::selectable(
-                        session.panes.active == pane && shown,
-                        format!("{number} {name}"),
-                    )
-                    .truncate(),
-                );
+                let active = session.panes.active == pane && shown;
+                let button = Button::selectable(active, format!("{number} {name}"));
+                let button = ui.add_enabled(shown, button.truncate());
                 if button
                     .on_hover_text(text!("picture-activate-tip"))
                     .clicked()

@@ -62,14 +62,12 @@ pub fn plan_ui(
         own.view.set(report);
     }
     ui.label(text!("engine-plan-intro"));
-    ui.label(
-        RichText::new(text!(
-            "engine-plan-summary",
-            total = own.view.title(),
-            count = left_out(engine, &window.appearance)
-        ))
-        .strong(),
+    let summary = text!(
+        "engine-plan-summary",
+        total = own.view.title(),
+        count = left_out(engine, &window.appearance)
     );
+    ui.label(RichText::new(summary).strong());
     ui.label(RichText::new(text!("engine-plan-signs")).weak());
     export_ui(ui, session, window, requests, "explain", || {
         Some((Box::new(frame_plan()), engine.drawn()?.clone()))

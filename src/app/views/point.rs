@@ -64,18 +64,11 @@ pub fn point_ui(
     };
     match &probe.hit {
         None => background_ui(ui, probe, scene),
-        Some(hit) => hit_ui(
-            ui,
-            session,
-            window,
-            requests,
-            engine,
-            Here {
-                scene: &hit.scene_of(scene),
-                hit,
-            },
-            probe,
-        ),
+        Some(hit) => {
+            let scene = &hit.scene_of(scene);
+            let here = Here { scene, hit };
+            hit_ui(ui, session, window, requests, engine, here, probe);
+        }
     }
     ui.add_space(4.0);
     CollapsingHeader::new(RichText::new(text!("point-curves")).strong())

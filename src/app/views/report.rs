@@ -525,14 +525,9 @@ pub fn save(session: &mut Session, window: &WindowState, path: &Path) -> Result<
         .ok_or_else(|| text!("report-nothing-to-save").to_owned())?;
     let format =
         Format::from_path(path).ok_or_else(|| text!("report-unknown-ending").to_owned())?;
-    save_answer(
-        path,
-        format,
-        &*export.answer,
-        &export.about(),
-        (None, Paper::LIGHT),
-    )
-    .map_err(|e| e.to_string())?;
+    let (answer, about) = (&*export.answer, export.about());
+    let saved = save_answer(path, format, answer, &about, (None, Paper::LIGHT));
+    saved.map_err(|error| error.to_string())?;
     let text = text!("report-saved", path = path.display().to_string());
     session.notice = Some(Notice::written(text, path));
     Ok(())

@@ -242,14 +242,12 @@ fn start_ui(ui: &mut Ui, view: &mut StudyView, session: &Session, engine: &Engin
         view.asking
             .is_stale(&session.shown, |a, b| question.same(a, b))
     });
-    let about = request.as_ref().map_or_else(
-        |_| String::new(),
-        |question| {
-            let frames = frames(question, &session.shown.scene);
-            let time = duration(engine.nanoseconds() as f64 * 1e-9 * frames as f64);
-            text!("engine-study-about", frames = frames, time = time)
-        },
-    );
+    let about = request.as_ref().map(|question| {
+        let frames = frames(question, &session.shown.scene);
+        let time = duration(engine.nanoseconds() as f64 * 1e-9 * frames as f64);
+        text!("engine-study-about", frames = frames, time = time)
+    });
+    let about = about.unwrap_or_default();
     let offer = Offer {
         about: &about,
         start: text!("engine-measure"),

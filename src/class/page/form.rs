@@ -109,12 +109,8 @@ fn fields(controls: &[String]) -> Html {
         let range = slider(key).map_or([f64::MIN, f64::MAX], |(.., slider)| {
             [slider.from, slider.to]
         });
-        number_field(
-            place,
-            long_control_name(key).into(),
-            range,
-            control_unit(key),
-        )
+        let label = long_control_name(key).into();
+        number_field(place, label, range, control_unit(key))
     };
     controls
         .iter()
@@ -188,14 +184,12 @@ fn point(asked: &ClassQuestion, pictures: &Pictures, index: usize) -> Html {
         .attribute("href", pictures.address(index, 0))
         .attribute("width", width)
         .attribute("height", height);
+    let name = text!("phone-picture", ask = without_marks(&asked.ask));
     let svg = element("svg")
         .attribute("viewBox", format!("0 0 {width} {height}"))
         .attribute("role", "application")
         .attribute("tabindex", 0)
-        .attribute(
-            "aria-label",
-            text!("phone-picture", ask = without_marks(&asked.ask)),
-        )
+        .attribute("aria-label", name)
         .attribute("aria-describedby", "place")
         .broken()
         .line(image);
@@ -222,33 +216,17 @@ fn order(asked: &ClassQuestion) -> Html {
     };
     let item = |(index, words): (usize, &String)| {
         let name = format!("{}. {}", letter(index), without_marks(words));
+        let name = name.as_str();
+        let moved = text!("phone-moved", item = name, place = "{place}");
+        let grip = element("span").class("grip");
+        let label = element("span").class("words");
         element("li")
             .attribute("data-item", index)
-            .attribute(
-                "data-moved",
-                text!("phone-moved", item = name.as_str(), place = "{place}"),
-            )
-            .with(
-                element("span")
-                    .class("grip")
-                    .attribute("aria-hidden", "true")
-                    .with("≡"),
-            )
-            .with(
-                element("span")
-                    .class("words")
-                    .with(lettered_html(index, words)),
-            )
-            .with(move_button(
-                "up",
-                "▲",
-                text!("course-up", item = name.as_str()),
-            ))
-            .with(move_button(
-                "down",
-                "▼",
-                text!("course-down", item = name.as_str()),
-            ))
+            .attribute("data-moved", moved)
+            .with(grip.attribute("aria-hidden", "true").with("≡"))
+            .with(label.with(lettered_html(index, words)))
+            .with(move_button("up", "▲", text!("course-up", item = name)))
+            .with(move_button("down", "▼", text!("course-down", item = name)))
     };
     let list = items
         .map(item)

@@ -68,10 +68,8 @@ impl<'q> CurvePlot<'q> {
         let [low, high] = self.curve.y;
         let places = (0..CURVE_POINTS).step_by(STRIDE);
         let fields = places.map(|index| {
-            let x = with_unit(
-                &short_number(abscissa(self.curve.x, index)),
-                &self.curve.unit,
-            );
+            let x = short_number(abscissa(self.curve.x, index));
+            let x = with_unit(&x, &self.curve.unit);
             let input = element("input")
                 .attribute("type", "text")
                 .attribute("inputmode", if low < 0.0 { "text" } else { "decimal" })

@@ -169,14 +169,12 @@ impl QuestionKind for Choice {
     }
 
     fn blank(&self, printed: &Printed<'_>, _: Option<&usize>) -> Result<Html, String> {
+        let list = element("ul").class("options").broken();
         let options = printed.options.iter().enumerate();
-        let list = options.fold(
-            element("ul").class("options").broken(),
-            |list, (index, words)| {
-                let row = element("li").with(element("span").class("box"));
-                list.line(row.with(lettered_html(index, words)))
-            },
-        );
+        let list = options.fold(list, |list, (index, words)| {
+            let row = element("li").with(element("span").class("box"));
+            list.line(row.with(lettered_html(index, words)))
+        });
         Ok(Html::new().line(list))
     }
 

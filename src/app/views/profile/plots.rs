@@ -96,16 +96,14 @@ impl Plots {
         } else {
             width * ASPECT[0] as f32 + (ASPECT[1] * style.text) as f32
         };
-        self.lay_out(
-            taken,
-            Key {
-                view: view(abscissa),
-                style,
-                size: [width, height],
-                span,
-                language: language(),
-            },
-        );
+        let key = Key {
+            view: view(abscissa),
+            style,
+            size: [width, height],
+            span,
+            language: language(),
+        };
+        self.lay_out(taken, key);
         let mut hovered = None;
         for index in 0..self.plots.len() {
             if self.single && index != self.chosen {
