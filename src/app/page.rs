@@ -70,16 +70,24 @@ fn document() -> Option<web_sys::Document> {
     web_sys::window()?.document()
 }
 
+/// Returns the page's own element.
+fn root() -> Option<web_sys::Element> {
+    document()?.document_element()
+}
+
+fn repaint() {
+    CONTEXT.with_borrow(|ctx| ctx.iter().for_each(Context::request_repaint));
+}
+
 /// Returns whether the page's script has marked the page with this attribute.
 pub fn has_mark(name: &str) -> bool {
-    let page = document().and_then(|document| document.document_element());
-    page.is_some_and(|page| page.has_attribute(name))
+    root().is_some_and(|root| root.has_attribute(name))
 }
 
 /// Tells the page what to show: the window, or a sentence.
 pub fn show(what: &str) {
-    if let Some(page) = document().and_then(|document| document.document_element()) {
-        let _ = page.set_attribute("data-state", what);
+    if let Some(root) = root() {
+        let _ = root.set_attribute("data-state", what);
     }
 }
 
@@ -130,7 +138,7 @@ fn arrive(files: Vec<(PathBuf, Vec<u8>)>) {
         ARRIVED.with_borrow_mut(|arrived| arrived.push(path.clone()));
         give(path, content);
     }
-    CONTEXT.with_borrow(|ctx| ctx.iter().for_each(Context::request_repaint));
+    repaint();
 }
 
 fn all(files: Option<FileList>) -> Vec<File> {
@@ -148,15 +156,13 @@ fn listen() {
             event.prevent_default();
         }
     });
+    let back = Closure::<dyn Fn(PopStateEvent)>::new(|event: PopStateEvent| go_back(&event));
     if let Some(window) = web_sys::window() {
         let _ =
             window.add_event_listener_with_callback("beforeunload", leave.as_ref().unchecked_ref());
-    }
-    leave.forget();
-    let back = Closure::<dyn Fn(PopStateEvent)>::new(|event: PopStateEvent| go_back(&event));
-    if let Some(window) = web_sys::window() {
         let _ = window.add_event_listener_with_callback("popstate", back.as_ref().unchecked_ref());
     }
+    leave.forget();
     back.forget();
     let paste = Closure::<dyn Fn(ClipboardEvent)>::new(|event: ClipboardEvent| {
         let files = all(event.clipboard_data().and_then(|data| data.files()));
@@ -371,14 +377,14 @@ fn go_back(event: &PopStateEvent) {
     // It is in the address already.
     SHOWN.set(Some(entry.clone()));
     WENT.set(Some(entry));
-    CONTEXT.with_borrow(|ctx| ctx.iter().for_each(Context::request_repaint));
+    repaint();
 }
 
 /// Gives scripts `shadingLab.picture()`, which returns a promise of the picture as a PNG with its scene inside, and the
 /// other functions that they can call.
 fn offer(ctx: &Context) {
     let picture = Closure::<dyn Fn() -> Promise>::new(|| {
-        CONTEXT.with_borrow(|ctx| ctx.iter().for_each(Context::request_repaint));
+        repaint();
         Promise::new(&mut |give, _| ASKED.with_borrow_mut(|asked| asked.push(give)))
     });
     let page = js_sys::global();
@@ -400,8 +406,8 @@ pub async fn fetch_chinese_text() -> Result<(), JsValue> {
 
 /// Sets the page's language, and fetches the texts and the font for the current language, once.
 fn want_letters(ctx: &Context) {
-    if let Some(page) = document().and_then(|document| document.document_element()) {
-        let _ = page.set_attribute("lang", language().tag());
+    if let Some(root) = root() {
+        let _ = root.set_attribute("lang", language().tag());
     }
     if language() != Language::TraditionalChinese || CHINESE_ASKED.replace(true) {
         return;
@@ -439,8 +445,7 @@ fn want_lessons(ctx: &Context) {
 /// Fetches a file beside the page, in the version that belongs to it.
 async fn fetch(name: &str) -> Result<Vec<u8>, JsValue> {
     let window = web_sys::window().ok_or(JsValue::NULL)?;
-    let page = document().and_then(|document| document.document_element());
-    let version = page.and_then(|page| page.get_attribute("data-version"));
+    let version = root().and_then(|root| root.get_attribute("data-version"));
     let address = format!("{name}?{}", version.unwrap_or_default());
     let response: Response = JsFuture::from(window.fetch_with_str(&address))
         .await?

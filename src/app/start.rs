@@ -7,7 +7,7 @@ use crate::document::Loaded;
 use crate::lesson::Lesson;
 use crate::text::{Language, text};
 use eframe::egui::ViewportBuilder;
-use std::path::Path;
+use std::path::PathBuf;
 
 /// The libraries that the window loads at its start, each with its Debian package.
 const X11_LIBRARIES: [(&str, &str); 5] = [
@@ -132,8 +132,6 @@ fn is_installed(library: &str) -> bool {
     };
     let told = std::env::var_os("LD_LIBRARY_PATH").unwrap_or_default();
     let mut folders: Vec<_> = std::env::split_paths(&told).collect();
-    folders.extend(
-        ["/lib", "/usr/lib", "/lib64", "/usr/lib64"].map(|folder| Path::new(folder).to_owned()),
-    );
+    folders.extend(["/lib", "/usr/lib", "/lib64", "/usr/lib64"].map(PathBuf::from));
     named(&cache) || folders.iter().any(|folder| folder.join(library).exists())
 }

@@ -1,4 +1,4 @@
-//! What is stored between two runs: the appearance of the window and the progress of the course.
+//! The state stored between two runs: the appearance of the window and the progress of the course.
 
 use super::{Appearance, SavedProgress};
 use eframe::Storage;
@@ -29,7 +29,7 @@ enum Passed {
 }
 
 impl Stored {
-    /// Returns what an earlier run has stored; the default where nothing can be read.
+    /// Reads the state that an earlier run stored; the default if it cannot be read.
     pub fn read(storage: &dyn Storage) -> Self {
         // The stored text may have been written by anybody.
         eframe::get_value(storage, KEY)
@@ -40,7 +40,7 @@ impl Stored {
             .unwrap_or_default()
     }
 
-    /// Stores it for the next run.
+    /// Stores the state for the next run.
     pub fn write(&self, storage: &mut dyn Storage) {
         if let Ok(value) = serde_json::to_value(self) {
             eframe::set_value(storage, KEY, &Passed::Value(value));

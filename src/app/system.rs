@@ -100,12 +100,12 @@ pub fn reloaded() -> bool {
     false
 }
 
-/// Returns the link and the place to which a browser went back.
+/// Returns the link and the place to which a browser went back; on the desktop there is none.
 pub fn went() -> Option<(String, String)> {
     None
 }
 
-/// Copies what was asked for in this frame, where the toolkit could not.
+/// Does nothing: egui itself copies texts on the desktop.
 pub fn copy(_: &Context) {}
 
 /// Has the desktop open an address, in its browser or its mail program.

@@ -16,8 +16,7 @@ use crate::render::Renderer;
 use crate::scene::material::SPECULAR_COLOR;
 use crate::scene::materials::{NAMED, NamedMaterial, OF_A_KIND, recognise};
 use crate::scene::{
-    Ambient, Camera, Distribution, Image, Light, Material, Object, ObjectKind, Reflection,
-    ReflectionModel, Rgb, Scene, Shading, ShadingMode,
+    Distribution, Light, Material, ObjectKind, ReflectionModel, Rgb, Scene, ShadingMode,
 };
 use crate::text;
 use eframe::egui::accesskit::Role;
@@ -63,38 +62,22 @@ impl Work for Spheres {
 
 /// Returns the scene of a sphere lit as in OpenGL: N·H, a distant light from above, little ambient light.
 fn scene(named: &NamedMaterial, side: u32) -> Scene {
-    Scene {
-        image: Image {
-            size: [side, side],
-            background: Rgb::ZERO,
-        },
-        camera: Camera {
-            fov_y: 33.0,
-            ..Camera::default()
-        },
-        object: Object {
-            kind: ObjectKind::Sphere,
-            ..Object::default()
-        },
+    let mut scene = Scene {
         material: named.material(),
-        reflection: Reflection {
-            model: ReflectionModel::Blinn,
-            ..Reflection::default()
-        },
-        shading: Shading {
-            mode: ShadingMode::Exact,
-            ..Shading::default()
-        },
-        ambient: Ambient {
-            color: Rgb::splat(0.4),
-            ..Ambient::default()
-        },
         lights: vec![Light {
             position: DVec3::new(-2.0, 2.5, 4.0),
             ..Light::default()
         }],
         ..Scene::default()
-    }
+    };
+    scene.image.size = [side, side];
+    scene.image.background = Rgb::ZERO;
+    scene.camera.fov_y = 33.0;
+    scene.object.kind = ObjectKind::Sphere;
+    scene.reflection.model = ReflectionModel::Blinn;
+    scene.shading.mode = ShadingMode::Exact;
+    scene.ambient.color = Rgb::splat(0.4);
+    scene
 }
 
 /// Renders the sphere, cut out by its own coverage.

@@ -155,15 +155,8 @@ pub fn captions_ui(
                     painter.rect_stroke(pane.seen, 0.0, stroke, StrokeKind::Inside);
                 }
                 let room = pane.seen.shrink(MARGIN);
-                let name = name_ui(
-                    ui,
-                    session,
-                    requests,
-                    panes,
-                    pane,
-                    &one.name,
-                    (room, Align2::LEFT_TOP),
-                );
+                let at = (room, Align2::LEFT_TOP);
+                let name = name_ui(ui, session, requests, panes, pane, &one.name, at);
                 // A small pane shows its picture; the figures are in the view beside it.
                 if room.height() < LEAST_CAPTIONED || hidden {
                     continue;
@@ -214,15 +207,8 @@ pub fn captions_ui(
                 let below = Rect::from_min_size(at, galley.size() + 2.0 * PADDING);
                 plate(&painter, galley, below);
             } else {
-                let corners = [Align2::LEFT_BOTTOM; 2];
-                measured(
-                    &painter,
-                    &grips(&panes[0]),
-                    (rect, name),
-                    &parts,
-                    corners,
-                    &font,
-                );
+                let (grips, corners) = (grips(&panes[0]), [Align2::LEFT_BOTTOM; 2]);
+                measured(&painter, &grips, (rect, name), &parts, corners, &font);
             }
             if let Some([x, y]) = error.at {
                 // A small square round the maximum difference.
@@ -260,14 +246,8 @@ fn halves(ui: &Ui, session: &Session, pane: &PanePlace, captioned: bool, font: &
         } else {
             text.to_owned()
         };
-        letter(
-            &painter,
-            at,
-            Align2::CENTER_TOP,
-            &text,
-            font,
-            Color32::WHITE,
-        );
+        let (align, white) = (Align2::CENTER_TOP, Color32::WHITE);
+        letter(&painter, at, align, &text, font, white);
     }
     let x = place.center().x;
     for stroke in [
@@ -436,24 +416,17 @@ fn measured(
 /// Draws the line of a wipe with its handle.
 fn wipe(painter: &Painter, x: f32, whole: Place, held: bool) {
     let ends = [pos2(x, whole.rect.min.y), pos2(x, whole.rect.max.y)];
+    let white = |width| Stroke::new(width, Color32::WHITE);
     painter.line_segment(ends, Stroke::new(4.0, Color32::from_black_alpha(150)));
-    painter.line_segment(ends, Stroke::new(1.5, Color32::WHITE));
+    painter.line_segment(ends, white(1.5));
     let centre = pos2(x, whole.rect.center().y);
     let radius = if held { KNOB + 2.0 } else { KNOB };
-    painter.circle(
-        centre,
-        radius,
-        Color32::from_black_alpha(190),
-        Stroke::new(2.0, Color32::WHITE),
-    );
+    painter.circle(centre, radius, Color32::from_black_alpha(190), white(2.0));
     for way in [-1.0, 1.0] {
         let tip = centre + vec2(way * 0.65 * radius, 0.0);
         let back = vec2(-way * 0.35 * radius, 0.35 * radius);
-        painter.line_segment([tip, tip + back], Stroke::new(1.5, Color32::WHITE));
-        painter.line_segment(
-            [tip, tip + vec2(back.x, -back.y)],
-            Stroke::new(1.5, Color32::WHITE),
-        );
+        painter.line_segment([tip, tip + back], white(1.5));
+        painter.line_segment([tip, tip + vec2(back.x, -back.y)], white(1.5));
     }
 }
 

@@ -165,7 +165,7 @@ impl Default for Appearance {
     }
 }
 
-/// The open view.
+/// A view of the window.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum ViewName {
@@ -228,7 +228,7 @@ pub struct Overlays {
     pub face_normals: bool,
     /// A needle at each vertex.
     pub vertex_normals: bool,
-    /// The faces of the vertex nearest to the probe are highlighted.
+    /// The faces of the vertex nearest to the probe, highlighted.
     pub vertex: bool,
 }
 

@@ -1,4 +1,4 @@
-//! The state of a window: how the session is viewed.
+//! The state of a window, apart from its session: what is in view, and how.
 
 use super::appearance::{Appearance, ViewName};
 use super::place::{ProbePoint, ProfileLine};
@@ -8,7 +8,7 @@ use glam::{DVec2, DVec3};
 use std::any::{Any, TypeId};
 use std::collections::HashMap;
 
-/// The state of how the session is viewed.
+/// The state of a window, apart from its session: what is in view, and how.
 #[derive(Default)]
 pub struct WindowState {
     /// The window's appearance, stored on disk between two starts.

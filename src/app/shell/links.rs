@@ -77,10 +77,8 @@ impl AppState {
         let step = open.map_or_else(String::new, |open| {
             format!("{} {}", open.lesson.name, open.step)
         });
-        let drawer = [
-            self.window.appearance.controls,
-            self.window.appearance.views,
-        ];
+        let appearance = &self.window.appearance;
+        let drawer = [appearance.controls, appearance.views];
         match drawer.iter().position(|open| *open) {
             Some(panel) if self.window.drawer => format!("{step}|{panel}"),
             _ => format!("{step}|"),
@@ -105,10 +103,8 @@ impl AppState {
                 .rsplit('|')
                 .next()
                 .and_then(|panel| panel.parse().ok());
-            (
-                self.window.appearance.controls,
-                self.window.appearance.views,
-            ) = (open == Some(0), open == Some(1));
+            let appearance = &mut self.window.appearance;
+            (appearance.controls, appearance.views) = (open == Some(0), open == Some(1));
         }
     }
 

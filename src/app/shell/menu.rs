@@ -95,12 +95,7 @@ pub const APPEARANCE_CHOICES: [AppearanceChoice; 6] = [
 ];
 
 /// Shows a menu of the values of a setting of [`APPEARANCE_CHOICES`].
-pub fn appearance_ui(
-    ui: &mut Ui,
-    window: &WindowState,
-    requests: &mut Requests,
-    setting: &'static str,
-) {
+pub fn appearance_ui(ui: &mut Ui, window: &WindowState, requests: &mut Requests, setting: &str) {
     ui.menu_button(text!(setting), |ui| {
         let all = APPEARANCE_CHOICES.iter();
         for choice in all.filter(|choice| choice.setting == setting) {

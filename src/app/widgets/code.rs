@@ -3,7 +3,7 @@
 use crate::figure::QrCode;
 use eframe::egui::{Color32, Mesh, Painter, Pos2, Rect, Response, Sense, Shape, Ui, pos2, vec2};
 
-/// Returns how large a code within `side` points is, quiet zone included.
+/// Returns the side of a code that fits into `side` points, quiet zone included; points.
 pub fn code_side(code: &QrCode, side: f32, pixels_per_point: f32) -> f32 {
     module(code, side, pixels_per_point) * code.side() as f32 / pixels_per_point
 }

@@ -7,8 +7,8 @@ use super::theme::TEXT;
 use crate::figure::{Drawing, Paper, Plot, PlotStyle, Shape, Text, can_be_filled, short};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    self, Color32, CornerRadius, CursorIcon, FontId, Mesh, Painter, Pos2, Rect, Response, Sense,
-    Stroke, StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2,
+    self, Color32, CursorIcon, FontId, Mesh, Painter, Pos2, Rect, Response, Sense, Stroke,
+    StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 use glam::DVec2;
 
@@ -41,6 +41,7 @@ pub fn plot_style(ui: &Ui) -> PlotStyle {
     }
 }
 
+/// Returns the height of a plot of this width in `letters` of this size, in points.
 pub fn height(plot: &Plot, width: f64, letters: f64) -> f64 {
     #[expect(
         clippy::cast_precision_loss,
@@ -77,12 +78,8 @@ pub fn plot_ui(ui: &mut Ui, plot: &Plot, drawing: &Drawing, style: &PlotStyle) -
     let x = drawing.x_at(lines::exact(pointer) - lines::exact(rect.min))?;
     let (_, ends) = drawing.place([x, 0.0])?;
     let ends = ends.map(|end| lines::exact(rect.min) + end);
-    lines::line(
-        &painter,
-        ends,
-        Stroke::new(1.0, ui.visuals().text_color()),
-        &[],
-    );
+    let stroke = Stroke::new(1.0, ui.visuals().text_color());
+    lines::line(&painter, ends, stroke, &[]);
     let unit = if plot.x.degrees { "°" } else { "" };
     let symbol = plot.x.name.split([',', '，']).next().unwrap_or_default();
     let line = |text: String, colour| Text::new(text, DVec2::ZERO, style.text, colour);
@@ -152,20 +149,14 @@ pub fn boxed(ui: &Ui, painter: &Painter, lines: &[Text], (rect, pointer): (Rect,
     let y = (pointer.y - 0.5 * size.y).clamp(rect.min.y, (rect.max.y - size.y).max(rect.min.y));
     let area = Rect::from_min_size(pos2(x, y), size);
     let visuals = ui.visuals();
-    let outline = visuals.widgets.noninteractive.bg_stroke;
-    painter.rect(
-        area,
-        CornerRadius::same(4),
+    let (fill, outline) = (
         visuals.window_fill,
-        outline,
-        StrokeKind::Inside,
+        visuals.widgets.noninteractive.bg_stroke,
     );
+    painter.rect(area, 4.0, fill, outline, StrokeKind::Inside);
     for (index, text) in lines.iter().enumerate() {
-        paint_text(
-            painter,
-            text,
-            area.min + vec2(6.0, 6.0 + row * (index as f32 + 0.75)),
-        );
+        let at = area.min + vec2(6.0, 6.0 + row * (index as f32 + 0.75));
+        paint_text(painter, text, at);
     }
 }
 

@@ -99,14 +99,11 @@ impl<'a> Beam<'a> {
 
     /// Draws the visible handles.
     pub fn paint_grips(&self, painter: &Painter, view: &View, place: Place) {
+        let halo = Stroke::new(4.0, Color32::from_black_alpha(150));
+        let rim = Stroke::new(1.0, Color32::BLACK);
         for (_, at) in self.grips(view, place) {
-            painter.circle_stroke(at, SMALL, Stroke::new(4.0, Color32::from_black_alpha(150)));
-            painter.circle(
-                at,
-                SMALL,
-                palette::vector(Vector::L),
-                Stroke::new(1.0, Color32::BLACK),
-            );
+            painter.circle_stroke(at, SMALL, halo);
+            painter.circle(at, SMALL, palette::vector(Vector::L), rim);
         }
     }
 
@@ -117,16 +114,13 @@ impl<'a> Beam<'a> {
         if let (Some(from), Some(to)) = (seen(self.light.position), seen(self.head())) {
             let way = (to - from).normalize_or_zero();
             let shaft = [from + way * 9.0, to - way * 6.0];
-            line(
-                painter,
-                shaft,
-                Stroke::new(3.5, Color32::from_black_alpha(110)),
-                &[],
-            );
-            line(painter, shaft, Stroke::new(1.5, orange), &[]);
+            let halo = Stroke::new(3.5, Color32::from_black_alpha(110));
+            let stroke = Stroke::new(1.5, orange);
+            line(painter, shaft, halo, &[]);
+            line(painter, shaft, stroke, &[]);
             for side in [way.perp(), -way.perp()] {
                 let barb = [to - way * 6.0, to - way * 15.0 + side * 5.0];
-                line(painter, barb, Stroke::new(1.5, orange), &[]);
+                line(painter, barb, stroke, &[]);
             }
         }
         if self.light.kind == LightKind::Spot {
@@ -192,11 +186,8 @@ fn round() -> impl Iterator<Item = f64> {
 /// Draws a closed line through points, if all of them are visible.
 fn closed(painter: &Painter, stroke: Stroke, points: impl Iterator<Item = Option<DVec2>>) {
     if let Some(points) = points.collect::<Option<Vec<_>>>() {
-        outline(
-            painter,
-            &points,
-            Stroke::new(stroke.width + 2.0, Color32::from_black_alpha(110)),
-        );
+        let halo = Stroke::new(stroke.width + 2.0, Color32::from_black_alpha(110));
+        outline(painter, &points, halo);
         outline(painter, &points, stroke);
     }
 }
@@ -233,13 +224,8 @@ pub fn open_to(scene: &mut Scene, index: usize, view: &View, pixel: DVec2) {
         origin + along * ((light.position - origin).dot(normal) / along.dot(normal))
             - light.position
     } else {
-        on_sphere(
-            view,
-            pixel,
-            light.position,
-            beam.reach,
-            beam.axis.dot(view.forward) < 0.0,
-        )
+        let front = beam.axis.dot(view.forward) < 0.0;
+        on_sphere(view, pixel, light.position, beam.reach, front)
     };
     let angle = way
         .cross(beam.axis)

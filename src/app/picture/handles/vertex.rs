@@ -51,12 +51,8 @@ pub fn push(scene: &mut Scene, v: u32, view: &View, step: f64) {
     let Some(from) = scene.object.polygons().vertices.get(v as usize).copied() else {
         return;
     };
-    move_vertex(
-        &mut scene.object,
-        v,
-        tidy(from - view.forward * (step * unit), unit * 1e-3),
-        unit * 1e-3,
-    );
+    let to = tidy(from - view.forward * (step * unit), unit * 1e-3);
+    move_vertex(&mut scene.object, v, to, unit * 1e-3);
 }
 
 /// Draws the diamonds, white with a dark rim so that they are visible on any picture, the chosen one filled;
@@ -84,25 +80,14 @@ pub fn paint(
         } else {
             Color32::from_black_alpha(110)
         };
-        painter.add(Shape::closed_line(
-            corners.clone(),
-            Stroke::new(4.0, Color32::from_black_alpha(150)),
-        ));
-        painter.add(Shape::convex_polygon(
-            corners,
-            fill,
-            Stroke::new(1.5, Color32::WHITE),
-        ));
+        let halo = Stroke::new(4.0, Color32::from_black_alpha(150));
+        let rim = Stroke::new(1.5, Color32::WHITE);
+        painter.add(Shape::closed_line(corners.clone(), halo));
+        painter.add(Shape::convex_polygon(corners, fill, rim));
         if held || pointer.is_some_and(|pointer| pointer.distance(at) <= NEAR) {
             let (below, font) = (at + vec2(0.0, RADIUS + 11.0), FontId::proportional(14.0));
-            letter(
-                painter,
-                below,
-                Align2::CENTER_CENTER,
-                &v.to_string(),
-                &font,
-                Color32::WHITE,
-            );
+            let (align, white) = (Align2::CENTER_CENTER, Color32::WHITE);
+            letter(painter, below, align, &v.to_string(), &font, white);
         }
     }
 }
