@@ -72,91 +72,71 @@ impl Layout {
     /// Shows everything but dialogs. Returns the size available to the picture, if it is visible.
     pub fn ui(&mut self, ui: &mut Ui, state: &mut AppState, engine: &mut Engine) -> Option<Room> {
         let size = ui.available_size();
-        controls::pull_ui(ui, &mut state.session, &state.window);
-        state.window.appearance.controls |= symbol::opens_controls(ui.ctx());
-        if state.window.picture_alone {
+        let AppState {
+            session,
+            window,
+            course,
+            requests,
+            ..
+        } = state;
+        controls::pull_ui(ui, session, window);
+        window.appearance.controls |= symbol::opens_controls(ui.ctx());
+        if window.picture_alone {
             return Some(self.picture_ui(ui, state, engine));
         }
-        let narrow = size.x < NARROW;
-        state.window.drawer = narrow;
-        let low = size.y < LOW;
+        let (narrow, low) = (size.x < NARROW, size.y < LOW);
+        window.drawer = narrow;
         // In the size for a projector, a class has the whole window: else its answers would have no room.
-        let wall = low && state.course.teaches() && state.window.shows(ViewName::Class);
-        state.window.enlarged |= wall && !self.wall;
+        let wall = low && course.teaches() && window.shows(ViewName::Class);
+        window.enlarged |= wall && !self.wall;
         self.wall = wall;
         if !ui.ctx().text_edit_focused() {
             self.tall = size.y > size.x;
         }
         Panel::top("menus").show(ui, |ui| {
-            bars::menus_ui(
-                ui,
-                &state.session,
-                &mut state.window,
-                &state.course,
-                &mut state.requests,
-                low,
-            );
+            bars::menus_ui(ui, session, window, course, requests, low);
         });
-        if state.window.enlarged && state.window.appearance.views {
+        if window.enlarged && window.appearance.views {
             CentralPanel::default().show(ui, |ui| {
-                views::view_ui(
-                    ui,
-                    &mut state.session,
-                    &mut state.window,
-                    &mut state.course,
-                    &mut state.requests,
-                    engine,
-                    narrow,
-                );
+                views::view_ui(ui, session, window, course, requests, engine, narrow);
             });
-            state.session.commit();
+            session.commit();
             return None;
         }
-        state.window.enlarged = false;
-        self.make_room(&mut state.window, &state.course, size);
+        window.enlarged = false;
+        self.make_room(window, course, size);
         // A narrow window with a lesson has space for picture and question only.
-        if state.window.appearance.equation
-            && size.y >= LOWEST
-            && !(narrow && reads_lesson(&state.window, &state.course))
-        {
-            Panel::top("equation").show(ui, |ui| {
-                bars::equation_ui(ui, &mut state.session, &mut state.window);
-            });
+        let reads = narrow && reads_lesson(window, course);
+        if window.appearance.equation && size.y >= LOWEST && !reads {
+            Panel::top("equation").show(ui, |ui| bars::equation_ui(ui, session, window));
         }
-        controls::letter_ui(ui, &mut state.session, &mut state.window);
-        state.window.appearance.controls |= symbol::opens_controls(ui.ctx());
+        controls::letter_ui(ui, session, window);
+        window.appearance.controls |= symbol::opens_controls(ui.ctx());
         // The welcome leaves no space for a drawer.
-        if narrow && state.window.welcome {
-            (
-                state.window.appearance.controls,
-                state.window.appearance.views,
-            ) = (false, false);
+        if narrow && window.welcome {
+            (window.appearance.controls, window.appearance.views) = (false, false);
         }
         if narrow {
             drawer_ui(ui, state, engine, size, self.tall);
         } else {
             panels_ui(ui, state, engine, size);
         }
+        let AppState {
+            session,
+            window,
+            course,
+            requests,
+            ..
+        } = state;
         // A scene that a scene file would refuse is not drawn.
-        state.session.commit();
+        session.commit();
         // A lesson explains its scenes; their own sentences, meant for other uses, would mislead.
-        if !(low
-            || narrow && reads_lesson(&state.window, &state.course)
-            || state.course.shows_step())
-        {
+        let reads = narrow && reads_lesson(window, course);
+        if !(low || reads || course.shows_step()) {
             Panel::top("title").show(ui, |ui| {
-                bars::title_ui(
-                    ui,
-                    &state.session,
-                    &state.window,
-                    &state.course,
-                    &mut state.requests,
-                );
+                bars::title_ui(ui, session, window, course, requests);
             });
         }
-        let AppState {
-            window, requests, ..
-        } = state;
         welcome::welcome_ui(ui, window, requests, low);
         Some(self.picture_ui(ui, state, engine))
     }
