@@ -241,14 +241,9 @@ impl Engine {
         let letters = self.overlay.iter().flat_map(|drawn| &drawn.overlay.labels);
         self.normals
             .avoid(letters.map(|label| label.area).collect());
-        self.normals.point_at(
-            ctx,
-            session,
-            window,
-            &self.panes[self.active],
-            near,
-            clicked,
-        );
+        let pane = &self.panes[self.active];
+        self.normals
+            .point_at(ctx, session, window, pane, near, clicked);
     }
 
     fn measure(&mut self, scene: &Scene) {

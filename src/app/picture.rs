@@ -74,40 +74,26 @@ pub fn picture_ui(
     let panes = panes::places(session, whole);
     let place = pointed(ui, session, window, &response, &panes).unwrap_or(whole);
     let view = View::new(&session.shown.scene.camera, place.size);
-    gesture(
-        ui,
-        session,
-        window,
-        course,
-        requests,
-        &response,
-        &Pointed {
-            whole,
-            place,
-            view,
-            grips: handles::grips(session, window, course, &view, place),
-            side_view: engine.side_view(),
-            reach: reach(ui),
-        },
-    );
+    let pointed = Pointed {
+        whole,
+        place,
+        view,
+        grips: handles::grips(session, window, course, &view, place),
+        side_view: engine.side_view(),
+        reach: reach(ui),
+    };
+    gesture(ui, session, window, course, requests, &response, &pointed);
     menu::menu_ui(&response, session, window, requests, engine);
     session.commit();
     window.covered = handles::covered(session, window, &view, place);
     let smooth = window.appearance.smooth_edges && !profile::shows_perceived(window);
     engine.update(ui.ctx(), session, window, place.size, smooth);
     // Highlights the faces of the vertex under the pointer, if normals are shown.
-    let pointer = response
-        .hover_pos()
-        .filter(|_| window.drag.is_none())
-        .map(|at| place.pixel(at));
+    let reach = f64::from(NEAR_VERTEX * place.pixels_per_point);
+    let pointer = response.hover_pos().filter(|_| window.drag.is_none());
+    let near = pointer.map(|at| (place.pixel(at), reach));
     let clicked = response.clicked() && !response.double_clicked();
-    engine.point_at(
-        ui.ctx(),
-        session,
-        window,
-        pointer.map(|at| (at, f64::from(NEAR_VERTEX * place.pixels_per_point))),
-        clicked,
-    );
+    engine.point_at(ui.ctx(), session, window, near, clicked);
     course::watch_edges(window, course, engine);
     if ui.ctx().has_accesskit_node(response.id) {
         let Described { picture, probe, .. } = described(session, window, engine);
@@ -131,15 +117,8 @@ pub fn picture_ui(
     {
         paint_over(ui, session, window, course, engine, pane.place, pane.pane);
     }
-    panes::captions_ui(
-        ui,
-        session,
-        window,
-        course,
-        requests,
-        engine,
-        (&panes, whole),
-    );
+    let panes = (&panes[..], whole);
+    panes::captions_ui(ui, session, window, course, requests, engine, panes);
     Room {
         whole: whole.size,
         pane: place.size,
@@ -476,14 +455,8 @@ fn paint_picture(
     if profiles.is_perceiving() {
         let font = TextStyle::Body.resolve(ui.style());
         let at = place.rect.center_top() + vec2(0.0, 10.0);
-        letter(
-            &painter,
-            at,
-            Align2::CENTER_TOP,
-            text!("picture-drawing"),
-            &font,
-            Color32::WHITE,
-        );
+        let (align, text) = (Align2::CENTER_TOP, text!("picture-drawing"));
+        letter(&painter, at, align, text, &font, Color32::WHITE);
     }
 }
 

@@ -72,14 +72,12 @@ impl NormalsDrawing {
             .field
             .insert(kept.unwrap_or_else(|| NormalField::new(renderer, &scene.object)));
         let size = scene.image.size;
-        let options = options(ctx, session, window, scene, engine.coarser);
-        let exact = scene.shading.mode == ShadingMode::Exact;
         let key = NeedlesKey {
             pane,
-            options,
+            options: options(ctx, session, window, scene, engine.coarser),
             camera: scene.camera.clone(),
             size,
-            exact,
+            exact: scene.shading.mode == ShadingMode::Exact,
         };
         if self.drawn.as_ref() == Some(&key) {
             return;
@@ -87,13 +85,8 @@ impl NormalsDrawing {
         self.seen = field.facing(&View::new(&scene.camera, size), size);
         let needles = Needles::new(size, scene, renderer, field, &key.options);
         if let Some(image) = drawing(size, |pixmap| needles.draw(pixmap)) {
-            upload(
-                ctx,
-                &mut self.needles,
-                "needles",
-                image,
-                TextureOptions::NEAREST,
-            );
+            let options = TextureOptions::NEAREST;
+            upload(ctx, &mut self.needles, "needles", image, options);
         }
         (self.drawn, self.lit) = (Some(key), None);
     }
@@ -150,13 +143,8 @@ impl NormalsDrawing {
         let laid = known.and_then(|vertex| LitVertex::new(size, scene, field, &vertex, &options));
         let mut texture = self.lit.take().map(|(_, texture)| texture);
         if let Some(image) = laid.and_then(|laid| drawing(size, |pixmap| laid.draw(pixmap))) {
-            upload(
-                ctx,
-                &mut texture,
-                "lit-vertex",
-                image,
-                TextureOptions::NEAREST,
-            );
+            let options = TextureOptions::NEAREST;
+            upload(ctx, &mut texture, "lit-vertex", image, options);
             self.lit = wanted.zip(texture);
         }
     }

@@ -51,16 +51,11 @@ pub fn grips(
     if window.appearance.overlay.handles {
         let lights = light::places(&session.shown.scene, view, place).into_iter();
         grips.extend(lights.zip(0..).map(|(at, index)| (Grip::Light(index), at)));
-        grips.extend(
-            beam::chosen(session, view)
-                .into_iter()
-                .flat_map(|beam| beam.grips(view, place)),
-        );
-        grips.extend(
-            vertex::seen(session, view, place)
-                .into_iter()
-                .map(|(v, at)| (Grip::Vertex(v), at)),
-        );
+        if let Some(beam) = beam::chosen(session, view) {
+            grips.extend(beam.grips(view, place));
+        }
+        let vertices = vertex::seen(session, view, place).into_iter();
+        grips.extend(vertices.map(|(v, at)| (Grip::Vertex(v), at)));
     }
     if let Some(mark) = course.mark().filter(|_| course.asks_point()) {
         let pixel = ProbePoint(mark).centre(place.size);

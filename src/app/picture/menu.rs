@@ -141,15 +141,8 @@ fn side_view_ui(
             && let (Some(probe), Some(scene)) = (engine.probed(), engine.drawn())
         {
             let answer = Box::new(Probed::of(probe.clone(), session.light));
-            export(
-                session,
-                window,
-                requests,
-                "probe",
-                format,
-                answer,
-                scene.clone(),
-            );
+            let scene = scene.clone();
+            export(session, window, requests, "probe", format, answer, scene);
         }
     }
 }

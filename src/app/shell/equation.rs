@@ -24,16 +24,11 @@ pub fn equation_ui(ui: &mut Ui, session: &Session) {
                     .iter()
                     .flat_map(|letters| pieces(ui.visuals(), letters))
                     .collect();
-                let id = ui.scope_id().with(("symbol", number));
-                run_ui(
-                    ui,
-                    &run,
-                    SIZE,
-                    RunId {
-                        id,
-                        name: text!("in-equation"),
-                    },
-                );
+                let id = RunId {
+                    id: ui.scope_id().with(("symbol", number)),
+                    name: text!("in-equation"),
+                };
+                run_ui(ui, &run, SIZE, id);
             }
         });
     });

@@ -341,12 +341,8 @@ fn paint(ui: &mut Ui, room: Rect, shown: &LinkCode) {
     let mut texts = vec![text(short.to_owned(), letters, Color32::BLACK, ROWS)];
     let small = (0.7 * letters).max(LETTERS[0]);
     if let Some(path) = &shown.left_out {
-        texts.push(text(
-            text!("link-model-stays", path = path.as_str()),
-            small,
-            GREY,
-            ROWS,
-        ));
+        let stays = text!("link-model-stays", path = path.as_str());
+        texts.push(text(stays, small, GREY, ROWS));
     }
     texts.push(text(text!("link-code-closes").to_owned(), small, GREY, 1));
     let below: f32 = texts.iter().map(|text| text.size().y + 0.5 * GAP).sum();
@@ -355,11 +351,8 @@ fn paint(ui: &mut Ui, room: Rect, shown: &LinkCode) {
     let left = inner.center().x - 0.5 * size;
     let top = inner.top() + 0.5 * (inner.height() - below - size).max(0.0);
     let place = Rect::from_min_size(pos2(left, top), Vec2::splat(size));
-    qr_code_ui(
-        &mut ui.new_child(UiBuilder::new().max_rect(place)),
-        &shown.code,
-        side,
-    );
+    let mut child = ui.new_child(UiBuilder::new().max_rect(place));
+    qr_code_ui(&mut child, &shown.code, side);
     let mut y = top + size;
     for text in texts {
         let (height, colour) = (text.size().y, Color32::BLACK);

@@ -16,6 +16,7 @@ pub fn letter(
     font: &FontId,
     colour: Color32,
 ) {
+    let dark = Color32::from_black_alpha(200);
     for shift in [
         vec2(-1.0, 0.0),
         vec2(1.0, 0.0),
@@ -24,13 +25,7 @@ pub fn letter(
         vec2(1.0, 1.0),
         vec2(-1.0, -1.0),
     ] {
-        painter.text(
-            at + shift,
-            align,
-            text,
-            font.clone(),
-            Color32::from_black_alpha(200),
-        );
+        painter.text(at + shift, align, text, font.clone(), dark);
     }
     painter.text(at, align, text, font.clone(), colour);
     // Bright letters in the light theme's thinner text: painted twice, they cover as much as the dark theme's.

@@ -98,17 +98,11 @@ pub fn outline(painter: &Painter, points: &[DVec2], stroke: Stroke) {
         .iter()
         .all(|at| sight.holds(&Area { min: *at, max: *at }))
     {
-        painter.add(Shape::closed_line(
-            points.iter().map(rounded).collect(),
-            stroke,
-        ));
+        let points = points.iter().map(rounded).collect();
+        painter.add(Shape::closed_line(points, stroke));
     } else {
-        line(
-            painter,
-            points.iter().chain(points.first()).copied(),
-            stroke,
-            &[],
-        );
+        let points = points.iter().chain(points.first()).copied();
+        line(painter, points, stroke, &[]);
     }
 }
 

@@ -38,11 +38,8 @@ impl Sign {
             painter.rect_stroke(rect, 1.5, stroke, StrokeKind::Middle);
         };
         let fill = |min: (f32, f32), max: (f32, f32)| {
-            painter.rect_filled(
-                Rect::from_min_max(at(min.0, min.1), at(max.0, max.1)),
-                1.0,
-                colour,
-            );
+            let rect = Rect::from_min_max(at(min.0, min.1), at(max.0, max.1));
+            painter.rect_filled(rect, 1.0, colour);
         };
         match self {
             Self::Controls => {

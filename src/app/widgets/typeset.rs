@@ -292,16 +292,8 @@ impl<'a> Run<'a> {
             x += size.x;
             if let Some(symbol) = piece.symbol {
                 // A symbol may appear more than once.
-                symbol_ui(
-                    ui,
-                    piece,
-                    symbol,
-                    rect,
-                    RunId {
-                        id: place.id.with((symbol, index)),
-                        ..place
-                    },
-                );
+                let id = place.id.with((symbol, index));
+                symbol_ui(ui, piece, symbol, rect, RunId { id, ..place });
             }
             let top = if piece.text.is_empty() {
                 // Alone in its row, it has no base above which to rise.
@@ -344,11 +336,8 @@ fn symbol_ui(ui: &Ui, piece: &Piece, symbol: Symbol, rect: Rect, place: RunId<'_
     }
     if symbol::is_lit(ui.ctx(), symbol) {
         let fill = ui.visuals().widgets.hovered.bg_fill;
-        ui.painter().rect_filled(
-            rect.shrink2(vec2(0.0, 2.0)).expand2(vec2(1.0, 0.0)),
-            4.0,
-            fill,
-        );
+        let lit = rect.shrink2(vec2(0.0, 2.0)).expand2(vec2(1.0, 0.0));
+        ui.painter().rect_filled(lit, 4.0, fill);
     }
     let tip = piece.tip.as_deref().unwrap_or(symbol.meaning());
     response.on_hover_ui(|ui| _ = ui.label(lettered(tip, ui.visuals().text_color())));

@@ -155,9 +155,9 @@ pub fn paint(
         let colour = light.shines(soloing).then(|| display_colour(light.color));
         paint_light(painter, *at, *marker, colour, index == session.light);
     }
-    beam::chosen(session, view)
-        .into_iter()
-        .for_each(|beam| beam.paint_grips(painter, view, place));
+    if let Some(beam) = beam::chosen(session, view) {
+        beam.paint_grips(painter, view, place);
+    }
     let foot = place.exact_seen(view, middle);
     paint_numbers(painter, session, place, &markers, foot);
 }
@@ -247,14 +247,8 @@ fn paint_numbers(
         };
         if let Some(room) = placer.place(&wish) {
             let [x, y] = room.centre().to_array().map(|place| place as f32);
-            letter(
-                painter,
-                pos2(x, y),
-                Align2::CENTER_CENTER,
-                &text,
-                &font,
-                orange,
-            );
+            let (at, align) = (pos2(x, y), Align2::CENTER_CENTER);
+            letter(painter, at, align, &text, &font, orange);
         }
     }
 }
@@ -452,12 +446,8 @@ fn paint_light(painter: &Painter, at: Pos2, marker: Marker, colour: Option<Color
             painter.circle(at, RADIUS - 1.5, fill, ring);
         }
         Marker::Far { front, way } => {
-            let (tip, foot, side) = (
-                at + way * (RADIUS + 12.0),
-                at + way * (RADIUS + 3.0),
-                way.rot90(),
-            );
-            let points = vec![tip, foot + side * 5.5, foot - side * 5.5];
+            let (foot, side) = (at + way * (RADIUS + 3.0), way.rot90() * 5.5);
+            let points = vec![at + way * (RADIUS + 12.0), foot + side, foot - side];
             painter.add(Shape::closed_line(points.clone(), halo));
             painter.add(Shape::convex_polygon(points, rim, Stroke::NONE));
             painter.circle_stroke(at, RADIUS - 1.5, halo);
