@@ -350,15 +350,10 @@ impl App {
             self.state.translate_lesson();
             ctx.request_repaint();
         }
-        let mark = if self.state.session.modified() {
-            "*"
-        } else {
-            ""
-        };
-        let title = format!(
-            "{}{mark} — shading-lab",
-            self.state.session.document().origin.name()
-        );
+        let session = &self.state.session;
+        let mark = if session.modified() { "*" } else { "" };
+        let name = session.document().origin.name();
+        let title = format!("{name}{mark} — shading-lab");
         if title != self.title {
             system::set_title(ctx, &title);
             self.title = title;
@@ -533,10 +528,8 @@ impl App {
             return;
         };
         let size = [frame.width as usize, frame.height as usize];
-        ctx.copy_image(ColorImage::from_rgba_unmultiplied(
-            size,
-            frame.pixels.as_flattened(),
-        ));
+        let pixels = frame.pixels.as_flattened();
+        ctx.copy_image(ColorImage::from_rgba_unmultiplied(size, pixels));
         self.state.session.notice = Some(text!("copied-picture").into());
     }
 }

@@ -131,13 +131,12 @@ fn direction(light: &Light, scene: &Scene, view: &View) -> &'static str {
     };
     let way = way.normalize_or_zero();
     let [right, up] = [view.right, view.up].map(|axis| sign(way.dot(axis)));
-    match (
-        right.abs() + up.abs() < 0.5,
-        way.dot(view.forward) > STRAIGHT,
-    ) {
-        (_, true) => text!("picture-behind"),
-        (true, false) => text!("picture-front"),
-        (false, false) => place(right, -up),
+    if way.dot(view.forward) > STRAIGHT {
+        text!("picture-behind")
+    } else if right.abs() + up.abs() < 0.5 {
+        text!("picture-front")
+    } else {
+        place(right, -up)
     }
 }
 
@@ -176,20 +175,12 @@ fn brightest(frame: &Frame) -> Option<[f64; 2]> {
             parts.sum::<u32>()
         }
     };
-    let most = frame
-        .pixels
-        .iter()
-        .map(sum)
-        .max()
-        .filter(|most| *most > 0)?;
+    let sums = frame.pixels.iter().map(sum);
+    let most = sums.max().filter(|most| *most > 0)?;
     let width = frame.width.max(1) as usize;
-    let equal = frame
-        .pixels
-        .iter()
-        .enumerate()
-        .filter(|(_, pixel)| sum(pixel) == most);
+    let pixels = frame.pixels.iter().enumerate();
     let (mut count, mut at) = (0.0, [0.0; 2]);
-    for (index, _) in equal {
+    for (index, _) in pixels.filter(|(_, pixel)| sum(pixel) == most) {
         count += 1.0;
         at[0] += (index % width) as f64;
         at[1] += (index / width) as f64;

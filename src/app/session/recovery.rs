@@ -145,7 +145,9 @@ impl Recovery {
             if time < due || self.writing.is_some() {
                 ctx.request_repaint_after(Duration::from_secs_f64((due - time).max(0.1)));
             } else {
-                self.write(session, window);
+                let write = self.writer(session, window);
+                let task = Task::new(move |_: &dyn Watch<()>| write());
+                self.writing = Some(Job::start(task, |_| ()));
             }
         }
     }
@@ -157,15 +159,7 @@ impl Recovery {
         self.kept.as_ref().is_some_and(kept)
     }
 
-    fn write(&mut self, session: &Session, window: &WindowState) {
-        let write = self.writer(session, window);
-        self.writing = Some(Job::start(
-            Task::new(move |_: &dyn Watch<()>| write()),
-            |_| (),
-        ));
-    }
-
-    /// Returns what writes the document as it is now.
+    /// Returns a function that writes the document as it is now.
     fn writer(
         &mut self,
         session: &Session,

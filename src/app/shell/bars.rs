@@ -393,20 +393,13 @@ fn counts_ui(ui: &mut Ui, scene: &Scene, report: &FrameReport) {
 fn stage_ui(ui: &mut Ui, run: &StageRun) {
     let (name, what) = stage_words(run.stage);
     let (text, time) = if run.ran {
-        let (ms, evaluations) = (run.nanoseconds as f64 / 1e6, grouped(run.evaluations));
-        (
-            RichText::new(format!("■ {name}")).strong(),
-            text!(
-                "stage-ran",
-                ms = format!("{ms:.2}"),
-                evaluations = evaluations
-            ),
-        )
+        let ms = format!("{:.2}", run.nanoseconds as f64 / 1e6);
+        let evaluations = grouped(run.evaluations);
+        let time = text!("stage-ran", ms = ms, evaluations = evaluations);
+        (RichText::new(format!("■ {name}")).strong(), time)
     } else {
-        (
-            RichText::new(format!("□ {name}")).weak(),
-            text!("stage-kept").to_owned(),
-        )
+        let time = text!("stage-kept").to_owned();
+        (RichText::new(format!("□ {name}")).weak(), time)
     };
     ui.add(Label::new(text).sense(Sense::hover()))
         .on_hover_text(format!("{what}\n{time}"));

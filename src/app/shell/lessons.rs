@@ -47,11 +47,8 @@ impl AppState {
             Turn::OpenAt(name, step) => {
                 self.turn(Turn::Open(name));
                 self.turn(Turn::To(step));
-                let count = self
-                    .course
-                    .open
-                    .as_ref()
-                    .map_or(0, |open| open.lesson.steps.len());
+                let open = self.course.open.as_ref();
+                let count = open.map_or(0, |open| open.lesson.steps.len());
                 if count > 0 && step >= count {
                     let words = text!("link-no-step", step = step + 1, count = count);
                     self.session.warning = Some(words);
@@ -86,12 +83,8 @@ impl AppState {
             }
             Turn::To(step) => self.turn_to(step),
             Turn::Again => {
-                let staged = self
-                    .course
-                    .open
-                    .as_ref()
-                    .and_then(|open| open.staged.clone());
-                if let Some(staged) = staged {
+                let open = self.course.open.as_ref();
+                if let Some(staged) = open.and_then(|open| open.staged.clone()) {
                     self.show_stage(&staged, false);
                     self.window.show_view(ViewName::Course);
                 }
@@ -138,11 +131,8 @@ impl AppState {
     fn show_stage(&mut self, staged: &Staged, answered: bool) {
         let view = (self.window.appearance.views, self.window.appearance.view);
         let before = self.session.document().scene.clone();
-        let lesson = self
-            .course
-            .open
-            .as_ref()
-            .map(|open| open.lesson.name.clone());
+        let open = self.course.open.as_ref();
+        let lesson = open.map(|open| open.lesson.name.clone());
         let document = Document {
             scene: staged.scene.clone(),
             model: staged.model.clone(),

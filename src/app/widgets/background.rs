@@ -124,11 +124,8 @@ pub fn progress_ui<W: Work>(ui: &mut Ui, background: &Background<W>, tip: &str) 
         if ui.button(text!("report-stop")).on_hover_text(tip).clicked() {
             background.stop();
         }
-        ui.add(
-            ProgressBar::new(share)
-                .show_percentage()
-                .desired_width(ui.available_width()),
-        );
+        let bar = ProgressBar::new(share).show_percentage();
+        ui.add(bar.desired_width(ui.available_width()));
     });
     true
 }

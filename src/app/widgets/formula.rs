@@ -70,10 +70,9 @@ fn parts(ui: &Ui, run: Vec<Piece>) -> Vec<Vec<Piece>> {
             left = room;
         }
         left -= width;
-        parts
-            .last_mut()
-            .into_iter()
-            .for_each(|part| part.push(piece.clone()));
+        if let Some(part) = parts.last_mut() {
+            part.push(piece);
+        }
     }
     parts.retain(|part| !part.is_empty());
     parts
@@ -82,11 +81,8 @@ fn parts(ui: &Ui, run: Vec<Piece>) -> Vec<Vec<Piece>> {
 /// Splits a formula into pieces, in runs that each stay on one line.
 pub fn pieces(visuals: &Visuals, formula: &str) -> Vec<Vec<Piece>> {
     let mut runs: Vec<Vec<Piece>> = vec![Vec::new()];
-    set(
-        visuals,
-        &mut runs,
-        &Formula::read_or_verbatim(formula.trim()),
-    );
+    let formula = Formula::read_or_verbatim(formula.trim());
+    set(visuals, &mut runs, &formula);
     runs.retain(|run| !run.is_empty());
     runs
 }
@@ -97,9 +93,9 @@ fn set(visuals: &Visuals, runs: &mut Vec<Vec<Piece>>, formula: &Formula) {
         match base {
             Base::Name(name) => {
                 let piece = named(visuals, name, std::mem::take(&mut low));
-                runs.last_mut()
-                    .into_iter()
-                    .for_each(|run| run.push(piece.clone()));
+                if let Some(run) = runs.last_mut() {
+                    run.push(piece);
+                }
             }
             Base::Signs(signs) => push_signs(visuals, runs, signs),
             Base::Group(inside) => set(visuals, runs, inside),

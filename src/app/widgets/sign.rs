@@ -4,8 +4,8 @@ use super::focus::switch_named;
 use crate::scene::LightKind;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Atom, Button, Color32, IntoAtoms, Painter, Pos2, Rect, Response, Sense, Shape, Stroke,
-    StrokeKind, Ui, Vec2, vec2,
+    Atom, Button, Color32, IntoAtoms, Painter, Pos2, Rect, Sense, Shape, Stroke, StrokeKind, Ui,
+    Vec2, vec2,
 };
 
 /// The icon of a button.

@@ -34,12 +34,9 @@ pub fn swatch_button(ui: &mut Ui, name: &str, value: &mut Rgb) {
     // As high as its row, for fingers; the visible part is lower.
     let size = vec2(26.0, ui.spacing().interact_size.y);
     let response = swatch_ui(ui, *value, vec2(26.0, 20.0), size);
-    let response = named(
-        response,
-        Role::Button,
-        &text!("controls-swatch", name = name),
-    )
-    .on_hover_text(text!("controls-swatch-tip"));
+    let label = text!("controls-swatch", name = name);
+    let response =
+        named(response, Role::Button, &label).on_hover_text(text!("controls-swatch-tip"));
     aside(&response);
     Popup::menu(&response)
         .close_behavior(PopupCloseBehavior::CloseOnClickOutside)
