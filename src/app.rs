@@ -310,8 +310,7 @@ impl App {
         may
     }
 
-    /// Returns whether a page that is left now would lose work: where nothing can be kept, or where a model that somebody has
-    /// opened belongs to it.
+    /// Returns whether leaving the page now would lose work: work that is not kept, or whose model is a file of its own.
     fn would_lose(&self) -> bool {
         let session = &self.state.session;
         let kept = self.recovery.is_some() && session.document().model.is_none();

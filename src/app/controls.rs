@@ -439,7 +439,7 @@ pub fn pull_ui(ui: &Ui, session: &mut Session, window: &WindowState) {
     session.commit();
 }
 
-/// The parameter whose slider stands below a letter of the equation, and the letter's place.
+/// A parameter whose slider is shown below a letter of the equation, and the letter's rectangle.
 struct BelowLetter(&'static Parameter, Rect);
 
 /// Answers a click on a letter of the equation: in the panel of controls, if it is open, and else with the letter's

@@ -369,7 +369,7 @@ fn address_has(key: &str) -> bool {
     search.is_some_and(|search| search.contains(key))
 }
 
-/// Notes the entry of its history to which the browser went.
+/// Records the entry of its history to which the browser went.
 fn go_back(event: &PopStateEvent) {
     let entry: Array = event.state().dyn_into().unwrap_or_default();
     let (link, place) = (entry.get(0).as_string(), entry.get(1).as_string());

@@ -48,8 +48,7 @@ impl Stored {
     }
 }
 
-/// Removes fields that are null, which then have their defaults: `None`, or what a number has that is not finite and that JSON
-/// does not know.
+/// Removes null fields, which then have their defaults: `None`, and numbers that are not finite, which JSON does not have.
 fn drop_nulls(value: &mut Value) {
     match value {
         Value::Object(fields) => {

@@ -184,7 +184,7 @@ fn keys_ui(
     one_stop(ui, row.response.rect);
 }
 
-/// Returns what a name of a law stands for, or an empty text for a sign.
+/// Returns the meaning of a name in a law, or an empty text for a sign.
 fn meaning(visuals: &Visuals, name: &str) -> String {
     if let Some((_, parameter)) = NUMBERS.iter().find(|(number, _)| *number == name) {
         return parameter.full_name(0);

@@ -52,7 +52,7 @@ pub fn has_several(session: &Session) -> bool {
     model(session).is_some()
 }
 
-/// Shows a line for each of the model's materials. What is probed anew is chosen.
+/// Shows a line for each of the model's materials. Probing a face chooses its material.
 pub fn list_ui(ui: &mut Ui, session: &mut Session, window: &mut WindowState, engine: &Engine) {
     let has = |model: &Arc<Mesh>| !(model.materials.is_empty() && model.corner_colors.is_empty());
     if !mesh(session).is_some_and(has) {

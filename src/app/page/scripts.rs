@@ -39,7 +39,7 @@ pub fn offer(own: &JsValue) {
     }
 }
 
-/// Returns the shortest link to what a link opens.
+/// Returns the shortest link that opens the same as `text`.
 fn again(text: &str) -> Result<String, JsValue> {
     let Link { scene, name, shown } = read(text).map_err(say)?;
     let written = write("", &scene, Some(&name), &shown).map_err(say)?;

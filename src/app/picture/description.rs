@@ -29,7 +29,7 @@ const HUES: [&str; 6] = [
     "picture-blue",
     "picture-magenta",
 ];
-/// Maximum number of lights whose direction is told.
+/// Maximum number of lights whose direction is described.
 const MOST: usize = 3;
 
 /// The parts of a picture's description.
@@ -43,7 +43,7 @@ pub struct Described {
     pub probe: String,
 }
 
-/// Returns what is told of the active pane's picture, which is looked through only after it was drawn anew.
+/// Returns the description of the active pane's picture; it is made only once the picture or the probe has changed.
 pub fn described(session: &Session, window: &mut WindowState, engine: &Engine) -> Described {
     let of = (engine.revision, language());
     let known = window.own.get().filter(|known: &&Described| known.of == of);

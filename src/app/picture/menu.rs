@@ -29,7 +29,7 @@ pub fn open(window: &mut WindowState, grip: Grip, at: Pos2, place: Place) {
     window.own.put(Some(Clicked { grip, at, place }));
 }
 
-/// Shows the menu while it is open. What could show the answer to an open question waits for it.
+/// Shows the menu while it is open. Items that could show the answer to an open question are disabled.
 pub fn menu_ui(
     response: &Response,
     session: &mut Session,

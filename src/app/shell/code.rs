@@ -23,7 +23,7 @@ use eframe::egui::{
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// The maximum number of lines displayed of a program: the rest consists of polygons, which nobody reads.
+/// The maximum number of lines displayed of a program: the rest is a list of polygons.
 const PROGRAM_LINES: usize = 200;
 /// The maximum number of lines displayed of other texts; only a scene with hundreds of lights has more.
 const TEXT_LINES: usize = 2000;

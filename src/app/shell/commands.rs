@@ -425,7 +425,7 @@ pub fn listen(ctx: &Context, window: &mut WindowState, course: &Course, requests
     }
 }
 
-/// Returns what a key of a presenter's remote does. In a lesson they work anywhere in the window.
+/// Returns the action of a key of a presenter's remote, which works anywhere in the window while a lesson is open.
 fn page_turn(course: &Course, by: isize) -> Action {
     if let Some(action) = class_step(course, by) {
         action
@@ -436,7 +436,7 @@ fn page_turn(course: &Course, by: isize) -> Action {
     }
 }
 
-/// Returns what a key of the remote does in a class that is going on.
+/// Returns the action of such a key while a live class is running.
 #[cfg(feature = "class")]
 fn class_step(course: &Course, by: isize) -> Option<Action> {
     let class = course.class.as_ref()?;

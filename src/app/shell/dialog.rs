@@ -70,7 +70,7 @@ pub enum FileTask {
     SaveAnswer(Format),
     /// The answers to a lesson, with the student's name.
     HandIn(String),
-    /// The answers of a live class; an existing file goes on.
+    /// The answers of a live class; an existing file is continued.
     #[cfg(feature = "class")]
     Class,
 }

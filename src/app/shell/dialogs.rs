@@ -109,7 +109,7 @@ pub fn dialog_ui(ctx: &Context, state: &mut AppState, files: &mut Files) {
     }
 }
 
-/// Does what a dialog requests, after asking whether to replace existing files.
+/// Performs the request of a dialog, after asking whether to replace existing files.
 fn accept(ctx: &Context, state: &mut AppState, files: &mut Files, mut dialog: Dialog) {
     dialog.complete();
     let agreed = state.agreed.take();
@@ -143,7 +143,7 @@ fn accept(ctx: &Context, state: &mut AppState, files: &mut Files, mut dialog: Di
     ctx.request_repaint();
 }
 
-/// Does what a dialog requests.
+/// Performs the request of a dialog.
 pub fn perform(ctx: &Context, state: &mut AppState, files: &mut Files, dialog: Dialog) {
     match dialog {
         Dialog::File { task, path } => match task {

@@ -78,7 +78,7 @@ impl Entry {
         }
     }
 
-    /// Returns how far the entry is from what is `sought`, or `None` if it is something else. Each word has to be there.
+    /// Returns the distance of the entry from the words `sought`, or `None` if one of them is not in it.
     fn distance(&self, sought: &str) -> Option<usize> {
         let in_one = |text: &String| -> Option<usize> {
             let words = sought.split_whitespace();

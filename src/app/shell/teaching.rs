@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
-/// The least time between two frames that answers of the class ask for.
+/// The minimum time between two frames that answers of the class request.
 const REST: Duration = Duration::from_millis(30);
 
 impl AppState {

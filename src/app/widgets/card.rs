@@ -5,7 +5,7 @@ use eframe::egui::{
     Id, Layout, Rect, Response, Sense, Shape, Stroke, StrokeKind, Ui, UiBuilder, Vec2, vec2,
 };
 
-/// A card as wide as the space there is, and as high as its content, but at least as a control.
+/// A card as wide as the available space, and as high as its content, but at least as high as a control.
 pub struct Card {
     pub id: Id,
     /// The space around the content, in points.

@@ -24,7 +24,7 @@ pub fn qr_code_ui(ui: &mut Ui, code: &QrCode, side: f32) -> Response {
     response
 }
 
-/// Paints the dark modules of a code from its top left corner, on what is white, within `side` points.
+/// Paints the dark modules of a code on a white background, from its top left corner, within `side` points.
 fn paint_code(painter: &Painter, code: &QrCode, at: Pos2, side: f32) {
     let points = painter.pixels_per_point();
     let module = module(code, side, points);

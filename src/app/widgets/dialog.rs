@@ -47,7 +47,7 @@ pub enum Choice {
     Discard,
 }
 
-/// Joins two names in one phrase.
+/// Joins two names by "and".
 pub fn both(first: String, second: String) -> String {
     text!("and", first = first, second = second)
 }

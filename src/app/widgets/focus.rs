@@ -77,13 +77,13 @@ pub fn heading(ui: &mut Ui, words: &str) -> Response {
     response
 }
 
-/// Has screen readers tell what a widget says whenever that is new.
+/// Has screen readers announce the text of a widget whenever it changes.
 pub fn live(response: &Response) {
     let set = |node: &mut Node| node.set_live(Live::Polite);
     response.ctx.accesskit_node_builder(response.id, set);
 }
 
-/// Removes a widget that stands beside a stop from the order of Tab.
+/// Removes a widget beside a stop from the order of Tab.
 pub fn aside(response: &Response) {
     with(&response.ctx, |focus| focus.now.aside.push(response.id));
 }

@@ -73,7 +73,7 @@ impl FormulaField<'_> {
         was_put
     }
 
-    /// Puts a text where the cursor is, in place of what is selected, and goes on after it.
+    /// Inserts a text at the cursor, in place of the selection, and moves the cursor behind it.
     fn put(&self, ctx: &Context, typed: &mut String, key: &str) {
         let mut state = TextEditState::load(ctx, self.id).unwrap_or_default();
         let end = typed.chars().count();
@@ -114,7 +114,7 @@ pub fn wants_signs(ctx: &Context, fingers: bool) -> bool {
     fingers || ctx.content_rect().width() < NARROW
 }
 
-/// Shows a typed formula as textbooks set it, line by line, and below it what is wrong with it.
+/// Shows a typed formula in the notation of textbooks, line by line, with its error below.
 pub fn set_ui(ui: &mut Ui, formula: &str, error: Option<&FormulaError>) {
     let count = Cell::new(0);
     let lines = formula.lines().map(typed).filter(|line| !line.is_empty());
