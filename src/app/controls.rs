@@ -283,11 +283,9 @@ static SECTIONS: [Section; 8] = [
             Rows(&[&camera::FRAMING]),
             Rows(&[&camera::ROLL, &camera::EYE, &camera::TARGET]),
             Own(|ui, _, _, requests, _| {
+                let tip = text!("controls-reset-camera.tip");
                 let button = ui.button(text!("controls-reset-camera"));
-                if button
-                    .on_hover_text(text!("controls-reset-camera.tip"))
-                    .clicked()
-                {
+                if button.on_hover_text(tip).clicked() {
                     requests.ask(Action::ResetCamera);
                 }
             }),
@@ -557,13 +555,11 @@ fn item_ui(
 
 /// Explains the shading mode.
 fn mode_ui(ui: &mut Ui, scene: &Scene) {
-    let Scene {
-        shading, object, ..
-    } = scene;
-    let what = if shading.mode == ShadingMode::Exact && !object.kind.has_surface() {
+    let mode = scene.shading.mode;
+    let what = if mode == ShadingMode::Exact && !scene.object.kind.has_surface() {
         text!("controls-exact-without-surface")
     } else {
-        shading.mode.help()
+        mode.help()
     };
     ui.weak(what);
 }
@@ -609,15 +605,11 @@ fn fit_ui(ui: &mut Ui, scene: &mut Scene, engine: &Engine) {
         };
         let [r, g, b] = fit.to_array().map(|channel| format!("{channel:.3}"));
         let taken = (ambient.color - fit).abs().max_element() < 5e-4;
-        let button = named(
-            ui.add_enabled(!taken, Button::new(text!("controls-fit-take.label"))),
-            Role::Button,
-            text!("controls-fit-take"),
-        );
-        if button
-            .on_hover_text(text!("controls-fit-take.tip"))
-            .clicked()
-        {
+        let button = Button::new(text!("controls-fit-take.label"));
+        let button = ui.add_enabled(!taken, button);
+        let button = named(button, Role::Button, text!("controls-fit-take"));
+        let tip = text!("controls-fit-take.tip");
+        if button.on_hover_text(tip).clicked() {
             ambient.color = (fit * 1e3).round() / 1e3;
         }
         let numbers = format!("{r} {g} {b}");

@@ -194,11 +194,11 @@ impl Engine {
         let cost = shown().map(PaneEngine::greatest_cost).sum();
         let triangles = shown().map(|pane| pane.report().triangles).sum();
         let coarse = shown().any(|pane| pane.coarser != 1);
-        if redrawn {
+        let refines = smooth && !pixels && !coarse && Refined::affords(cost, triangles);
+        if redrawn || !refines {
             self.refined.forget();
         }
-        if !smooth || pixels || coarse || !Refined::affords(cost, triangles) {
-            self.refined.forget();
+        if !refines {
             return;
         }
         let Self {

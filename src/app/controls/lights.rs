@@ -147,10 +147,8 @@ fn line_ui(
             let number = index + 1;
             let remove = ui.add(Button::new("×").min_size(vec2(24.0, 0.0)));
             let name = text!("lights-remove", number = number);
-            if named(remove, Role::Button, &name)
-                .on_hover_text(name)
-                .clicked()
-            {
+            let remove = named(remove, Role::Button, &name);
+            if remove.on_hover_text(name).clicked() {
                 action = Some(LineAction::Remove);
             }
             let [solo, mute] = [

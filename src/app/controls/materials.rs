@@ -259,10 +259,8 @@ pub fn matching_ui(ui: &mut Ui, scene: &mut Scene) {
                 let tip = text!("controls-match-exponent.tip", model = who);
                 (format!("{who} n {}", display(number, 2)), name, tip)
             };
-            if named(ui.button(text), Role::Button, &name)
-                .on_hover_text(tip)
-                .clicked()
-            {
+            let button = named(ui.button(text), Role::Button, &name);
+            if button.on_hover_text(tip).clicked() {
                 take(scene, model, number);
             }
         }

@@ -77,7 +77,7 @@ pub fn object_ui(ui: &mut Ui, session: &mut Session, requests: &mut Requests, en
     ui.weak(counts).on_hover_text(tip);
     let scene = &mut shown.scene;
     let options = RowOptions {
-        offered: has_normals,
+        offered: Some(has_normals),
         ..RowOptions::default()
     };
     parameter_with(ui, initial, scene, &NORMALS, &options);

@@ -40,6 +40,7 @@ pub fn parameter(ui: &mut Ui, initial: &Scene, scene: &mut Scene, parameter: &'s
 }
 
 /// Options of a row that its parameter's description does not set.
+#[derive(Default)]
 pub struct RowOptions {
     /// Index of the light that the parameter belongs to.
     pub index: usize,
@@ -52,22 +53,8 @@ pub struct RowOptions {
     /// True if coefficients always have a field for each channel.
     pub channels: bool,
     pub slider: Option<Slider>,
-    /// Filter of the options on offer. The present option is always offered.
-    pub offered: fn(&Scene, &ChoiceOption) -> bool,
-}
-
-impl Default for RowOptions {
-    fn default() -> Self {
-        Self {
-            index: 0,
-            numbered: false,
-            wide: false,
-            in_full: false,
-            channels: false,
-            slider: None,
-            offered: |_, _| true,
-        }
-    }
+    /// Filter of the options on offer, if not all are. The present option is always offered.
+    pub offered: Option<fn(&Scene, &ChoiceOption) -> bool>,
 }
 
 /// Shows a row for a parameter as `options` describes.
@@ -156,9 +143,11 @@ pub fn parameter_with(
             let (Some(present), Some(default)) = (access.chosen(scene, index), opened) else {
                 return;
             };
+            let is_offered =
+                |option: &ChoiceOption| options.offered.is_none_or(|offers| offers(scene, option));
             let choices = access.options().iter().enumerate();
             let choices = choices
-                .filter(|(place, option)| *place == present || (options.offered)(scene, option))
+                .filter(|(place, option)| *place == present || is_offered(option))
                 .collect();
             let mut chosen = present;
             value_row(ui, &about, default, &mut chosen, |ui, chosen| {

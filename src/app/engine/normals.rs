@@ -58,11 +58,8 @@ impl NormalsDrawing {
             .field
             .take_if(|field| field.holds(renderer, &scene.object));
         if kept.is_none() {
-            if self
-                .field
-                .as_ref()
-                .is_some_and(|field| !field.of_equal_mesh(renderer))
-            {
+            let old = self.field.as_ref();
+            if old.is_some_and(|field| !field.of_equal_mesh(renderer)) {
                 // Its indices refer to other points.
                 window.pointed.kept = None;
             }

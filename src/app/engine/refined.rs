@@ -128,9 +128,8 @@ impl Refined {
 
     /// Returns to one sample per pixel.
     pub fn forget(&mut self) {
-        let alive = self.alive.clone();
         *self = Self {
-            alive,
+            alive: self.alive.clone(),
             ..Self::default()
         };
     }

@@ -331,12 +331,8 @@ pub fn stages_ui(
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let omitted = left_out(engine, &window.appearance);
-            let tip = text!("left-out-tip");
-            if ui
-                .link(text!("left-out", count = omitted))
-                .on_hover_text(tip)
-                .clicked()
-            {
+            let link = ui.link(text!("left-out", count = omitted));
+            if link.on_hover_text(text!("left-out-tip")).clicked() {
                 window.show_view(ViewName::Plan);
             }
             said_ui(ui, session, requests, TextWrapMode::Truncate);

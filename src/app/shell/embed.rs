@@ -59,11 +59,8 @@ pub fn embedded_ui(
         }
         ui.horizontal(|ui| {
             ui.weak(session.shown.scene.shading.mode.label());
-            if ui
-                .link(text!("embed-open"))
-                .on_hover_text(text!("embed-open.tip"))
-                .clicked()
-            {
+            let link = ui.link(text!("embed-open"));
+            if link.on_hover_text(text!("embed-open.tip")).clicked() {
                 requests.ask(Action::OpenPage);
             }
         });

@@ -85,11 +85,8 @@ pub fn path_ui(ui: &mut Ui, path: &mut String, hint: &str, no_dialog: bool) -> C
         } else {
             take_if_free(&field);
         }
-        if ui
-            .button(text!("browse"))
-            .on_hover_text(text!("browse-tip"))
-            .clicked()
-        {
+        let browse = ui.button(text!("browse"));
+        if browse.on_hover_text(text!("browse-tip")).clicked() {
             choice = Choice::Browse;
         }
     });

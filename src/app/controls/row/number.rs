@@ -264,10 +264,8 @@ pub fn slider_and_field(ui: &mut Ui, spec: &NumberRow<'_>, value: &mut f64) {
         let switch = text!("controls-infinite", name = name);
         let button = switch_named(button, Role::Button, on, &switch);
         aside(&button);
-        if button
-            .on_hover_text(text!("controls-infinite-tip"))
-            .clicked()
-        {
+        let button = button.on_hover_text(text!("controls-infinite-tip"));
+        if button.clicked() {
             let finite = if spec.default.is_finite() {
                 spec.default
             } else {

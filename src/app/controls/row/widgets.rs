@@ -45,11 +45,8 @@ pub fn swatch_button(ui: &mut Ui, name: &str, value: &mut Rgb) {
 
 fn picker(ui: &mut Ui, name: &str, value: &mut Rgb) {
     ui.spacing_mut().slider_width = 170.0;
-    for (channel, part) in CHANNELS
-        .map(|key| text!(key))
-        .into_iter()
-        .zip(value.as_mut())
-    {
+    let channels = CHANNELS.map(|key| text!(key));
+    for (channel, part) in channels.into_iter().zip(value.as_mut()) {
         ui.horizontal(|ui| {
             ui.add_sized(vec2(44.0, 20.0), Label::new(channel));
             let slider = Slider::new(part, 0.0..=1.0)
@@ -73,12 +70,9 @@ fn picker(ui: &mut Ui, name: &str, value: &mut Rgb) {
         ui.spacing_mut().item_spacing.x = 4.0;
         for (label, chip) in CHIPS {
             let size = vec2(22.0, 22.0);
-            let response = swatch_ui(ui, chip, size, size);
             let label = text!(label);
-            if named(response, Role::Button, label)
-                .on_hover_text(label)
-                .clicked()
-            {
+            let response = named(swatch_ui(ui, chip, size, size), Role::Button, label);
+            if response.on_hover_text(label).clicked() {
                 *value = chip;
             }
         }
