@@ -5,9 +5,9 @@ use crate::app::course::Course;
 use crate::app::engine::Engine;
 use crate::app::session::place::Place;
 use crate::app::session::window::WindowState;
-use crate::app::widgets::lines::line;
+use crate::app::widgets::lines::{cased, line};
 use crate::scene::View;
-use eframe::egui::{Color32, Painter, Stroke};
+use eframe::egui::Painter;
 use glam::DVec2;
 
 /// The number of polygons above which no edges are drawn, since they would hide the picture.
@@ -40,10 +40,7 @@ pub fn paint(painter: &Painter, window: &WindowState, course: &Course, view: &Vi
         let points: Vec<DVec2> = outline.iter().map(|at| place.exact_point(*at)).collect();
         // Edge by edge: where a polygon is seen almost edge-on, the mitres of a closed line would reach far
         // out.
-        for stroke in [
-            Stroke::new(2.0, Color32::from_black_alpha(70)),
-            Stroke::new(0.8, Color32::from_white_alpha(130)),
-        ] {
+        for stroke in cased([2.0, 0.8], [70, 130]) {
             let next = points.iter().cycle().skip(1);
             for (from, to) in points.iter().zip(next) {
                 line(painter, [*from, *to], stroke, &[]);

@@ -10,6 +10,7 @@ use crate::app::session::place::Place;
 use crate::app::session::window::{Grip, WindowState};
 use crate::app::views::compare::menu_ui;
 use crate::app::widgets::letter::{letter, set};
+use crate::app::widgets::lines::cased;
 use crate::app::widgets::{focus, palette};
 use crate::figure::palette::Vector;
 use crate::figure::with_raised_n;
@@ -214,10 +215,7 @@ pub fn captions_ui(
                 // A small square round the maximum difference.
                 let centre = whole.point(DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5));
                 let square = Rect::from_center_size(centre, vec2(16.0, 16.0));
-                for stroke in [
-                    Stroke::new(4.0, Color32::from_black_alpha(150)),
-                    Stroke::new(1.5, Color32::WHITE),
-                ] {
+                for stroke in cased([4.0, 1.5], [150, 255]) {
                     painter.rect_stroke(square, 0.0, stroke, StrokeKind::Middle);
                 }
             }
@@ -250,10 +248,7 @@ fn halves(ui: &Ui, session: &Session, pane: &PanePlace, captioned: bool, font: &
         letter(&painter, at, align, &text, font, white);
     }
     let x = place.center().x;
-    for stroke in [
-        Stroke::new(3.0, Color32::from_black_alpha(110)),
-        Stroke::new(1.0, Color32::from_white_alpha(170)),
-    ] {
+    for stroke in cased([3.0, 1.0], [110, 170]) {
         painter.line_segment([pos2(x, place.min.y), pos2(x, place.max.y)], stroke);
     }
 }

@@ -22,7 +22,7 @@ use crate::scene::{
 use crate::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
-    Align2, CollapsingHeader, Color32, FontId, Id, Label, Painter, RichText, Stroke, Ui, UiBuilder,
+    Align2, CollapsingHeader, Color32, FontId, Id, Label, Painter, RichText, Ui, UiBuilder,
 };
 use glam::DVec3;
 
@@ -366,10 +366,7 @@ pub fn paint(
         .into_iter()
         .filter(drawn)
     {
-        for stroke in [
-            Stroke::new(4.0, Color32::from_black_alpha(160)),
-            Stroke::new(1.8, Color32::WHITE),
-        ] {
+        for stroke in lines::cased([4.0, 1.8], [160, 255]) {
             for line in &mark.lines {
                 let points = line.iter().map(|point| place.exact_point(*point));
                 lines::line(painter, points, stroke, &[]);

@@ -17,7 +17,7 @@ use crate::app::widgets::drawing::{colour_of, drawing_ui, plot_style};
 use crate::app::widgets::fingers::{Held, hold};
 use crate::app::widgets::heading::heading_ui;
 use crate::app::widgets::letter::lettered;
-use crate::app::widgets::lines::{line, outline};
+use crate::app::widgets::lines::{cased, line, outline};
 use crate::app::widgets::palette::{readable, vector_text};
 use crate::app::widgets::symbol::Symbol;
 use crate::app::widgets::theme::TEXT;
@@ -28,8 +28,8 @@ use crate::text::text;
 use eframe::egui::accesskit::Role;
 use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{
-    Align, Button, Color32, FontId, Id, Label, Layout, Painter, RichText, Sense, Slider, Stroke,
-    Ui, Visuals, WidgetInfo, vec2,
+    Align, Button, Color32, FontId, Id, Label, Layout, Painter, RichText, Sense, Slider, Ui,
+    Visuals, WidgetInfo, vec2,
 };
 use glam::DVec2;
 use std::sync::Arc;
@@ -443,21 +443,14 @@ pub fn paint(painter: &Painter, window: &WindowState, place: Place) {
     };
     let Some(scan) = view.ready() else { return };
     let at = |grid: DVec2| place.exact_point(scan.grid.to_picture(grid));
-    let strokes = |widths: [f32; 2]| {
-        [
-            (widths[0], Color32::from_black_alpha(150)),
-            (widths[1], Color32::WHITE),
-        ]
-        .map(Stroke::from)
-    };
     let corners: Vec<DVec2> = scan.corners.iter().map(|corner| at(corner.place)).collect();
-    for stroke in strokes([4.0, 1.75]) {
+    for stroke in cased([4.0, 1.75], [150, 255]) {
         outline(painter, &corners, stroke);
     }
     let point = scan.at(view.step());
     let Some(span) = point.span else { return };
     let ends = [span.p.x, span.q.x].map(|x| at(DVec2::new(x, point.line.centre_y())));
-    for stroke in strokes([3.0, 1.25]) {
+    for stroke in cased([3.0, 1.25], [150, 255]) {
         line(painter, ends, stroke, &[]);
     }
 }

@@ -1,7 +1,7 @@
 //! Lines in the window, clipped to the painter's area before they are dashed or sent to the graphics card.
 
 use crate::figure::{Area, clipped};
-use eframe::egui::{Painter, Pos2, Rect, Shape, Stroke, pos2};
+use eframe::egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, pos2};
 use glam::DVec2;
 
 /// Converts a point of the screen to double precision, in which lines may reach far out of sight.
@@ -29,6 +29,15 @@ fn sight(painter: &Painter, width: f32) -> Area {
 /// Returns the area of the whole window; points.
 pub fn window(painter: &Painter) -> Area {
     area(painter.ctx().content_rect())
+}
+
+/// Returns the strokes of a line that is visible on any picture: a dark one, and a narrower white one over it. `widths` are in
+/// points, `alphas` the opacities of black and white.
+pub fn cased(widths: [f32; 2], alphas: [u8; 2]) -> [Stroke; 2] {
+    [
+        Stroke::new(widths[0], Color32::from_black_alpha(alphas[0])),
+        Stroke::new(widths[1], Color32::from_white_alpha(alphas[1])),
+    ]
 }
 
 /// Draws a line through points of the screen. `dashes` are alternating lengths of dashes and gaps; empty for a solid
