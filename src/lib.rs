@@ -33,6 +33,7 @@ pub mod animation;
 #[cfg(feature = "app")]
 #[doc(hidden)]
 pub mod app;
+mod bits;
 #[cfg(all(feature = "class", not(target_arch = "wasm32")))]
 pub mod class;
 pub mod document;

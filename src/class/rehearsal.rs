@@ -6,6 +6,7 @@
 use super::content::StepContent;
 use super::room::{AnswerRequest, Room};
 use super::tokens::Token;
+use crate::bits::SplitMix64;
 use crate::lesson::{Answer, CURVE_POINTS, Kind, Lesson, Pace, Phase};
 use crate::text::{in_language, text};
 use std::f64::consts::TAU;
@@ -24,16 +25,13 @@ const SILENT: f64 = 0.06;
 const STAYS: f64 = 0.95;
 const CONVINCED: f64 = 0.55;
 
-/// Numbers that look random (Steele, Lea and Flood 2014, SplitMix64).
-struct Random(u64);
+/// Numbers that look random.
+struct Random(SplitMix64);
 
 impl Random {
     /// Returns a number from 0 to 1.
     fn unit(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
+        (self.0.next_u64() >> 11) as f64 / (1_u64 << 53) as f64
     }
 
     fn below(&mut self, count: usize) -> usize {
@@ -66,7 +64,8 @@ struct Simulated {
 /// Lets simulated students join a class and answer its questions, until it is over.
 pub fn rehearse(room: &Arc<Room>, count: usize, seed: u64) {
     let (weak, language) = (Arc::downgrade(room), room.head().language);
-    std::thread::spawn(move || in_language(language, || run(&weak, count, Random(seed))));
+    let random = Random(SplitMix64(seed));
+    std::thread::spawn(move || in_language(language, || run(&weak, count, random)));
 }
 
 fn run(room: &Weak<Room>, count: usize, mut random: Random) {

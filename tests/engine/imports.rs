@@ -9,7 +9,8 @@ use std::path::{Path, PathBuf};
 use syn::{Attribute, Item, UseTree, Visibility};
 
 /// Folders and files right below `src`, from the bottom up: each may import from those before it.
-const ORDER: [&str; 18] = [
+const ORDER: [&str; 19] = [
+    "bits",
     "text",
     "expression",
     "scene",

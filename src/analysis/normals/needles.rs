@@ -8,6 +8,7 @@
 use super::fine::Fine;
 use super::{NormalField, SeenNormal};
 use crate::analysis::overlay::{OverlayLayer, OverlayOptions, Sketch, Style};
+use crate::bits::SplitMix64;
 use crate::figure::palette::{self, Rgb8, Vector, readable};
 use crate::figure::{Area, Label, inked_size};
 use crate::render::Renderer;
@@ -256,12 +257,9 @@ fn thinned(
     }
 }
 
-/// Returns a number unrelated to those of neighbouring indices (the finaliser of SplitMix64, Steele et al. 2014).
+/// Returns a number unrelated to those of neighbouring indices.
 fn scattered(index: u32) -> u64 {
-    let mut x = u64::from(index).wrapping_add(0x9E37_79B9_7F4A_7C15);
-    x = (x ^ (x >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-    x = (x ^ (x >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-    x ^ (x >> 31)
+    SplitMix64(index.into()).next_u64()
 }
 
 /// A grid with cells as wide as the minimum distance: anything too near lies in the same cell or a neighbour.

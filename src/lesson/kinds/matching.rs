@@ -3,6 +3,7 @@
 use super::kind::{AnyKind, Predictions, Printed, QuestionKind};
 use super::number::{control_line, short_number, with_unit};
 use crate::analysis::comparison::{LinearPicture, error_figures};
+use crate::bits::SplitMix64;
 use crate::figure::short;
 use crate::lesson::control::{
     along, control_name, control_unit, long_control_name, settable_to, share, slider, value_of,
@@ -200,17 +201,11 @@ impl QuestionKind for Match {
 
 /// Draws values in the middle four fifths of each control's slider.
 fn random_values(controls: &[String], seed: u64) -> Vec<f64> {
-    let mut state = seed;
+    let mut random = SplitMix64(seed);
     controls
         .iter()
         .map(|control| {
-            // SplitMix64 (Steele, Lea and Flood 2014).
-            state = state.wrapping_add(0x9E37_79B9_7F4A_7C15);
-            let mut z = state;
-            z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-            z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-            z ^= z >> 31;
-            let share = 0.1 + 0.8 * (z >> 11) as f64 / (1u64 << 53) as f64;
+            let share = 0.1 + 0.8 * (random.next_u64() >> 11) as f64 / (1u64 << 53) as f64;
             let value = slider(control).map_or(share, |(_, _, slider)| along(&slider, share));
             // As many digits as can be set.
             (value * 1e3).round() / 1e3

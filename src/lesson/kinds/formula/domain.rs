@@ -4,6 +4,7 @@
 //! others are spread evenly in it. All are round numbers, so that a point that is shown is the one that was computed.
 
 use super::quantity::Quantity;
+use crate::bits::SplitMix64;
 
 /// The number of points at which formulas are compared.
 pub const POINTS: usize = 4096;
@@ -169,9 +170,10 @@ pub fn points(names: &[Name]) -> Vec<Vec<Quantity>> {
     } else {
         CORNERS
     };
+    let mut random = SplitMix64(0);
     (0..POINTS)
         .map(|index| {
-            let mut bits = scrambled(index as u64);
+            let mut bits = random.next_u64();
             let of = |(place, name): (usize, &Name)| {
                 let fraction = (0.5 + index as f64 * steps[place]).fract();
                 if index < corners {
@@ -205,14 +207,6 @@ fn steps(count: usize) -> Vec<f64> {
     (1..=count)
         .map(|power| root.powi(-(power as i32)))
         .collect()
-}
-
-/// Returns well-mixed bits of a number (Steele, Lea and Flood 2014, as in SplitMix64).
-fn scrambled(number: u64) -> u64 {
-    let mut bits = number.wrapping_add(1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-    bits = (bits ^ bits >> 30).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-    bits = (bits ^ bits >> 27).wrapping_mul(0x94d0_49bb_1331_11eb);
-    bits ^ bits >> 31
 }
 
 #[cfg(test)]
