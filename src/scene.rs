@@ -19,6 +19,7 @@ mod model_materials;
 pub mod object;
 mod overrides;
 pub mod parameter;
+mod place;
 mod polygons;
 pub mod presets;
 mod problem;
@@ -49,6 +50,7 @@ pub use material::{
 pub use material_override::MaterialOverride;
 pub use object::{NormalSource, Object, ObjectKind, Weighting};
 pub use parameter::{GREATEST_INTENSITY, GREATEST_LENGTH, LEAST_LENGTH};
+pub(crate) use place::{pixel_to_place, place_to_pixel};
 pub use polygons::Polygons;
 pub(crate) use polygons::area_vector;
 pub use problem::{Cause, Problem, ProblemLocation, SceneError};

@@ -25,7 +25,7 @@ pub use glide::Glide;
 use handed_in::handed_in_ui;
 #[cfg(target_arch = "wasm32")]
 pub use kinds::{Likeness, Target};
-pub use mark::{from_pixel, paint};
+pub use mark::paint;
 #[cfg(target_arch = "wasm32")]
 pub use marking::Marking;
 pub use prose::prose_ui;

@@ -11,7 +11,7 @@ use super::engine::Engine;
 use crate::app::course::Course;
 use crate::app::session::Session;
 use crate::app::session::action::{Action, Requests};
-use crate::app::session::place::{Place, ProbePoint};
+use crate::app::session::place::{Place, ProbePoint, from_pixel};
 use crate::app::session::window::{Drag, Grip, LightStart, WindowState};
 use crate::app::views::defects;
 use crate::app::views::profile::{self, Profiles};
@@ -297,7 +297,7 @@ fn gesture(
         if response.secondary_clicked() && !course.asks_point() {
             menu::open(window, pointed.under(session, course, at).0, at, place);
         } else if response.clicked() && course.asks_point() {
-            course.put_mark(course::from_pixel(place.pixel(at), place.size));
+            course.put_mark(from_pixel(place.pixel(at), place.size));
         } else if response.clicked() {
             match pointed.under(session, course, at).0 {
                 Grip::Camera => put_probe(window, place, at),
@@ -387,7 +387,7 @@ fn drag(
         Grip::Camera => turn(&mut scene.camera, DVec2::new(-dx, dy)),
         Grip::SideView => {}
         Grip::Probe => put_probe(window, *place, at),
-        Grip::Mark => course.put_mark(course::from_pixel(pixel, place.size)),
+        Grip::Mark => course.put_mark(from_pixel(pixel, place.size)),
         Grip::Wipe => {
             let share = whole.pixel(at).x / f64::from(whole.size[0].max(1));
             let share = (share.clamp(0.0, 1.0) * 1000.0).round() / 1000.0;

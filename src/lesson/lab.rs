@@ -17,7 +17,7 @@ use crate::analysis::{Answer, Question, ReportContext, Subject, unwatched};
 use crate::expression::{Expression, Part, Quantities, Todo, Value};
 use crate::geometry::Mesh;
 use crate::render::{Frame, Renderer};
-use crate::scene::{ReflectionModel, Rgb, Scene, ShadingMode};
+use crate::scene::{ReflectionModel, Rgb, Scene, ShadingMode, pixel_to_place, place_to_pixel};
 use crate::text::{excerpt, text};
 use glam::DVec2;
 use serde_json::{Value as Json, json};
@@ -256,8 +256,8 @@ impl LabPlace<'_> {
 
     /// Returns the place of a pixel's centre.
     pub(super) fn place_of(&self, [x, y]: [u32; 2]) -> DVec2 {
-        let size = self.size();
-        (DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5) - size / 2.0) / size.min_element()
+        let centre = DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
+        pixel_to_place(centre, self.size())
     }
 
     /// Returns the size of the picture, in pixels.
@@ -265,15 +265,10 @@ impl LabPlace<'_> {
         DVec2::from_array(self.scene().image.size.map(f64::from))
     }
 
-    /// Converts a place to pixels.
-    fn in_pixels(&self, place: DVec2) -> DVec2 {
-        let size = self.size();
-        size / 2.0 + place * size.min_element()
-    }
-
     /// Returns the pixel of a place; none outside the picture.
     pub(super) fn pixel(&self, place: DVec2) -> Option<[u32; 2]> {
-        let (at, size) = (self.in_pixels(place).floor(), self.size());
+        let size = self.size();
+        let at = place_to_pixel(place, size).floor();
         let inside = at.cmpge(DVec2::ZERO).all() && at.cmplt(size).all();
         inside.then_some([at.x as u32, at.y as u32])
     }
@@ -337,8 +332,8 @@ impl LabPlace<'_> {
         let line = self
             .line
             .ok_or_else(|| text!("lesson-no-line").to_owned())?;
-        let most = self.size();
-        let [from, to] = line.map(|place| self.in_pixels(place).clamp(DVec2::ZERO, most));
+        let size = self.size();
+        let [from, to] = line.map(|place| place_to_pixel(place, size).clamp(DVec2::ZERO, size));
         Ok(ProfileQuestion {
             modes: modes.to_vec(),
             ..ProfileQuestion::new(from, to)

@@ -16,7 +16,7 @@ use crate::analysis::profile::{ProfileQuestion, draw_profile, profile};
 use crate::analysis::unwatched;
 use crate::figure::{Drawing, Shape};
 use crate::render::{Frame, Renderer};
-use crate::scene::{Scene, View};
+use crate::scene::{Scene, View, place_to_pixel};
 use crate::text::text;
 use glam::DVec2;
 use std::convert::Infallible;
@@ -324,7 +324,7 @@ fn draw_over(
     let stage = &step.stage;
     let size = DVec2::from_array(scene.image.size.map(f64::from));
     let side = size.min_element();
-    let at = |place: DVec2| size / 2.0 + place * side;
+    let at = |place: DVec2| place_to_pixel(place, size);
     let free_corners = free_corners(frame);
     if stage.overlays.contains(&"edges") {
         draw_edges(frame, renderer, scene);
@@ -411,7 +411,7 @@ fn draw_probe(frame: &mut Frame, scene: &Scene, probe: DVec2) {
     let size = DVec2::from_array(scene.image.size.map(f64::from));
     let side = size.min_element();
     let mut drawing = Drawing::over_picture([0x10; 3], 0.006 * side);
-    let at = size / 2.0 + probe * side;
+    let at = place_to_pixel(probe, size);
     let ring = Shape::ring(at, 0.016 * side, 0.005 * side, [0xff; 3]);
     drawing.shapes.push(ring);
     drawing.draw_over(frame);

@@ -5,6 +5,7 @@ use crate::app::session::place::{Place, ProfileLine};
 use crate::app::widgets::letter::letter;
 use crate::app::widgets::palette;
 use crate::figure::palette::Vector;
+use crate::scene::place_to_pixel;
 use crate::text::text;
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Stroke, vec2};
 use glam::DVec2;
@@ -39,7 +40,8 @@ pub fn paint(painter: &Painter, course: &Course, place: Place, font: &FontId) {
             painter.circle(at, 5.0, palette::vector(Vector::L), dark(2.0));
         }
     }
-    let point = |at: DVec2| place.point(pixel(at, place.size));
+    let size = DVec2::from_array(place.size.map(f64::from));
+    let point = |at: DVec2| place.point(place_to_pixel(at, size));
     let right = course.right_places();
     let green = palette::vector(Vector::V);
     if let [only] = right {
@@ -69,16 +71,4 @@ pub fn paint(painter: &Painter, course: &Course, place: Place, font: &FontId) {
 fn ring(painter: &Painter, at: Pos2, radius: f32, colour: Color32) {
     painter.circle_stroke(at, radius, Stroke::new(5.5, Color32::from_black_alpha(170)));
     painter.circle_stroke(at, radius, Stroke::new(3.0, colour));
-}
-
-/// Converts an offset from the centre, in units of the shorter side, to pixels.
-fn pixel(at: DVec2, size: [u32; 2]) -> DVec2 {
-    let size = DVec2::from_array(size.map(f64::from));
-    size / 2.0 + at * size.min_element()
-}
-
-/// Converts pixels to an offset from the centre, in units of the shorter side.
-pub fn from_pixel(pixel: DVec2, size: [u32; 2]) -> DVec2 {
-    let size = DVec2::from_array(size.map(|side| f64::from(side.max(1))));
-    (pixel.clamp(DVec2::ZERO, size) - size / 2.0) / size.min_element()
 }

@@ -2,7 +2,7 @@
 //! scene when the window is resized.
 
 use crate::app::widgets::lines;
-use crate::scene::View;
+use crate::scene::{View, pixel_to_place};
 use eframe::egui::{Pos2, Rect, Ui, vec2};
 use glam::{DVec2, DVec3};
 use serde::{Deserialize, Serialize};
@@ -70,6 +70,18 @@ fn shorter(size: [u32; 2]) -> f64 {
     f64::from(size[0].min(size[1]).max(1))
 }
 
+/// Returns the sides of a picture, each at least 1 pixel.
+fn at_least_one(size: [u32; 2]) -> DVec2 {
+    DVec2::from_array(size.map(|side| f64::from(side.max(1))))
+}
+
+/// Converts a point of a picture of `size` pixels, clamped to the picture, to an offset from its middle in units of its
+/// shorter side.
+pub fn from_pixel(pixel: DVec2, size: [u32; 2]) -> DVec2 {
+    let size = at_least_one(size);
+    pixel_to_place(pixel.clamp(DVec2::ZERO, size), size)
+}
+
 /// The position of the probe, relative to the picture's middle in units of its shorter side, so that the probe stays at
 /// the same place of the scene when the window is resized.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -102,12 +114,8 @@ impl ProbePoint {
 
     /// Returns the probe at the centre of `pixel`, its `x` and `y`, in a picture of `size` pixels.
     pub fn at(pixel: [u32; 2], size: [u32; 2]) -> Self {
-        let [width, height] = size.map(|side| f64::from(side.max(1)));
-        let [x, y] = pixel.map(|value| f64::from(value) + 0.5);
-        Self(DVec2::new(
-            (x - width * 0.5) / shorter(size),
-            (y - height * 0.5) / shorter(size),
-        ))
+        let centre = DVec2::from_array(pixel.map(|value| f64::from(value) + 0.5));
+        Self(pixel_to_place(centre, at_least_one(size)))
     }
 
     /// Returns the probe moved by whole pixels, but not past the picture's edge.
@@ -141,10 +149,8 @@ impl ProfileLine {
 
     /// Moves an end to a point of a picture of `size` pixels.
     pub fn put(&mut self, end: usize, pixel: DVec2, size: [u32; 2]) {
-        let unit = shorter(size);
-        let size = DVec2::from_array(size.map(|side| f64::from(side.max(1))));
         if let Some(end) = self.0.get_mut(end) {
-            *end = (pixel.clamp(DVec2::ZERO, size) - 0.5 * size) / unit;
+            *end = from_pixel(pixel, size);
         }
     }
 }

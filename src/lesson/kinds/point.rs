@@ -10,7 +10,7 @@ use crate::lesson::page::{data, picture};
 use crate::lesson::read::keys::{KeyReader, Keys};
 use crate::lesson::{Hint, LabPlace, Side, Stage};
 use crate::render::Frame;
-use crate::scene::{Rgb, ShadingMode};
+use crate::scene::{Rgb, ShadingMode, pixel_to_place, place_to_pixel};
 use crate::text::{fixed, text};
 use glam::DVec2;
 
@@ -266,7 +266,7 @@ fn svg_over(picture: &Frame) -> Element {
 /// Returns a circle about a place of the picture.
 fn circle(picture: &Frame, place: DVec2, radius: f64) -> Element {
     let size = DVec2::new(picture.width.into(), picture.height.into());
-    let at = size / 2.0 + place * size.min_element();
+    let at = place_to_pixel(place, size);
     element("circle")
         .length("cx", at.x)
         .length("cy", at.y)
@@ -421,7 +421,7 @@ fn corner(place: LabPlace<'_>, mode: ShadingMode, tolerance: f64) -> Result<Vec<
         .zip(&profile.traces[0].corners)
         .filter(|(border, _)| border.faces.iter().all(Option::is_some))
         .filter_map(|(border, corner)| {
-            let at = (DVec2::new(border.x, border.y) - size / 2.0) / size.min_element();
+            let at = pixel_to_place(DVec2::new(border.x, border.y), size);
             corner.as_ref().map(|corner| (at, corner.jump.abs()))
         })
         .collect();

@@ -4,6 +4,7 @@ use crate::class::Round;
 use crate::figure::palette::Rgb8;
 use crate::figure::{Drawing, PlotStyle, Shape};
 use crate::lesson::{Answer, Curve, CurveAxes, abscissa};
+use crate::scene::place_to_pixel;
 use glam::DVec2;
 
 /// The colours of answers.
@@ -63,7 +64,7 @@ pub fn clicks(
     let mut drawing = Drawing::over_picture([0x10; 3], 0.1 * letters);
     drawing.size = size;
     let side = size.min_element();
-    let at = |place: DVec2| size / 2.0 + place * side;
+    let at = |place: DVec2| place_to_pixel(place, size);
     for graded in &round.answers {
         if let Answer::Point(place) = graded.answer {
             let place = at(DVec2::from_array(place)).clamp(DVec2::ZERO, size);
