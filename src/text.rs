@@ -8,6 +8,7 @@ mod number;
 use fluent_bundle::concurrent::FluentBundle;
 use fluent_bundle::{FluentArgs, FluentResource};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use std::borrow::Borrow;
 use std::cell::Cell;
 use std::collections::{BTreeSet, HashMap};
 use std::sync::atomic::{AtomicU8, Ordering};
@@ -323,6 +324,12 @@ pub fn message(key: &str) -> &'static str {
         .write()
         .unwrap_or_else(PoisonError::into_inner);
     known.entry(key.to_owned()).or_insert(text)
+}
+
+/// Joins words by the commas of the current language.
+pub fn listed(words: impl IntoIterator<Item: Borrow<str>>) -> String {
+    let words: Vec<_> = words.into_iter().collect();
+    words.join(message("comma"))
 }
 
 /// Returns a message with its variables filled in.

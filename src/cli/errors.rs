@@ -3,7 +3,7 @@
 use super::input::one_of;
 use clap::Error;
 use clap::error::{ContextKind, ContextValue, ErrorKind};
-use shading_lab::text::{excerpt, text};
+use shading_lab::text::{excerpt, listed, text};
 use std::error::Error as _;
 use std::num::{ParseFloatError, ParseIntError};
 
@@ -15,7 +15,7 @@ pub fn worded(error: &Error) -> Option<String> {
         Some(ContextValue::Strings(texts)) => texts.iter().map(|text| excerpt(text)).collect(),
         _ => Vec::new(),
     };
-    let arguments = all(ContextKind::InvalidArg).join(text!("comma"));
+    let arguments = listed(all(ContextKind::InvalidArg));
     let value = all(ContextKind::InvalidValue).concat();
     Some(match error.kind() {
         ErrorKind::InvalidValue | ErrorKind::ValueValidation if value.is_empty() => {
@@ -58,7 +58,7 @@ pub fn worded(error: &Error) -> Option<String> {
         }
         ErrorKind::MissingRequiredArgument => text!("cli-missing-arguments", arguments = arguments),
         ErrorKind::ArgumentConflict => {
-            let other = all(ContextKind::PriorArg).join(text!("comma"));
+            let other = listed(all(ContextKind::PriorArg));
             text!("cli-conflict", argument = arguments, other = other)
         }
         _ => return None,

@@ -12,7 +12,7 @@ use super::kinds::kind::counted;
 use super::kinds::{short_number, with_unit};
 use super::{Answer, Budget, BuiltIn, Kind, Lesson, SameFormula, Solution, Step, find};
 use crate::document::open_picture;
-use crate::text::{Language, in_language, text};
+use crate::text::{Language, in_language, listed, text};
 use question::Failure;
 use std::collections::HashMap;
 use std::io::{BufRead, Cursor, Read, Seek};
@@ -126,9 +126,8 @@ impl Group {
             let key = key("class-predicted-same", "class-off-same");
             text!(key, value = least)
         } else if numbers.len() < QUARTERED {
-            let values: Vec<String> = numbers.into_iter().map(words).collect();
             let key = key("class-predicted-few", "class-off-few");
-            text!(key, values = values.join(text!("comma")))
+            text!(key, values = listed(numbers.into_iter().map(words)))
         } else {
             text!(
                 key("class-predicted", "class-off"),

@@ -5,7 +5,7 @@ use super::choice::Choice;
 use super::object::ObjectKind;
 use super::overrides::key_and_value;
 use super::parameter::{Kind, Limits, Parameter, defaults};
-use crate::text::{text, with_minus};
+use crate::text::{listed, text, with_minus};
 
 /// Puts `KEY=VALUE` into words for people: the key's name, and the value's own word. Text that is not a setting stays as it is.
 pub fn setting_words(setting: &str) -> String {
@@ -84,6 +84,5 @@ fn range_of_shapes(limits: fn(&Scene) -> Limits) -> String {
         let least = limits.least.to_string();
         text!("range-of-shape", shape = shape, least = least)
     });
-    let words: Vec<String> = std::iter::once(usual.to_string()).chain(words).collect();
-    words.join(text!("comma"))
+    listed(std::iter::once(usual.to_string()).chain(words))
 }

@@ -21,7 +21,7 @@ use crate::lesson::html::{Html, element};
 use crate::lesson::page::inline;
 use crate::lesson::read::keys::{KeyReader, Keys, NameKeys, Term};
 use crate::lesson::{Grade, Hint, LabPlace};
-use crate::text::{excerpt, text};
+use crate::text::{excerpt, listed, text};
 
 /// A formula over given names.
 #[derive(Clone, Debug, PartialEq)]
@@ -160,7 +160,6 @@ impl Formula {
             let (name, value) = (Self::set(&name.name), value.words(EXACT));
             format!("{name} = {value}")
         });
-        let values: Vec<String> = values.collect();
         let vector = self.wants_vector();
         let words = |value: Option<[f64; 3]>, digits: usize| match value {
             Some(value) if vector => Quantity::Vector(value).words(digits),
@@ -174,7 +173,7 @@ impl Formula {
         let [given, expected] = apart.unwrap_or_else(|| both(EXACT));
         text!(
             "lesson-hint-formula",
-            values = values.join(text!("comma")),
+            values = listed(values),
             given = given,
             expected = expected
         )
@@ -248,8 +247,8 @@ impl Formula {
 
 impl AnyKind for Formula {
     fn hint(&self) -> Option<String> {
-        let names: Vec<&str> = self.names.iter().map(|name| &*name.name).collect();
-        Some(text!("class-formula", names = names.join(text!("comma"))))
+        let names = self.names.iter().map(|name| &*name.name);
+        Some(text!("class-formula", names = listed(names)))
     }
 }
 
@@ -392,8 +391,7 @@ impl QuestionKind for Formula {
     /// Prints the names that may be used, and a line to write on.
     fn blank(&self, _: &Printed<'_>, _: Option<&String>) -> Result<Html, String> {
         let names = self.names.iter().map(|name| Self::set(&name.name));
-        let names: Vec<String> = names.collect();
-        let names = text!("class-formula", names = names.join(text!("comma")));
+        let names = text!("class-formula", names = listed(names));
         let names = element("p").class("quiet").with(inline(&names));
         Ok(Html::new().line(names).line(element("div").class("rule")))
     }

@@ -13,7 +13,7 @@ use crate::lesson::page::picture;
 use crate::lesson::read::keys::{KeyReader, Keys};
 use crate::lesson::{Hint, LabPlace};
 use crate::render::Frame;
-use crate::text::{fixed, text};
+use crate::text::{fixed, listed, text};
 
 /// Settings that make a picture like another one.
 #[derive(Clone, Debug, PartialEq)]
@@ -52,13 +52,10 @@ impl Match {
         number: impl Fn(f64) -> String,
     ) -> String {
         let pairs = self.controls.iter().zip(values);
-        let pairs: Vec<String> = pairs
-            .map(|(control, value)| {
-                let value = with_unit(&number(*value), control_unit(control));
-                format!("{} = {value}", name(control))
-            })
-            .collect();
-        pairs.join(text!("comma"))
+        listed(pairs.map(|(control, value)| {
+            let value = with_unit(&number(*value), control_unit(control));
+            format!("{} = {value}", name(control))
+        }))
     }
 }
 

@@ -9,7 +9,7 @@ use crate::lesson::page::picture;
 use crate::lesson::read::keys::{KeyReader, Keys};
 use crate::lesson::{Grade, Hint, LabPlace, Prose};
 use crate::render::Frame;
-use crate::text::text;
+use crate::text::{listed, text};
 
 /// Most orders in the chart of a class.
 const CHARTED: usize = 12;
@@ -144,11 +144,8 @@ impl QuestionKind for Order {
     }
 
     fn words(&self, given: &Vec<usize>, options: &[String]) -> String {
-        let items: Vec<&str> = given
-            .iter()
-            .filter_map(|item| options.get(*item).map(String::as_str))
-            .collect();
-        items.join(text!("comma"))
+        let items = given.iter().filter_map(|item| options.get(*item));
+        listed(items.map(String::as_str))
     }
 
     fn solution_words(&self, right: &Vec<usize>, options: &[String]) -> String {
