@@ -1,5 +1,6 @@
 //! Files that the server gives out: all of them are in memory before it starts, so that no request can reach another.
 
+use crate::bits::fnv_1a;
 use hyper::body::Bytes;
 use miniz_oxide::deflate::compress_to_vec;
 use std::collections::HashMap;
@@ -34,19 +35,11 @@ impl StaticFile {
             .filter(|gzip| gzip.len() < bytes.len());
         Self {
             kind,
-            hash: hash(&bytes),
+            hash: fnv_1a(bytes.iter().copied()),
             compressed: [gzip.map(Bytes::from), None],
             bytes,
         }
     }
-}
-
-/// Returns the FNV-1a hash of a content in hexadecimal, which names a version and protects nothing.
-pub fn hash(bytes: &[u8]) -> String {
-    let hash = bytes.iter().fold(0xcbf2_9ce4_8422_2325u64, |hash, byte| {
-        (hash ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3)
-    });
-    format!("{hash:016x}")
 }
 
 /// Returns the media type by the name, and whether it is worth compressing.
@@ -134,7 +127,7 @@ pub fn read_page(folder: &Path) -> Option<HashMap<String, StaticFile>> {
         let mut file = match gzips.get(&name) {
             Some(gzip) => StaticFile {
                 kind: kind(&name).0,
-                hash: hash(&bytes),
+                hash: fnv_1a(bytes.iter().copied()),
                 bytes: bytes.into(),
                 compressed: [Some(gzip.clone()), None],
             },

@@ -6,6 +6,7 @@
 //! collector of the answers computes them.
 
 use super::{Answer, Answered, Grade, Lesson, Record, find};
+use crate::bits::fnv_1a;
 use crate::document::{SaveError, write_picture};
 use crate::picture::{PictureError, SCENE_KEYWORD, read_texts, write_png};
 use crate::render::Frame;
@@ -274,22 +275,14 @@ pub fn clean(text: &str, most: usize) -> String {
     plain.take(most).collect::<String>().trim().to_owned()
 }
 
-/// Returns the FNV-1a hash (Fowler, Noll and Vo 1991) of texts, each followed by its length.
+/// Returns the FNV-1a hash of texts, each followed by its length.
 pub(crate) fn digest<'t>(
     texts: impl IntoIterator<Item = &'t (impl AsRef<str> + ?Sized + 't)>,
 ) -> String {
-    let mut hash = 0xcbf2_9ce4_8422_2325u64;
-    let mut take = |bytes: &[u8]| {
-        for byte in bytes {
-            hash = (hash ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3);
-        }
-    };
-    for text in texts {
+    fnv_1a(texts.into_iter().flat_map(|text| {
         let text = text.as_ref();
-        take(text.as_bytes());
-        take(&(text.len() as u64).to_le_bytes());
-    }
-    format!("{hash:016x}")
+        text.bytes().chain((text.len() as u64).to_le_bytes())
+    }))
 }
 
 #[cfg(test)]
