@@ -14,6 +14,14 @@ pub struct Area {
 }
 
 impl Area {
+    /// Creates the area of `size` whose top left corner is the origin.
+    pub fn from_size(size: DVec2) -> Self {
+        Self {
+            min: DVec2::ZERO,
+            max: size,
+        }
+    }
+
     /// Creates the area of `size` about `centre`.
     pub fn about(centre: DVec2, size: DVec2) -> Self {
         Self {

@@ -43,10 +43,7 @@ pub fn lay_out_column(
     span: Option<[f64; 2]>,
     style: &PlotStyle,
 ) -> Vec<Drawing> {
-    let whole = Area {
-        min: DVec2::ZERO,
-        max: size,
-    };
+    let whole = Area::from_size(size);
     let begun = plots.iter().map(|plot| {
         let mut drawing = Drawing::new(size, style.paper.ground);
         let bounds = PlotCanvas::new(&mut drawing, plot, style).heading(whole);

@@ -64,10 +64,7 @@ impl DeepEdge {
     /// Finds the visible edge of the largest displacement in the picture of `scene` that `renderer` last drew.
     fn find(renderer: &Renderer, scene: &Scene) -> Option<Self> {
         let size = scene.image.size;
-        let picture = Area {
-            min: DVec2::ZERO,
-            max: DVec2::from_array(size.map(f64::from)),
-        };
+        let picture = Area::from_size(DVec2::from_array(size.map(f64::from)));
         let view = View::new(&scene.camera, size);
         let mesh = renderer.mesh_shown();
         let mut found: Option<Self> = None;

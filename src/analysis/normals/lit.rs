@@ -45,10 +45,7 @@ impl LitVertex {
         vertex: &VertexNormal,
         options: &OverlayOptions,
     ) -> Option<Self> {
-        let pane = Area {
-            min: DVec2::ZERO,
-            max: DVec2::from_array(size.map(f64::from)),
-        };
+        let pane = Area::from_size(DVec2::from_array(size.map(f64::from)));
         let side = pane.max.min_element();
         let style = Style::new(side, options);
         let view = View::new(&scene.camera, size);

@@ -141,10 +141,7 @@ impl Needles {
             others.extend(choice.shown.iter().map(|one| one.point));
             for one in &choice.shown {
                 // A needle that would pass the eye is cut short before it.
-                let nowhere = Area {
-                    min: DVec2::ZERO,
-                    max: DVec2::ZERO,
-                };
+                let nowhere = Area::from_size(DVec2::ZERO);
                 let sketch = Sketch::new(view, style, nowhere, one.point, 1.0);
                 let tip = sketch.and_then(|sketch| sketch.end(one.normal * needles.length));
                 needles.needles.extend(tip.map(|tip| Needle {

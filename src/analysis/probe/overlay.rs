@@ -55,10 +55,7 @@ pub fn draw_overlay(
 impl Overlay {
     /// Lays out the overlay of `probe` for a picture of `scene` of `size` (width, height) pixels.
     pub fn new(size: [u32; 2], scene: &Scene, probe: &Probe, options: &OverlayOptions) -> Self {
-        let picture = Area {
-            min: DVec2::ZERO,
-            max: DVec2::from_array(size.map(f64::from)),
-        };
+        let picture = Area::from_size(DVec2::from_array(size.map(f64::from)));
         let side = picture.max.min_element();
         let style = Style::new(side, options);
         let view = View::new(&scene.camera, size);

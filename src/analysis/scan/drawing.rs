@@ -39,10 +39,7 @@ fn pad(cell: f64, em: f64) -> DVec2 {
 /// Draws `scan` at step `step` in an area of `size`; with a title there is also a column with the formulas filled in.
 pub fn lay_out_scan(scan: &Scan, step: usize, size: DVec2, style: &PlotStyle) -> Drawing {
     let mut drawing = Drawing::new(size, style.paper.ground);
-    let mut bounds = Area {
-        min: DVec2::ZERO,
-        max: size,
-    };
+    let mut bounds = Area::from_size(size);
     if style.titled {
         bounds = draw_column(&mut drawing, scan, step, bounds, style);
     }

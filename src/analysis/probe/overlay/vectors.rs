@@ -112,10 +112,7 @@ pub fn draw_vectors(
         .min((width - margin[1] - margin[2]) / (1.0 + below))
         .max(letters.text);
     let size = DVec2::new(width, margin[1] + (1.0 + below) * unit + margin[2]);
-    let pane = Area {
-        min: DVec2::ZERO,
-        max: size,
-    };
+    let pane = Area::from_size(size);
     let view = seen_from(DVec2::new(0.5 * width, margin[1] + unit), unit);
     let mut sketch = Sketch::new(view, letters, pane, DVec3::ZERO, 1.0)?;
     if !halfway {
