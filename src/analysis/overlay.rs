@@ -275,6 +275,16 @@ impl Sketch {
         vectors.into_iter().map(|vector| self.end(vector)).collect()
     }
 
+    /// Draws an arrow from the origin to `tip`, whose head takes at most half of it; returns its direction in the picture.
+    pub fn arrow(&mut self, tip: DVec2, width: f64, colour: Rgb8) -> DVec2 {
+        let along = (tip - self.origin).normalize_or_zero();
+        let head = self.style.head.min(0.5 * self.origin.distance(tip));
+        let [shaft, point] = Shape::arrow([self.origin, tip], along, width, head, colour);
+        self.shapes.push(shaft);
+        self.shapes.extend((head > 0.0).then_some(point));
+        along
+    }
+
     /// Returns the sine of the angle between `vector` and the line of sight, signed: positive towards the eye.
     pub fn slant(&self, vector: DVec3) -> f64 {
         let towards = match self.view.projection {

@@ -211,11 +211,7 @@ fn draw_vertex_normal(sketch: &mut Sketch, field: &NormalField, vertex: &VertexN
     let (style, origin) = (sketch.style, sketch.origin);
     let colour = readable(Vector::N.colour(), style.halo_colour, CONTRAST);
     let tip = sketch.end(vertex.normal).unwrap_or(origin);
-    let along = (tip - origin).normalize_or_zero();
-    let head = style.head.min(0.5 * origin.distance(tip));
-    let [shaft, point] = Shape::arrow([origin, tip], along, 1.2 * style.line, head, colour);
-    sketch.shapes.push(shaft);
-    sketch.shapes.extend((head > 0.0).then_some(point));
+    let along = sketch.arrow(tip, 1.2 * style.line, colour);
     sketch
         .shapes
         .push(Shape::disc(origin, 1.7 * style.line, colour));

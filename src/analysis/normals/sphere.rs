@@ -99,16 +99,12 @@ fn draw_face(sketch: &mut Sketch, face: &VertexFace, size: f64, opacity: f64) {
 
 /// Draws the mean of the normals inside the sphere and the vertex normal through it.
 fn draw_mean(sketch: &mut Sketch, vertex: &VertexNormal) {
-    let (style, origin) = (sketch.style, sketch.origin);
+    let style = sketch.style;
     let colour = readable(Vector::N.colour(), style.halo_colour, CONTRAST);
     let (Some(mean), Some(tip)) = (sketch.end(vertex.sum), sketch.end(vertex.normal)) else {
         return;
     };
-    let along = (tip - origin).normalize_or_zero();
-    let head = style.head.min(0.5 * origin.distance(tip));
-    let [shaft, point] = Shape::arrow([origin, tip], along, style.line, head, colour);
-    sketch.shapes.push(shaft);
-    sketch.shapes.extend((head > 0.0).then_some(point));
+    let along = sketch.arrow(tip, style.line, colour);
     sketch
         .shapes
         .push(Shape::disc(mean, 1.6 * style.line, style.neutral));
