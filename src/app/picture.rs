@@ -197,8 +197,7 @@ fn reach(ui: &Ui) -> f32 {
 impl Pointed {
     fn is_in_side_view(&self, at: Pos2) -> bool {
         let at = self.place.pixel(at);
-        let at = Area { min: at, max: at };
-        self.side_view.is_some_and(|pane| pane.holds(&at))
+        self.side_view.is_some_and(|pane| pane.contains(at))
     }
 
     /// Returns the handle that a drag from `at` would move, and the offset from `at` to its centre, in

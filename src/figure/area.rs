@@ -30,6 +30,14 @@ impl Area {
         }
     }
 
+    /// Returns the area without a margin on all sides; a negative one enlarges it.
+    pub fn inset(&self, margin: f64) -> Self {
+        Self {
+            min: self.min + margin,
+            max: self.max - margin,
+        }
+    }
+
     /// Returns its middle.
     pub fn centre(&self) -> DVec2 {
         (self.min + self.max) * 0.5
@@ -48,6 +56,11 @@ impl Area {
     /// Returns whether `other` lies within, edges included.
     pub fn holds(&self, other: &Self) -> bool {
         other.min.cmpge(self.min).all() && other.max.cmple(self.max).all()
+    }
+
+    /// Returns whether `point` lies within, edges included.
+    pub fn contains(&self, point: DVec2) -> bool {
+        point.cmpge(self.min).all() && point.cmple(self.max).all()
     }
 
     /// Returns whether the two share more than an edge.

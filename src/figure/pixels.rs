@@ -73,12 +73,9 @@ fn draw_text(pixmap: &mut PixmapMut<'_>, text: &Text, halo: Rgb8) {
 fn draw_shape(pixmap: &mut PixmapMut<'_>, shape: &Shape) {
     let paint = paint(shape.colour, shape.opacity);
     // The picture with a margin for a line whose middle is outside.
-    let margin = DVec2::splat(2.0 * shape.width + 2.0);
+    let margin = 2.0 * shape.width + 2.0;
     let size = DVec2::new(f64::from(pixmap.width()), f64::from(pixmap.height()));
-    let window = Area {
-        min: -margin,
-        max: size + margin,
-    };
+    let window = Area::from_size(size).inset(-margin);
     if shape.closed {
         let points = Some(&shape.points).filter(|points| can_be_filled(points, &window));
         let Some(path) = points.and_then(|points| polyline(points, true)) else {

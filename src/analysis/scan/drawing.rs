@@ -90,10 +90,7 @@ fn draw_column(
     style: &PlotStyle,
 ) -> Area {
     let (em, paper) = (style.text, &style.paper);
-    let mut rest = Area {
-        min: bounds.min + em,
-        max: bounds.max - em,
-    };
+    let mut rest = bounds.inset(em);
     let mode = match scan.mode {
         ShadingMode::Exact => ShadingMode::Phong,
         mode => mode,

@@ -103,10 +103,7 @@ fn dashed(points: &[Pos2], dashes: &[f32], start: f64) -> Vec<Vec<Pos2>> {
 /// Draws a closed line through points of the screen.
 pub fn outline(painter: &Painter, points: &[DVec2], stroke: Stroke) {
     let sight = sight(painter, stroke.width);
-    if points
-        .iter()
-        .all(|at| sight.holds(&Area { min: *at, max: *at }))
-    {
+    if points.iter().all(|at| sight.contains(*at)) {
         let points = points.iter().map(rounded).collect();
         painter.add(Shape::closed_line(points, stroke));
     } else {

@@ -99,10 +99,7 @@ impl<'a> PlotCanvas<'a> {
     pub fn heading(&mut self, bounds: Area) -> Area {
         let (em, paper, plot) = (self.em, self.paper, self.plot);
         let margin = if self.style.titled { em } else { 0.0 };
-        let mut rest = Area {
-            min: bounds.min + margin,
-            max: bounds.max - margin,
-        };
+        let mut rest = bounds.inset(margin);
         if self.style.titled {
             rest.min.y += 1.2 * em;
             self.text(&plot.title, rest.min, 1.25, paper.text, 0.0)

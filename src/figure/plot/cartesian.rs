@@ -138,21 +138,14 @@ pub fn draw(canvas: &mut PlotCanvas<'_>, bounds: Area, widest: f64, span: Option
             }
         }
     }
-    let around = Area {
-        min: area.min - 1.0,
-        max: area.max + 1.0,
-    };
+    let around = area.inset(-1.0);
     for (mark, (index, value)) in plot
         .marks
         .iter()
         .flat_map(|mark| mark.values.iter().map(move |value| (mark, value)))
     {
         let at = scale.place([mark.x, *value]);
-        let Some(curve) = plot
-            .curves
-            .get(*index)
-            .filter(|_| around.holds(&Area { min: at, max: at }))
-        else {
+        let Some(curve) = plot.curves.get(*index).filter(|_| around.contains(at)) else {
             continue;
         };
         canvas.disc(at, 0.36, canvas.paper.ground);
@@ -264,7 +257,7 @@ fn points(canvas: &mut PlotCanvas<'_>, scale: &Scale, area: &Area) {
         .iter()
         .map(|point| (point, scale.place(point.at)));
     let visible: Vec<(&Point, DVec2)> = places
-        .filter(|(_, at)| at.is_finite() && area.holds(&Area { min: *at, max: *at }))
+        .filter(|(_, at)| at.is_finite() && area.contains(*at))
         .collect();
     for (point, at) in &visible {
         canvas.disc(*at, RADIUS[0] + 0.07, paper.ground);

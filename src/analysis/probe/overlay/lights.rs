@@ -70,10 +70,7 @@ pub(super) fn draw(
 fn draw_sun(sketch: &mut Sketch, light: &Light, radius: f64) -> (DVec2, bool) {
     let (wanted, behind) = whereabouts(&sketch.view, light, sketch.pane);
     let margin = (SUN[0] * radius).min(0.5 * (sketch.pane.max - sketch.pane.min).min_element());
-    let seen = Area {
-        min: sketch.pane.min + margin,
-        max: sketch.pane.max - margin,
-    };
+    let seen = sketch.pane.inset(margin);
     let outside = behind || seen.nearest(wanted) != wanted;
     let pixel = if outside {
         on_edge(sketch, wanted, SUN[1] * radius)
