@@ -8,12 +8,12 @@ use std::fmt::Debug;
 use toml::de::DeValue;
 use toml::{Spanned, Value};
 
-/// The field of a scene that holds a value. The `usize` is the number of its element of a list: of its light, pane or model's material.
+/// The field of a scene that holds a value. The `usize` is an index into a list, from 0: of the light, the pane or the model's material.
 #[derive(Debug)]
 pub struct Access<T: 'static> {
-    /// A function that returns the value, in the list's entry of this number; `None` where the list is shorter.
+    /// Returns the value, of the list's element with this index; `None` where the list is shorter.
     pub get: fn(&Scene, usize) -> Option<&T>,
-    /// A function that returns the value for changing it; `None` where the list is shorter.
+    /// Returns the value for changing it; `None` where the list is shorter.
     pub get_mut: fn(&mut Scene, usize) -> Option<&mut T>,
 }
 
@@ -46,9 +46,9 @@ impl<T: Datum> Field for Access<T> {
         value: &Spanned<DeValue<'_>>,
     ) -> Result<(), UnlocatedProblem> {
         let value = T::read(value)?;
-        (self.get_mut)(scene, index)
-            .into_iter()
-            .for_each(|place| place.clone_from(&value));
+        if let Some(place) = (self.get_mut)(scene, index) {
+            *place = value;
+        }
         Ok(())
     }
 

@@ -194,8 +194,7 @@ impl Scene {
         let reference = self.reference_pane();
         let base = &scenes[order[0]];
         let panes = order[1..].iter().map(|&old| {
-            let own = old.checked_sub(1).map(|index| &self.compare.panes[index]);
-            let mut pane = own.cloned().unwrap_or_else(|| Pane {
+            let mut pane = self.pane_beside(old).cloned().unwrap_or_else(|| Pane {
                 name: self.compare.name.clone(),
                 ..Pane::default()
             });
@@ -281,22 +280,22 @@ impl Scene {
             compare: Compare::default(),
             ..self.clone()
         };
-        let last = self.compare.panes.len();
-        match index
-            .min(last)
-            .checked_sub(1)
-            .and_then(|index| self.compare.panes.get(index))
-        {
+        match self.pane_beside(index.min(self.compare.panes.len())) {
             None => Ok(alone),
             Some(pane) => alone.with_overrides(&pane.set),
         }
     }
 
+    /// Returns the pane of this number; `None` for 0, the scene itself, and past the last pane.
+    fn pane_beside(&self, index: usize) -> Option<&Pane> {
+        self.compare.panes.get(index.checked_sub(1)?)
+    }
+
     /// Returns the name that a pane has been given, or an empty one.
     fn given_name(&self, index: usize) -> &str {
-        match index.checked_sub(1) {
-            None => &self.compare.name,
-            Some(index) => self.compare.panes.get(index).map_or("", |pane| &pane.name),
+        match index {
+            0 => &self.compare.name,
+            _ => self.pane_beside(index).map_or("", |pane| &pane.name),
         }
     }
 
@@ -320,10 +319,10 @@ impl Scene {
         } else {
             text!("pane-not-renormalised")
         };
-        let pane = index
-            .checked_sub(1)
-            .and_then(|index| self.compare.panes.get(index));
-        let settings = pane.iter().flat_map(|pane| &pane.set);
+        let settings = self
+            .pane_beside(index)
+            .into_iter()
+            .flat_map(|pane| &pane.set);
         let settings = settings.filter_map(|setting| short_words(setting));
         let words: Vec<String> = std::iter::once(mode.to_owned()).chain(settings).collect();
         words.join(", ")

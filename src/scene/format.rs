@@ -13,8 +13,8 @@ use super::problem::{Cause, ProblemLocation, SceneError, UnlocatedProblem};
 use crate::text::{text, with_short_names};
 use reader::read;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
-use toml::Value;
 use toml::de::{DeTable, DeValue};
+use toml::{Spanned, Value};
 
 pub use datum::Coefficient;
 pub(super) use datum::{Datum, NO_VALUE, is_grey, list_of, read_coefficient, value_text};
@@ -48,37 +48,10 @@ impl Scene {
     /// Not TOML, another version, unknown keys or words, values of a wrong type or out of range: each with its line.
     pub fn parse(text: &str, name: &str) -> Result<Self, SceneError> {
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let (mut scene, mut problems) = (Self::default(), vec![]);
-        let mut whole = |offset: usize, words: String| {
-            problems.push(UnlocatedProblem {
-                offset: Some(offset),
-                ..UnlocatedProblem::new("", Cause::Text(words))
-            });
+        let (scene, mut problems) = match parsed(text) {
+            Ok(document) => read_checked(document.get_ref()),
+            Err(problem) => (Self::default(), vec![problem]),
         };
-        if text.len() > Self::MAX_TEXT {
-            whole(0, text!("problem-too-long", limit = Self::MAX_TEXT >> 20));
-        } else {
-            match DeTable::parse(text) {
-                Err(error) => whole(
-                    error.span().map_or(0, |span| span.start),
-                    text!("problem-toml", message = with_short_names(error.message())),
-                ),
-                Ok(document) => {
-                    (scene, problems) = read(document.get_ref());
-                    if problems
-                        .iter()
-                        .all(|problem| matches!(problem.cause, Cause::UnknownKey { .. }))
-                    {
-                        problems.extend(scene.range_problems().into_iter().map(|problem| {
-                            UnlocatedProblem {
-                                offset: Some(offset_of(document.get_ref(), &problem.key)),
-                                ..problem
-                            }
-                        }));
-                    }
-                }
-            }
-        }
         problems.sort_by_key(|problem| problem.offset);
         SceneError::check(problems, |problem| ProblemLocation::Line {
             file: name.to_owned(),
@@ -115,6 +88,36 @@ impl Scene {
         }
         text
     }
+}
+
+/// Parses a scene file's text as TOML.
+fn parsed(text: &str) -> Result<Spanned<DeTable<'_>>, UnlocatedProblem> {
+    let problem = |offset, words| UnlocatedProblem {
+        offset: Some(offset),
+        ..UnlocatedProblem::new("", Cause::Text(words))
+    };
+    if text.len() > Scene::MAX_TEXT {
+        let words = text!("problem-too-long", limit = Scene::MAX_TEXT >> 20);
+        return Err(problem(0, words));
+    }
+    DeTable::parse(text).map_err(|error| {
+        let words = text!("problem-toml", message = with_short_names(error.message()));
+        problem(error.span().map_or(0, |span| span.start), words)
+    })
+}
+
+/// Reads a document into a scene, with its problems: unknown keys and wrong types, and if all values can be read, their limits.
+fn read_checked(document: &DeTable<'_>) -> (Scene, Vec<UnlocatedProblem>) {
+    let (scene, mut problems) = read(document);
+    let is_unknown = |problem: &UnlocatedProblem| matches!(problem.cause, Cause::UnknownKey { .. });
+    if problems.iter().all(is_unknown) {
+        let located = |problem: UnlocatedProblem| UnlocatedProblem {
+            offset: Some(offset_of(document, &problem.key)),
+            ..problem
+        };
+        problems.extend(scene.range_problems().into_iter().map(located));
+    }
+    (scene, problems)
 }
 
 fn write_table(

@@ -49,55 +49,49 @@ impl MaterialOverride {
 
     /// Returns the change of the material `name` that makes `wanted` of `own`.
     pub fn between(name: &str, own: &FaceMaterial, wanted: &FaceMaterial) -> Self {
-        let coefficient = |a: Rgb, b: Rgb| (a != b).then_some(Coefficient(b));
-        let channels = |a: Rgb, b: Rgb| (a != b).then_some(b);
-        let number = |a: f64, b: f64| (a != b).then_some(b);
-        let (kt, relative_ior) = (
-            number(own.kt, wanted.kt),
-            number(own.relative_ior, wanted.relative_ior),
-        );
-        let (own, wanted) = (&own.material, &wanted.material);
+        fn changed<T: PartialEq>(from: T, to: T) -> Option<T> {
+            (from != to).then_some(to)
+        }
+        let (a, b) = (&own.material, &wanted.material);
         Self {
             name: name.to_owned(),
-            ka: coefficient(own.ka, wanted.ka),
-            kd: coefficient(own.kd, wanted.kd),
-            ks: coefficient(own.ks, wanted.ks),
-            n: number(own.n, wanted.n),
-            color: channels(own.color, wanted.color),
-            specular_color: channels(own.specular_color, wanted.specular_color),
-            roughness: number(own.roughness, wanted.roughness),
-            reflectance: (own.reflectance != wanted.reflectance).then_some(wanted.reflectance),
-            ior: channels(own.ior, wanted.ior),
-            extinction: channels(own.extinction, wanted.extinction),
-            kt,
-            relative_ior,
+            ka: changed(a.ka, b.ka).map(Coefficient),
+            kd: changed(a.kd, b.kd).map(Coefficient),
+            ks: changed(a.ks, b.ks).map(Coefficient),
+            n: changed(a.n, b.n),
+            color: changed(a.color, b.color),
+            specular_color: changed(a.specular_color, b.specular_color),
+            roughness: changed(a.roughness, b.roughness),
+            reflectance: changed(a.reflectance, b.reflectance),
+            ior: changed(a.ior, b.ior),
+            extinction: changed(a.extinction, b.extinction),
+            kt: changed(own.kt, wanted.kt),
+            relative_ior: changed(own.relative_ior, wanted.relative_ior),
         }
     }
 
     /// Returns a material with this change.
     #[must_use]
     pub fn applied_to(&self, own: &FaceMaterial) -> FaceMaterial {
+        let coefficient = |change: Option<Coefficient>, own| change.map_or(own, |value| value.0);
+        let before = &own.material;
+        let material = Material {
+            ka: coefficient(self.ka, before.ka),
+            kd: coefficient(self.kd, before.kd),
+            ks: coefficient(self.ks, before.ks),
+            n: self.n.unwrap_or(before.n),
+            color: self.color.unwrap_or(before.color),
+            specular_color: self.specular_color.unwrap_or(before.specular_color),
+            roughness: self.roughness.unwrap_or(before.roughness),
+            reflectance: self.reflectance.unwrap_or(before.reflectance),
+            ior: self.ior.unwrap_or(before.ior),
+            extinction: self.extinction.unwrap_or(before.extinction),
+            source: before.source,
+        };
         FaceMaterial {
-            material: self.coefficients(&own.material),
+            material,
             kt: self.kt.unwrap_or(own.kt),
             relative_ior: self.relative_ior.unwrap_or(own.relative_ior),
-        }
-    }
-
-    fn coefficients(&self, own: &Material) -> Material {
-        let coefficient = |change: Option<Coefficient>, own| change.map_or(own, |value| value.0);
-        Material {
-            ka: coefficient(self.ka, own.ka),
-            kd: coefficient(self.kd, own.kd),
-            ks: coefficient(self.ks, own.ks),
-            n: self.n.unwrap_or(own.n),
-            color: self.color.unwrap_or(own.color),
-            specular_color: self.specular_color.unwrap_or(own.specular_color),
-            roughness: self.roughness.unwrap_or(own.roughness),
-            reflectance: self.reflectance.unwrap_or(own.reflectance),
-            ior: self.ior.unwrap_or(own.ior),
-            extinction: self.extinction.unwrap_or(own.extinction),
-            source: own.source,
         }
     }
 }

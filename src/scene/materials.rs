@@ -62,16 +62,11 @@ const fn named(
     ks: [f64; 3],
     shininess: f64,
 ) -> NamedMaterial {
-    let [ka, kd, ks] = [
-        Rgb::from_array(ka),
-        Rgb::from_array(kd),
-        Rgb::from_array(ks),
-    ];
     NamedMaterial {
         name,
-        ka,
-        kd,
-        ks,
+        ka: Rgb::from_array(ka),
+        kd: Rgb::from_array(kd),
+        ks: Rgb::from_array(ks),
         n: 128.0 * shininess,
     }
 }

@@ -29,8 +29,7 @@ impl Object {
             name: name.to_owned(),
             ..MaterialOverride::default()
         };
-        let place = self.materials.iter().position(|one| one.name == name);
-        match place {
+        match self.materials.iter().position(|one| one.name == name) {
             Some(place) if change == nothing => {
                 self.materials.remove(place);
             }
@@ -47,6 +46,7 @@ impl Object {
             return checks.value("object.material", found, expected);
         }
         let mut scene = Scene::default();
+        let usual = FaceMaterial::of_scene(&scene);
         for (index, change) in self.materials.iter().enumerate() {
             let key = format!("object.material.{index}");
             let mut before = self.materials[..index].iter();
@@ -55,7 +55,6 @@ impl Object {
             } else if before.any(|other| other.name == change.name) {
                 checks.found(&format!("{key}.name"), text!("problem-material-twice"));
             }
-            let usual = FaceMaterial::of_scene(&Scene::default());
             change.applied_to(&usual).replace_in(&mut scene);
             for parameter in Material::PARAMETERS {
                 let own = parameter.key.replacen("material", &key, 1);

@@ -8,7 +8,7 @@
 
 pub use super::access::{Access, ChoiceField, Field, List};
 use super::choice::ChoiceOption;
-use super::format::{Datum, NO_VALUE, is_grey, read_coefficient, value_text};
+use super::format::{Coefficient, Datum, NO_VALUE, read_coefficient, value_text};
 use super::problem::UnlocatedProblem;
 use super::symbol::Symbol;
 use super::{Rgb, Scene};
@@ -30,7 +30,6 @@ pub const GREATEST_INTENSITY: f64 = 1e30;
 
 /// One key of a scene. Its texts for people are in the catalogue: its name, a label for its row in the window and a
 /// sentence that says what it means.
-#[derive(Debug)]
 ///
 /// ```
 /// use shading_lab::scene::parameter::Parameter;
@@ -46,6 +45,7 @@ pub const GREATEST_INTENSITY: f64 = 1e30;
 /// assert_eq!(changed, ["material.n"]);
 /// # Ok::<(), shading_lab::scene::SceneError>(())
 /// ```
+#[derive(Debug)]
 pub struct Parameter {
     /// The key in the scene file, for example `material.n`. `light.N.` stands for the light of any number.
     pub key: &'static str,
@@ -441,9 +441,7 @@ impl Parameter {
     /// Returns its value in the form of a scene file; `None` where the scene has no such light.
     pub fn value(&self, scene: &Scene, index: usize) -> Option<Value> {
         match self.kind {
-            Kind::Coefficient(at, ..) if is_grey(*(at.get)(scene, index)?) => {
-                (at.get)(scene, index)?.x.value()
-            }
+            Kind::Coefficient(at, ..) => Coefficient(*(at.get)(scene, index)?).value(),
             _ => self.field().value(scene, index),
         }
     }
@@ -459,9 +457,9 @@ impl Parameter {
             return self.field().read(scene, index, value);
         };
         let value = read_coefficient(value)?;
-        (at.get_mut)(scene, index)
-            .into_iter()
-            .for_each(|place| *place = value);
+        if let Some(place) = (at.get_mut)(scene, index) {
+            *place = value;
+        }
         Ok(())
     }
 

@@ -71,12 +71,10 @@ impl Object {
 
     /// Copies the result of [`Object::polygons`] into the scene, so that it can be edited.
     pub fn own_polygons(&mut self) {
-        let Polygons {
-            vertices,
-            faces,
-            normals,
-        } = self.polygons();
-        (self.vertices, self.faces, self.vertex_normals) = (vertices, faces, normals);
+        let shown = self.polygons();
+        self.vertices = shown.vertices;
+        self.faces = shown.faces;
+        self.vertex_normals = shown.normals;
     }
 
     /// Reports the problems of the polygons, whether or not they are shown.

@@ -267,20 +267,14 @@ impl Parameter {
                 direction_outside(*(at.get)(scene, index)?)
             }
             Kind::Point(at) | Kind::Direction(at, _) => point_outside(*(at.get)(scene, index)?),
-            Kind::Text(at, longest) => {
+            Kind::Text(at, longest) | Kind::Lines(at, longest) => {
                 let text = (at.get)(scene, index)?;
-                let sound = text.chars().count() <= longest && !text.chars().any(char::is_control);
+                let has_lines = matches!(self.kind, Kind::Lines(..));
+                let unfit =
+                    |c: char| c.is_control() && !(has_lines && matches!(c, '\n' | '\r' | '\t'));
+                let sound = text.chars().count() <= longest && !text.chars().any(unfit);
                 let found = || format!("{:?}", text.chars().take(20).collect::<String>());
-                (!sound).then(|| (found(), text!("range-text", longest = longest)))
-            }
-            Kind::Lines(at, longest) => {
-                let text = (at.get)(scene, index)?;
-                let sound = text.chars().count() <= longest
-                    && !text
-                        .chars()
-                        .any(|c| c.is_control() && !matches!(c, '\n' | '\r' | '\t'));
-                let found = || format!("{:?}", text.chars().take(20).collect::<String>());
-                (!sound).then(|| (found(), text!("range-lines", longest = longest)))
+                (!sound).then(|| (found(), self.range_text()))
             }
             Kind::Choice(_) | Kind::Switch(_) | Kind::Other(..) => None,
         }
@@ -327,12 +321,7 @@ impl fmt::Display for Limits {
 }
 
 fn triple(value: DVec3) -> String {
-    format!(
-        "[{}, {}, {}]",
-        format_number(value.x),
-        format_number(value.y),
-        format_number(value.z)
-    )
+    format!("[{}]", value.to_array().map(format_number).join(", "))
 }
 
 /// Returns a number as a scene's author would write it.

@@ -239,13 +239,9 @@ impl Reader<'_> {
             )),
         };
         if let Err(wrong) = read {
-            let (offset, key) = (
-                wrong.offset.or(Some(offset)),
-                format!("{}{}", key.text, wrong.key),
-            );
             self.problems.push(UnlocatedProblem {
-                offset,
-                key,
+                offset: wrong.offset.or(Some(offset)),
+                key: format!("{}{}", key.text, wrong.key),
                 cause: wrong.cause,
             });
         }
