@@ -117,25 +117,22 @@ impl<A: AnalysisArguments> Catalogued<A> {
         for target in [output, csv].into_iter().flatten() {
             check_target(target)?;
         }
+        let Some(path) = output else {
+            return Ok(());
+        };
         let formats = formats_of(A::NAME);
-        match output
-            .as_deref()
-            .map(|path| (path, format_of(path, formats)))
-        {
-            Some((_, format)) if !formats.contains(&format) => {
-                let endings: Vec<_> = formats
-                    .iter()
-                    .map(|format| format!(".{}", format.word()))
-                    .collect();
-                let (name, ending, expected) = (A::NAME, format.word(), one_of(&endings));
-                Err(Failure::input(text!(
-                    "cli-no-such-output",
-                    name = name,
-                    ending = ending,
-                    expected = expected
-                )))
-            }
-            Some((path, Format::Png)) => check_picture_target(path),
+        let format = format_of(path, formats);
+        if !formats.contains(&format) {
+            let endings = formats.iter().map(|format| format!(".{}", format.word()));
+            return Err(Failure::input(text!(
+                "cli-no-such-output",
+                name = A::NAME,
+                ending = format.word(),
+                expected = one_of(&endings.collect::<Vec<_>>())
+            )));
+        }
+        match format {
+            Format::Png => check_picture_target(path),
             _ => Ok(()),
         }
     }
@@ -159,38 +156,30 @@ impl<A: AnalysisArguments> Catalogued<A> {
             bar.set_position((1000.0 * share) as u64);
             true
         };
+        let threads = arguments.threads();
         let pool = rayon::ThreadPoolBuilder::new()
-            .num_threads(
-                arguments
-                    .threads()
-                    .map_or_else(rayon::current_num_threads, usize::from),
-            )
+            .num_threads(threads.map_or_else(rayon::current_num_threads, usize::from))
             .build()
             .map_err(|error| Failure::work(text!("cli-no-threads", error = error.to_string())))?;
         let answer = pool
             .install(|| question.answer(&subject, &watch))
-            .map_err(Failure::input);
-        let answer = answer?;
+            .map_err(Failure::input)?;
         let mut silent = arguments.also(&subject)?;
         let about = ReportContext {
             name,
             scene: &subject.scene,
         };
-        let look = (
-            output.size,
-            if output.dark {
-                Paper::DARK
-            } else {
-                Paper::LIGHT
-            },
-        );
+        let paper = match output.dark {
+            true => Paper::DARK,
+            false => Paper::LIGHT,
+        };
         let csv = output.csv.map(|path| (path, Format::Csv));
         let file = output.output.map(|path| {
             let format = format_of(&path, formats_of(A::NAME));
             (path, format)
         });
         for (path, format) in [csv, file].into_iter().flatten() {
-            save_answer(&path, format, &answer, &about, look)?;
+            save_answer(&path, format, &answer, &about, (output.size, paper))?;
             silent = true;
         }
         drop(bar);
@@ -362,15 +351,11 @@ impl AnalysisArguments for Scanline {
     const SIZES_FIGURE: bool = true;
 
     fn question(&self, scene: &mut Scene) -> Result<ScanQuestion, Failure> {
-        let (pixel, stop) = (
-            checked(self.pixel, scene)?,
-            self.step.or(self.line).unwrap_or_default(),
-        );
         Ok(ScanQuestion {
             face: self.face,
-            pixel,
+            pixel: checked(self.pixel, scene)?,
             rows: self.rows,
-            stop,
+            stop: self.step.or(self.line).unwrap_or_default(),
         })
     }
 }

@@ -140,20 +140,15 @@ impl Numbered {
         } else {
             folder.to_str()?.to_owned()
         };
-        let after = after.to_owned();
         Some(Self {
             before,
             digits,
-            after,
+            after: after.to_owned(),
         })
     }
 
     fn path(&self, number: u32) -> PathBuf {
-        let Self {
-            before,
-            digits,
-            after,
-        } = self;
-        PathBuf::from(format!("{before}{number:0digits$}{after}"))
+        let digits = self.digits;
+        PathBuf::from(format!("{}{number:0digits$}{}", self.before, self.after))
     }
 }

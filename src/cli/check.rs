@@ -1,7 +1,7 @@
 //! `check`: validates a scene, a model, a picture or a lesson, with a line or JSON as the result.
 
-use super::input::{STDIN, SceneArguments, is_stdin, stdin};
-use super::lesson;
+use super::input::{SceneArguments, called, is_stdin, stdin};
+use super::lesson::{question_count, read};
 use super::output::{Failure, print, print_json, spinner};
 use clap::Args;
 use serde_json::{Value, json};
@@ -9,7 +9,7 @@ use shading_lab::document::{LoadError, Loaded};
 use shading_lab::lesson::{Lesson, LessonProblem, OpenError, check};
 use shading_lab::scene::{Choice, ProblemLocation};
 use shading_lab::text::{Language, in_language, text};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 #[derive(Args)]
 pub struct Check {
@@ -29,7 +29,7 @@ enum Sound {
 
 impl Check {
     pub fn run(self, earlier: &[String]) -> Result<(), Failure> {
-        let name = self.called().display().to_string();
+        let name = called(&self.file).display().to_string();
         let found = self.open(earlier);
         if self.json {
             let object = in_language(Language::English, || match &found {
@@ -49,20 +49,12 @@ impl Check {
         print(&(sound.line(&name) + "\n"))
     }
 
-    fn called(&self) -> &Path {
-        if is_stdin(&self.file) {
-            Path::new(STDIN)
-        } else {
-            &self.file
-        }
-    }
-
     fn open(&self, earlier: &[String]) -> Result<Sound, OpenError> {
         if self.is_lesson()? {
-            let lesson = lesson::read(&self.file)?;
+            let lesson = read(&self.file)?;
             let working = spinner(text!("cli-working"));
             let checked = check(&lesson).map_err(|error| OpenError::Lesson {
-                path: self.called().to_owned(),
+                path: called(&self.file).to_owned(),
                 error,
             });
             drop(working);
@@ -93,7 +85,7 @@ impl Sound {
                     "cli-check-lesson",
                     name = name,
                     steps = lesson.steps.len(),
-                    questions = questions(lesson)
+                    questions = question_count(lesson)
                 );
                 let remark = |remark: &LessonProblem| {
                     let LessonProblem { line, words } = remark;
@@ -131,7 +123,7 @@ impl Sound {
                 let remarks: Vec<Value> = remarks.iter().map(remark).collect();
                 json!({
                     "kind": "lesson", "name": lesson.name, "title": lesson.title,
-                    "steps": lesson.steps.len(), "questions": questions(lesson), "remarks": remarks,
+                    "steps": lesson.steps.len(), "questions": question_count(lesson), "remarks": remarks,
                 })
             }
             Self::Scene(loaded) => {
@@ -159,11 +151,6 @@ fn polygons(loaded: &Loaded) -> Option<usize> {
 fn names(loaded: &Loaded) -> Vec<&str> {
     let materials = loaded.model.iter().flat_map(|model| &model.materials);
     materials.map(|material| material.name.as_str()).collect()
-}
-
-fn questions(lesson: &Lesson) -> usize {
-    let questions = lesson.steps.iter().filter(|step| step.question.is_some());
-    questions.count()
 }
 
 /// Returns each problem with its file, line and key, as far as it has them.

@@ -1,9 +1,9 @@
 //! `collect`: the answers of a class, as a table for people, as JSON, CSV and a page.
 
-use super::handed::{handed, note_set_aside, read, write_text};
+use super::handed::{note_set_aside, read};
 use super::input::output_file;
 use super::inventory::compare;
-use super::output::{Failure, columns, print, print_json};
+use super::output::{Failure, columns, print, print_json, write_text};
 use clap::Args;
 use serde_json::{Value, json};
 use shading_lab::analysis::report::{Cell, Column, Table};
@@ -43,9 +43,7 @@ impl Collect {
         }
         let lesson = self.lesson.as_deref().map(super::lesson::open_file);
         let lesson = lesson.transpose()?;
-        let handed: Result<Vec<_>, _> = self.files.iter().map(|path| handed(path)).collect();
-        let handed = handed?;
-        let class = read(&handed, lesson.as_ref(), self.output.is_some());
+        let class = read(&self.files, lesson.as_ref(), self.output.is_some())?;
         if let Some(target) = &self.csv {
             write_text(target, &csv(&class))?;
         }
@@ -297,7 +295,7 @@ fn cell(answer: &shading_lab::lesson::Answer) -> String {
 }
 
 fn table(group: &Group) -> String {
-    let mut rows = vec![[text!("class-name").to_owned()].to_vec()];
+    let mut rows = vec![vec![text!("class-name").to_owned()]];
     rows[0].extend((1..=group.questions.len()).map(|number| number.to_string()));
     rows[0].push(text!("class-right").to_owned());
     for student in &group.students {

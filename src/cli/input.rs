@@ -26,7 +26,7 @@ const LARGE_FILE: u64 = 4 << 20;
 const STANDARD: &str = "-";
 
 /// Name of the standard input in messages.
-pub const STDIN: &str = "<stdin>";
+const STDIN: &str = "<stdin>";
 
 /// Maximum size in bytes of a picture from the standard input: more than any picture of this program has.
 const MOST_PICTURE: u64 = 1 << 30;
@@ -36,6 +36,15 @@ const MOST_TEXT: u64 = Scene::MAX_TEXT as u64 + 1;
 
 pub fn is_stdin(path: &Path) -> bool {
     path == Path::new(STANDARD)
+}
+
+/// Returns a file's path as messages have it.
+pub fn called(path: &Path) -> &Path {
+    if is_stdin(path) {
+        Path::new(STDIN)
+    } else {
+        path
+    }
 }
 
 /// Returns the standard input, limited to the size of a picture or of a text; it is read once however often it is
@@ -244,11 +253,8 @@ pub fn parse_choice<T: Serialize + Copy>(text: &str, choices: &[T]) -> Result<T,
     match words.iter().position(|word| word == text.trim()) {
         Some(index) => Ok(choices[index]),
         None => {
-            let (meant, words) = (
-                did_you_mean(text, words.iter().map(String::as_str)),
-                one_of(&words),
-            );
-            Err(text!("cli-expected", choices = words + &meant))
+            let meant = did_you_mean(text, words.iter().map(String::as_str));
+            Err(text!("cli-expected", choices = one_of(&words) + &meant))
         }
     }
 }

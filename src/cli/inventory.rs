@@ -1,7 +1,7 @@
 //! `collect --pre --post`: a test before a course compared with one after it.
 
-use super::handed::{handed, note_set_aside, read, write_text};
-use super::output::{Failure, print, print_json};
+use super::handed::{note_set_aside, read};
+use super::output::{Failure, print, print_json, write_text};
 use serde_json::{Value, json};
 use shading_lab::analysis::report::{Column, Table, as_it_is, fixed};
 use shading_lab::lesson::{TestStatistics, Unreadable, normalised_gain};
@@ -44,8 +44,7 @@ fn statistics(
     files: &[PathBuf],
     unreadable: &mut Vec<String>,
 ) -> Result<(TestStatistics, Vec<String>), Failure> {
-    let handed: Result<Vec<_>, _> = files.iter().map(|path| handed(path)).collect();
-    let class = read(&handed?, None, false);
+    let class = read(files, None, false)?;
     note_set_aside(&class);
     let told = |file: &Unreadable| format!("{}: {}", file.file, file.why);
     unreadable.extend(class.unreadable.iter().map(told));

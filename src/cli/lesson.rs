@@ -1,11 +1,11 @@
 //! `lesson`: the list of lessons, one lesson as text, or its worksheet.
 
-use super::input::{STDIN, is_stdin, output_ending_in, stdin};
-use super::output::{Failure, print, print_json, progress_bar, spinner};
+use super::input::{called, is_stdin, output_ending_in, stdin};
+use super::output::{Failure, print, print_json, progress_bar, spinner, widest, write_text};
 use clap::Args;
 use clap::builder::TypedValueParser;
 use serde_json::{Value, json};
-use shading_lab::document::{check_target, write_whole};
+use shading_lab::document::check_target;
 use shading_lab::lesson::{
     LESSONS, Lesson, LessonError, OpenError, Worksheet, find, in_words, topic_name, worksheet,
 };
@@ -47,11 +47,7 @@ impl LessonCommand {
         }
         let lesson = open(name)?;
         let wrong = |error: LessonError| {
-            let path = if is_stdin(name) {
-                PathBuf::from(STDIN)
-            } else {
-                name.clone()
-            };
+            let path = called(name).to_owned();
             Failure::input(OpenError::Lesson { path, error })
         };
         let answers = !self.without_answers;
@@ -63,7 +59,7 @@ impl LessonCommand {
             };
             let bar = progress_bar(lesson.steps.len() as u64, text!("cli-drawing"));
             let page = worksheet(&lesson, sheet, &mut || bar.inc(1)).map_err(wrong)?;
-            return Ok(write_whole(target, |out| out.write_all(page.as_bytes()))?);
+            return write_text(target, &page);
         }
         if self.json {
             return print_json(&format!("{:#}\n", steps(&lesson)));
@@ -103,7 +99,7 @@ pub fn read(path: &Path) -> Result<Lesson, OpenError> {
     }
     let text = stdin()?;
     Lesson::read(&String::from_utf8_lossy(&text), None).map_err(|error| OpenError::Lesson {
-        path: PathBuf::from(STDIN),
+        path: called(path).to_owned(),
         error,
     })
 }
@@ -115,11 +111,7 @@ fn summaries() -> String {
 
 fn list() -> String {
     let lessons: Vec<Lesson> = LESSONS.iter().map(|lesson| lesson.lesson()).collect();
-    let width = lessons
-        .iter()
-        .map(|lesson| lesson.name.len())
-        .max()
-        .unwrap_or(0);
+    let width = widest(lessons.iter().map(|lesson| &lesson.name));
     let line = |lesson: &Lesson| {
         let (name, title) = (&lesson.name, &lesson.title);
         let about = text!(
@@ -132,11 +124,15 @@ fn list() -> String {
     lessons.iter().map(line).collect()
 }
 
-fn summary(lesson: &Lesson) -> Value {
+pub fn question_count(lesson: &Lesson) -> usize {
     let questions = lesson.steps.iter().filter(|step| step.question.is_some());
+    questions.count()
+}
+
+fn summary(lesson: &Lesson) -> Value {
     json!({
         "name": lesson.name, "title": lesson.title, "topic": lesson.topic, "minutes": lesson.minutes, "about": lesson.about,
-        "steps": lesson.steps.len(), "questions": questions.count(),
+        "steps": lesson.steps.len(), "questions": question_count(lesson),
     })
 }
 

@@ -2,11 +2,10 @@
 
 use super::examples::examples;
 use super::help::{line_width, worded};
-use super::output::{Failure, print};
+use super::output::{Failure, print, write_text};
 use clap::{Args, Command};
 use clap_complete::Shell;
 use clap_mangen::Man;
-use shading_lab::document::write_whole;
 use shading_lab::scene::did_you_mean;
 use shading_lab::text::{excerpt, text};
 use std::path::PathBuf;
@@ -62,8 +61,7 @@ impl Manual {
         };
         for command in std::iter::once(&program).chain(program.get_subcommands()) {
             let path = folder.join(Man::new(command.clone()).get_filename());
-            let text = page(command)?;
-            write_whole(&path, |out| out.write_all(text.as_bytes()))?;
+            write_text(&path, &page(command)?)?;
         }
         Ok(())
     }

@@ -1,7 +1,7 @@
 //! Results on stdout, progress on a terminal, and the errors that end a command early.
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressFinish, ProgressStyle};
-use shading_lab::document::{LoadError, STDOUT, SaveError};
+use shading_lab::document::{LoadError, STDOUT, SaveError, write_whole};
 use shading_lab::text::{escaped, escaped_json, text};
 use std::fmt::Display;
 use std::io::{self, IsTerminal, Write};
@@ -92,6 +92,11 @@ fn written(text: &str) -> Result<(), Failure> {
     Ok(out.flush()?)
 }
 
+/// Writes a text file, whole or not at all.
+pub fn write_text(target: &Path, text: &str) -> Result<(), Failure> {
+    Ok(write_whole(target, |out| out.write_all(text.as_bytes()))?)
+}
+
 /// Writes help to stdout, with colours if the terminal has them.
 pub fn print_help(help: &clap::Error) -> Result<(), Failure> {
     help.print()?;
@@ -138,6 +143,14 @@ fn shown(total: Option<u64>, doing: &'static str, template: &str) -> ProgressBar
         .with_finish(ProgressFinish::AndClear);
     bar.enable_steady_tick(TICK);
     bar
+}
+
+/// Returns the number of characters of the longest of some words, to align what follows them.
+pub fn widest(words: impl Iterator<Item = impl AsRef<str>>) -> usize {
+    words
+        .map(|word| word.as_ref().chars().count())
+        .max()
+        .unwrap_or(0)
 }
 
 /// Returns the number of terminal columns that a text takes; Chinese characters take two.

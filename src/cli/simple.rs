@@ -2,7 +2,7 @@
 //! scene as OpenGL calls or as shaders.
 
 use super::input::{SceneArguments, output_file};
-use super::output::{Failure, note, print, print_json, spinner};
+use super::output::{Failure, note, print, print_json, spinner, widest};
 use clap::{Args, ValueEnum};
 use serde_json::{Value, json};
 use shading_lab::document::{Loaded, STDOUT, save_code};
@@ -25,11 +25,7 @@ pub struct List {
 
 impl List {
     pub fn scenes(self) -> Result<(), Failure> {
-        let width = presets::ALL
-            .iter()
-            .map(|preset| preset.name.len())
-            .max()
-            .unwrap_or(0);
+        let width = widest(presets::ALL.iter().map(|preset| preset.name));
         let line = |preset: &Preset| format!("{:width$}  {}\n", preset.name, preset.sentence());
         let object = |preset: &Preset| {
             json!({
@@ -41,8 +37,7 @@ impl List {
     }
 
     pub fn materials(self) -> Result<(), Failure> {
-        let name = NAMED.iter().map(|named| named.name.len()).max();
-        let name = name.unwrap_or(0);
+        let width = widest(NAMED.iter().map(|named| named.name));
         // Three numbers as in a scene file, in columns.
         let triple = |value: Rgb| {
             let [r, g, b] = value.to_array();
@@ -53,40 +48,25 @@ impl List {
             let [ka, kd, ks] = [ka, kd, ks].map(triple);
             let title = named.title();
             format!(
-                "{:name$}  ka {ka}  kd {kd}  ks {ks}  n {n:<10}  {title}\n",
+                "{:width$}  ka {ka}  kd {kd}  ks {ks}  n {n:<10}  {title}\n",
                 named.name
             )
         };
         let object = |named: &NamedMaterial| {
-            let NamedMaterial {
-                name,
-                ka,
-                kd,
-                ks,
-                n,
-                ..
-            } = *named;
-            json!({"name": name, "title": named.title(), "ka": ka.to_array(), "kd": kd.to_array(), "ks": ks.to_array(), "n": n})
+            json!({
+                "name": named.name, "title": named.title(), "ka": named.ka.to_array(), "kd": named.kd.to_array(),
+                "ks": named.ks.to_array(), "n": named.n,
+            })
         };
         self.print("materials", NAMED, line, object)
     }
 
     pub fn parameters(self) -> Result<(), Failure> {
         let all: Vec<&'static Parameter> = Parameter::all().collect();
-        let key = all
-            .iter()
-            .map(|parameter| parameter.key.len())
-            .max()
-            .unwrap_or(0);
-        let default = all
-            .iter()
-            .map(|parameter| parameter.default_text().chars().count())
-            .max()
-            .unwrap_or(0);
+        let key = widest(all.iter().map(|parameter| parameter.key));
+        let default = widest(all.iter().map(|parameter| parameter.default_text()));
         let line = |parameter: &&'static Parameter| {
-            let Parameter {
-                key: name, letter, ..
-            } = parameter;
+            let (name, letter) = (parameter.key, parameter.letter);
             let help = parameter.help();
             let letter = if letter.is_empty() {
                 String::new()
