@@ -73,14 +73,9 @@ impl std::error::Error for LinkError {}
 
 impl fmt::Display for LinkError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (
-            i,
-            LinkProblem {
-                position, words, ..
-            },
-        ) in self.problems.iter().enumerate()
-        {
-            let line = text!("link-problem", position = *position, words = words.as_str());
+        for (i, problem) in self.problems.iter().enumerate() {
+            let words = problem.words.as_str();
+            let line = text!("link-problem", position = problem.position, words = words);
             write!(f, "{}{line}", if i > 0 { "\n" } else { "" })?;
         }
         Ok(())

@@ -127,13 +127,11 @@ impl Reader<'_> {
     fn wrong(&self, key: &str, offset: usize, words: &str) -> LinkError {
         let key = if key.is_empty() { "=" } else { key };
         let shown: String = key.chars().take(80).flat_map(char::escape_debug).collect();
-        let words = keyed(&shown, words);
-        let (key, position) = (shown, self.position(offset));
         LinkError {
             problems: vec![LinkProblem {
-                key,
-                position,
-                words,
+                words: keyed(&shown, words),
+                key: shown,
+                position: self.position(offset),
             }],
         }
     }
@@ -374,12 +372,10 @@ impl Reader<'_> {
 
 /// Describes a problem, with the key. Where a link asks for a model, the problem is not the missing path.
 fn words(problem: &Problem) -> String {
-    if problem.key == MODEL {
-        return keyed(MODEL, text!("link-no-file"));
-    }
-    match problem.key.is_empty() {
-        true => keyed("set", &problem.words()),
-        false => problem.words(),
+    match &*problem.key {
+        MODEL => keyed(MODEL, text!("link-no-file")),
+        "" => keyed("set", &problem.words()),
+        _ => problem.words(),
     }
 }
 

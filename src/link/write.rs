@@ -129,8 +129,7 @@ fn settings(scene: &Scene, origin: Option<&str>) -> Option<Vec<String>> {
 
 fn setting(parameter: &Parameter, scene: &Scene, index: usize) -> Option<String> {
     let value = parameter.short_setting(scene, index)?;
-    let (key, value) = (parameter.key(index), encoded(&value));
-    Some(format!("set={key}={value}"))
+    Some(format!("set={}={}", parameter.key(index), encoded(&value)))
 }
 
 /// Returns the settings of a pane, separated by semicolons.
