@@ -51,11 +51,10 @@ pub fn opengl_c_snippet(scene: &Scene, mesh: &Mesh) -> Export {
     let mesh = export_mesh(scene, mesh);
     let mut limits = limits(scene, &mesh);
     limits.push(limit!("export-limit-vertex-clamp"));
-    let (head, functions) = (head(&SNIPPET, &limits, " * "), functions(scene, &mesh));
-    in_c(
-        format!("/*\n{head} */\n\n#include <GL/gl.h>\n\n{functions}"),
-        limits,
-    )
+    let head = head(&SNIPPET, &limits, " * ");
+    let functions = functions(scene, &mesh);
+    let text = format!("/*\n{head} */\n\n#include <GL/gl.h>\n\n{functions}");
+    in_c(text, limits)
 }
 
 /// Returns a whole program in C99: the functions of [`opengl_c_snippet`], the polygons and a `main` that draws them
@@ -85,22 +84,17 @@ pub fn opengl_c(scene: &Scene, mesh: &Mesh) -> Result<Export, ExportError> {
     }
     let mesh = export_mesh(scene, mesh);
     let limits = limits(scene, &mesh);
+    let head = head(&PROGRAM, &limits, " * ");
+    let includes = include_str!("fixed/includes.c");
     let (functions, main) = (functions(scene, &mesh), main(scene, &mesh));
-    let (head, includes) = (
-        head(&PROGRAM, &limits, " * "),
-        include_str!("fixed/includes.c"),
-    );
-    Ok(in_c(
-        format!("/*\n{head} */\n\n{includes}\n{functions}\n{main}"),
-        limits,
-    ))
+    let text = format!("/*\n{head} */\n\n{includes}\n{functions}\n{main}");
+    Ok(in_c(text, limits))
 }
 
 fn in_c(text: String, limits: Vec<Limit>) -> Export {
-    let title = Message("export-c");
     Export {
         parts: vec![Part {
-            title,
+            title: Message("export-c"),
             ending: "c",
             text,
         }],
@@ -501,24 +495,19 @@ fn main(scene: &Scene, mesh: &VertexMesh) -> String {
         format!("    {{{}, {triangles}}},\n", own(&faces[0]))
     };
     let runs: String = faces.chunk_by(|a, b| own(a) == own(b)).map(run).collect();
-    let declared = if several {
-        "    const GLuint *from = triangles[0];\n    size_t i;\n\n"
-    } else {
-        ""
-    };
-    let (runs, draw) = if several {
+    let (declared, runs, draw) = if several {
         let runs = if runs.is_empty() {
             "    {0, 0},"
         } else {
             &runs
         };
-        let drawn = include_str!("fixed/draw_runs.c").to_owned();
         (
+            "    const GLuint *from = triangles[0];\n    size_t i;\n\n",
             filled(include_str!("fixed/runs.c"), &[("runs", runs)]) + "\n",
-            drawn,
+            include_str!("fixed/draw_runs.c"),
         )
     } else {
-        (String::new(), include_str!("fixed/draw_all.c").to_owned())
+        ("", String::new(), include_str!("fixed/draw_all.c"))
     };
     let triangles: Vec<[u32; 3]> = faces
         .into_iter()
@@ -555,7 +544,7 @@ fn main(scene: &Scene, mesh: &VertexMesh) -> String {
             ("normals", &list(&mesh.normals)),
             ("order", order),
             ("runs", &runs),
-            ("draw", &draw),
+            ("draw", draw),
             ("declared", declared),
             ("concave", &concave.text()),
             ("draw_concave", concave.draw()),

@@ -321,14 +321,15 @@ fn pattern(scene: &Scene) -> String {
         PatternKind::Stripes => "floor(p.y + 0.5)".to_owned(),
         PatternKind::Rings => format!("floor(length(p.{around}) + 0.5)"),
     };
-    let (fields, scale) = (said(pattern.scale), float(pattern.scale));
-    let values: [(&str, &str); 4] = [
-        ("fields", &fields),
-        ("color", &vec3(pattern.color)),
-        ("scale", &scale),
-        ("count", &count),
-    ];
-    filled(include_str!("glsl/pattern.glsl"), &values)
+    filled(
+        include_str!("glsl/pattern.glsl"),
+        &[
+            ("fields", &said(pattern.scale)),
+            ("color", &vec3(pattern.color)),
+            ("scale", &float(pattern.scale)),
+            ("count", &count),
+        ],
+    )
 }
 
 /// Writes a function for each light, and `illuminate`, which adds them up.
@@ -372,19 +373,17 @@ fn light(emitter: &Emitter<'_>, law: Option<&OwnLaw>, farthest: f64) -> String {
             ("L points to its place from each point", to_light)
         }
     };
-    let (title, ip, shine) = (
-        emitter.title(),
-        vec3(emitter.light.color),
-        direction + &shine(emitter, "return", d),
-    );
-    let values: [(&str, &str); 5] = [
-        ("title", &title),
-        ("what", what),
-        ("index", &index),
-        ("Ip", &ip),
-        ("shine", &shine),
-    ];
-    filled(include_str!("glsl/light.glsl"), &values)
+    let shine = direction + &shine(emitter, "return", d);
+    filled(
+        include_str!("glsl/light.glsl"),
+        &[
+            ("title", &emitter.title()),
+            ("what", what),
+            ("index", &index),
+            ("Ip", &vec3(emitter.light.color)),
+            ("shine", &shine),
+        ],
+    )
 }
 
 /// Writes an area light: the points that represent it, and a loop over them.
@@ -452,18 +451,15 @@ fn cone(emitter: &Emitter<'_>) -> String {
     } else {
         format!("step(gap, {edge})")
     };
-    let (axis, cone, exponent) = (
-        vec3(emitter.axis()),
-        said(light.cone),
-        float(light.exponent),
-    );
-    let values: [(&str, &str); 4] = [
-        ("axis", &axis),
-        ("cone", &cone),
-        ("exponent", &exponent),
-        ("soft", &soft),
-    ];
-    filled(include_str!("glsl/cone.glsl"), &values)
+    filled(
+        include_str!("glsl/cone.glsl"),
+        &[
+            ("axis", &vec3(emitter.axis())),
+            ("cone", &said(light.cone)),
+            ("exponent", &float(light.exponent)),
+            ("soft", &soft),
+        ],
+    )
 }
 
 /// The stage that evaluates the s0 of depth cueing.

@@ -247,10 +247,10 @@ impl Writer {
         all.find(free).unwrap_or_default()
     }
 
+    /// Writes the call of one of [`FUNCTIONS`].
     fn call(&mut self, name: &'static str, parts: &[Typed]) -> Code {
         self.used.insert(name);
-        let parts: Vec<String> = parts.iter().map(|part| self.number(part).text).collect();
-        Code::value(format!("{name}({})", parts.join(", ")))
+        self.built_in(name, parts)
     }
 
     /// Writes a part whose truth counts as a number.
