@@ -139,6 +139,7 @@ impl Value {
             Self::List(_) => Err(text!("expression-list").to_owned()),
         }
     }
+
     fn truth(&self) -> Result<bool, String> {
         match self {
             Self::Truth(holds) => Ok(*holds),

@@ -51,18 +51,18 @@ impl Formula {
 
     /// Reads a formula over `names`; the error says where it is wrong, what was expected there, and the nearest name.
     pub fn read(text: &str, names: &Names) -> Result<Self, FormulaError> {
-        Self::read_with(text, names, types::number_or_truth)
+        Self::read_with(text, names, |value| value.kind != Type::Vector)
     }
 
     /// Reads a formula as [`Self::read`] does, whose value may also be a vector.
     pub fn read_value(text: &str, names: &Names) -> Result<Self, FormulaError> {
-        Self::read_with(text, names, |_| Ok(()))
+        Self::read_with(text, names, |_| true)
     }
 
     fn read_with(
         text: &str,
         names: &Names,
-        fits: fn(&Typed) -> Result<(), ()>,
+        fits: fn(&Typed) -> bool,
     ) -> Result<Self, FormulaError> {
         read(text, names, fits)
             .map(|lines| Self {
@@ -149,12 +149,8 @@ fn without_comments(formula: &str) -> String {
     text
 }
 
-/// Reads the lines of a formula; `fits` refuses a value at the end that is not wanted.
-fn read(
-    text: &str,
-    names: &Names,
-    fits: fn(&Typed) -> Result<(), ()>,
-) -> Result<Vec<Line>, Refusal> {
+/// Reads the lines of a formula; `fits` tells whether the value at the end may be of its type.
+fn read(text: &str, names: &Names, fits: fn(&Typed) -> bool) -> Result<Vec<Line>, Refusal> {
     let characters = text.chars().count();
     if characters > Formula::MOST_CHARACTERS {
         let most = text.char_indices().nth(Formula::MOST_CHARACTERS);
@@ -194,8 +190,10 @@ fn read(
         match name {
             Some(name) if separated => checker.add(name, value),
             None if separated && only_space(text, at) => {
-                fits(&value)
-                    .map_err(|()| (value.span.start, text!("formula-result-vector").to_owned()))?;
+                if !fits(&value) {
+                    let words = text!("formula-result-vector").to_owned();
+                    return Err((value.span.start, words));
+                }
                 return Ok(checker.finish(value));
             }
             None if separated => {

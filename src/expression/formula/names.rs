@@ -16,13 +16,9 @@ const WORDS: [&str; 4] = ["and", "or", "not", "with"];
 impl Names {
     /// Creates the list of names: the numbers first, in this order, then the vectors.
     pub fn new(numbers: &[&str], vectors: &[&str]) -> Self {
-        let of = |names: &[&str], kind| {
-            let all: Vec<_> = names.iter().map(|name| (plain(name), kind)).collect();
-            all
-        };
-        let mut all = of(numbers, Type::Number);
-        all.extend(of(vectors, Type::Vector));
-        Self(all)
+        let numbers = numbers.iter().map(|name| (plain(name), Type::Number));
+        let vectors = vectors.iter().map(|name| (plain(name), Type::Vector));
+        Self(numbers.chain(vectors).collect())
     }
 
     /// Returns whether a text can be the name of a number: a letter, then letters, digits and `_`, or two such names with

@@ -15,15 +15,6 @@ pub(super) struct Checker<'a> {
     lines: Vec<Line>,
 }
 
-/// Returns an error if a value is a vector.
-pub(super) fn number_or_truth(value: &Typed) -> Result<(), ()> {
-    if value.kind == Type::Vector {
-        Err(())
-    } else {
-        Ok(())
-    }
-}
-
 impl<'a> Checker<'a> {
     pub fn new(text: &'a str, names: &'a Names) -> Self {
         Self {
@@ -192,6 +183,7 @@ impl<'a> Checker<'a> {
     fn kind(&self, operator: Operator, parts: &[Typed], node: &Node) -> Result<Type, Refusal> {
         use Operator as Op;
         let is_vector = |part: &Typed| part.kind == Type::Vector;
+        let type_if = |vector: bool| if vector { Type::Vector } else { Type::Number };
         match operator {
             Op::Add | Op::Subtract | Op::Mix => {
                 let vectors = parts[..2].iter().filter(|part| is_vector(part)).count();
@@ -199,17 +191,9 @@ impl<'a> Checker<'a> {
                     return Err((node.span.start, self.words("formula-mixed", node)));
                 }
                 self.numbers(&parts[2..], node)?;
-                Ok(if vectors == 2 {
-                    Type::Vector
-                } else {
-                    Type::Number
-                })
+                Ok(type_if(vectors == 2))
             }
-            Op::Negate => Ok(if is_vector(&parts[0]) {
-                Type::Vector
-            } else {
-                Type::Number
-            }),
+            Op::Negate => Ok(type_if(is_vector(&parts[0]))),
             Op::Multiply => match parts.iter().filter(|part| is_vector(part)).count() {
                 0 => Ok(Type::Number),
                 1 => Ok(Type::Vector),
@@ -217,11 +201,7 @@ impl<'a> Checker<'a> {
             },
             Op::Divide => {
                 self.numbers(&parts[1..], node)?;
-                Ok(if is_vector(&parts[0]) {
-                    Type::Vector
-                } else {
-                    Type::Number
-                })
+                Ok(type_if(is_vector(&parts[0])))
             }
             Op::Dot | Op::Length | Op::Component(_) => {
                 self.vectors(parts, node).map(|()| Type::Number)
