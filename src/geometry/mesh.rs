@@ -173,10 +173,8 @@ impl<C: AtPoint> Mesh<C> {
         let (low, high) = self.face_points(f).fold(nothing, |(low, high), point| {
             (low.min(point), high.max(point))
         });
-        let (extent, farthest) = (
-            (high - low).max_element(),
-            low.abs().max(high.abs()).max_element(),
-        );
+        let extent = (high - low).max_element();
+        let farthest = low.abs().max(high.abs()).max_element();
         ROUNDING * extent * farthest
     }
 

@@ -44,22 +44,16 @@ impl Mesh {
         normals: Vec<Vec3>,
         corners: Vec<u32>,
     ) -> VertexMesh {
-        let &Self {
-            origin,
-            closed,
-            convex,
-            ..
-        } = self;
         VertexMesh {
-            origin,
+            origin: self.origin,
             positions,
             normals,
             starts: self.starts.clone(),
             corners,
             cut: self.cut.clone(),
             mirrored: vec![],
-            closed,
-            convex,
+            closed: self.closed,
+            convex: self.convex,
             materials: self.materials.clone(),
             face_materials: self.face_materials.clone(),
             colors: self.colors.clone(),
@@ -235,12 +229,8 @@ impl VertexMesh {
                     continue;
                 }
                 self.corners[c] = *others.entry((vertex, look)).or_insert_with(|| {
-                    let (position, normal) = (
-                        self.positions[vertex as usize],
-                        self.normals[vertex as usize],
-                    );
-                    self.positions.push(position);
-                    self.normals.push(normal);
+                    self.positions.push(self.positions[vertex as usize]);
+                    self.normals.push(self.normals[vertex as usize]);
                     self.positions.len() as u32 - 1
                 });
             }
@@ -353,14 +343,9 @@ impl Mesh {
             NormalSource::Facet => self.shares_of(vertices, vertex, NormalOrigin::Facet),
             NormalSource::Averaged => self.averaged_shares(point, weighting),
             NormalSource::Exact | NormalSource::File => {
-                let own = |(c, _): &(usize, _)| vertices.corners[*c] == vertex;
-                let given = self
-                    .corners
-                    .iter()
-                    .enumerate()
-                    .find(own)
-                    .is_some_and(|(_, c)| c.normal != NO_NORMAL);
-                if given {
+                let mut corners = self.corners.iter().zip(&vertices.corners);
+                let own = corners.find(|(_, index)| **index == vertex);
+                if own.is_some_and(|(corner, _)| corner.normal != NO_NORMAL) {
                     self.shares_of(vertices, vertex, NormalOrigin::Given)
                 } else {
                     self.averaged_shares(point, weighting)
