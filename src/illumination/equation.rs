@@ -170,23 +170,15 @@ impl<T: Scalar> Equation<T> {
                 .map(|color| color.to_array().map(T::from_f64));
             Patterned { fields, colors }
         });
-        // A pattern's colour is a separate factor at each point.
-        let color = if pattern.is_some() {
-            Rgb::ONE
+        // A pattern's colour is a separate factor at each point, at most `tint`.
+        let (color, tint) = if pattern.is_some() {
+            let brightest = material.color.max(scene.pattern.color);
+            (Rgb::ONE, brightest.max_element().max(1.0))
         } else {
-            material.color
+            (material.color, 1.0)
         };
         let backwards = (camera.eye - camera.target).normalize_or_zero();
-        let (soloing, ks) = (scene.soloing(), material.ks * material.specular_color);
-        let tint = if pattern.is_some() {
-            material
-                .color
-                .max(scene.pattern.color)
-                .max_element()
-                .max(1.0)
-        } else {
-            1.0
-        };
+        let soloing = scene.soloing();
         let peak = match scene.reflection.model {
             ReflectionModel::Phong | ReflectionModel::Blinn | ReflectionModel::Formula => 1.0,
             ReflectionModel::CookTorrance => greatest_factor(material.roughness),
@@ -199,11 +191,11 @@ impl<T: Scalar> Equation<T> {
         let share = Share::new(count, tint, peak);
         let mut sources = Vec::with_capacity(count);
         let mut starts = vec![0];
-        let has_law = scene.reflection.model == ReflectionModel::Formula;
+        let has_law = scene.reflection.is_own_law();
         let coefficients = if has_law {
             [Rgb::ONE, Rgb::ZERO]
         } else {
-            [material.kd * color, ks]
+            [material.kd * color, material.ks * material.specular_color]
         };
         for light in &scene.lights {
             let on = if light.shines(soloing) { 1.0 } else { 0.0 };
@@ -611,17 +603,15 @@ impl Equation<f64> {
         tint: Rgb,
         reached: Option<Reached<'_>>,
     ) -> bool {
-        let site = self.site_at(point, n);
         let may = self.law.as_ref().is_some_and(|law| law.may_be_undefined());
-        may && self
-            .illuminate_site(
-                &site,
-                reached,
-                Some(tint.to_array()),
-                &mut LawScratch::default(),
-            )
-            .1
-            > 0.0
+        if !may {
+            return false;
+        }
+        let site = self.site_at(point, n);
+        let tint = Some(tint.to_array());
+        let scratch = &mut LawScratch::default();
+        let (_, undefined) = self.illuminate_site(&site, reached, tint, scratch);
+        undefined > 0.0
     }
 
     /// Returns the contribution of the light of index `light` at a point of the world with normal `n`.

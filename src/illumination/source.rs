@@ -415,15 +415,9 @@ pub fn area_hull(light: &Light) -> Vec<DVec3> {
                 .to_vec()
         }
         AreaShape::Sphere => {
-            let sign = |bit: u32, k: u32| {
-                if k >> bit & 1 == 0 {
-                    -light.radius
-                } else {
-                    light.radius
-                }
-            };
+            let corner = |k: u32| [0, 1, 2].map(|axis| if k >> axis & 1 == 0 { -1.0 } else { 1.0 });
             (0..8)
-                .map(|k| light.position + DVec3::new(sign(0, k), sign(1, k), sign(2, k)))
+                .map(|k| light.position + light.radius * DVec3::from_array(corner(k)))
                 .collect()
         }
     }

@@ -55,15 +55,13 @@ impl SpecularForm {
 
     /// Returns the form that `scene` needs. Normals that are left short of unit length have no chord.
     pub fn of(scene: &Scene) -> Self {
-        let (soloing, ks) = (
-            scene.soloing(),
-            scene.material.ks * scene.material.specular_color,
-        );
+        let soloing = scene.soloing();
+        let ks = scene.material.ks * scene.material.specular_color;
         let lit = scene
             .lights
             .iter()
             .any(|light| light.shines(soloing) && ks * light.color != Rgb::ZERO);
-        if lit || scene.reflection.model == ReflectionModel::Formula {
+        if lit || scene.reflection.is_own_law() {
             Self::of_model(scene)
         } else {
             Self::None

@@ -119,10 +119,9 @@ impl Builder {
 
     /// Adds an input of which the sign is known.
     pub fn input_of_sign(&mut self, rate: Rate, sign: Sign) -> Value {
-        let none = Value::ZERO;
         self.push(Operation {
             code: None,
-            operands: [none; 3],
+            operands: [Value::ZERO; 3],
             rate,
             origin: self.origin,
             sign,

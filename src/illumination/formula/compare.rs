@@ -1,4 +1,4 @@
-//! Whether two formulas are the same function: compared at points of a domain, its corners and edges first.
+//! The comparison of two formulas as functions, at points of a domain, its corners and edges first.
 
 use super::function::{FormulaFunction, Outcome};
 

@@ -139,7 +139,7 @@ impl Law {
     pub fn known(&self, incidence: &Incidence<f64>) -> Vec<f64> {
         let mut registers = Registers::new(&self.once, 0.0);
         for (input, register) in &self.once_inputs {
-            let value = input.of_light(incidence, &[]);
+            let value = input.of_light(incidence);
             registers.set(*register, 0, value.unwrap_or_default());
         }
         registers.run(&self.once.sections[0], 1);

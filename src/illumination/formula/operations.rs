@@ -5,7 +5,7 @@ use super::law::{Constancy, Incidence, Input, Listed};
 use super::program::needed;
 use crate::expression::FormulaError;
 use crate::illumination::{Real, V3};
-use crate::scene::{ReflectionModel, Rgb, Scene};
+use crate::scene::{Rgb, Scene};
 use std::ops::Range;
 
 /// The operations of a law in the order of evaluation.
@@ -61,9 +61,10 @@ impl LawOperations {
 
     /// Lists the operations of the law of `scene`, if that is its model and the text is right; Od is the material's.
     pub fn of_model(scene: &Scene) -> Option<Self> {
-        let own = scene.reflection.model == ReflectionModel::Formula;
-        own.then(|| Self::of(scene, scene.material.color).ok())
-            .flatten()
+        if !scene.reflection.is_own_law() {
+            return None;
+        }
+        Self::of(scene, scene.material.color).ok()
     }
 
     /// Returns the operations that the results need, with their indices; inputs are among them.
@@ -94,7 +95,7 @@ impl LawOperations {
         for (input, value) in &self.inputs {
             if let Value::Varying(index) = value {
                 let of_point = input.of_point(site.normal, site.view, site.color);
-                let value = of_point.or_else(|| input.of_light(&site.incidence, &[]));
+                let value = of_point.or_else(|| input.of_light(&site.incidence));
                 values[*index as usize] = value.unwrap_or(like.number(0.0));
             }
         }

@@ -1,4 +1,4 @@
-//! How often the values of a formula change.
+//! The rates at which the values of a formula change.
 
 /// The rate at which a value changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]

@@ -1,4 +1,4 @@
-//! Whether a law may light surfaces that are turned away from the light.
+//! The test for laws that may light surfaces turned away from the light.
 
 use super::named::product_of;
 use crate::expression::Formula;

@@ -103,7 +103,7 @@ impl LawLines {
         let (normal, view): (V3<f64>, V3<f64>) = (normal.into(), view.into());
         for (input, register) in &self.inputs {
             let of_point = input.of_point(normal, view, Some(color.to_array()));
-            let value = of_point.or_else(|| input.of_light(incidence, &[]));
+            let value = of_point.or_else(|| input.of_light(incidence));
             registers.set(*register, 0, value.unwrap_or_default());
         }
         registers.run(&self.program.sections[0], 1);

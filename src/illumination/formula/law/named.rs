@@ -69,13 +69,12 @@ impl Input {
 
     /// Returns the value that an input of a light has.
     #[inline(always)]
-    pub fn of_light<R: Real>(self, incidence: &Incidence<R>, known: &[R::Scalar]) -> Option<R> {
+    pub fn of_light<R: Real>(self, incidence: &Incidence<R>) -> Option<R> {
         match self {
             Self::Light(axis) => Some(incidence.l.axis(axis)),
             Self::Distance => Some(incidence.distance),
             Self::Grazing => Some(incidence.grazing),
-            Self::Known(place) => Some(incidence.distance.constant(known[usize::from(place)])),
-            Self::Normal(_) | Self::View(_) | Self::Color(_) => None,
+            Self::Normal(_) | Self::View(_) | Self::Color(_) | Self::Known(_) => None,
         }
     }
 }

@@ -12,11 +12,11 @@ pub struct LawPart {
     pub text: String,
     /// The operations done once for a picture, for each light, at each point, and at each point for each light.
     pub counts: [u32; 4],
-    /// Why nothing is done for it, if nothing is.
+    /// The reason why nothing is done for it, if nothing is.
     pub unneeded: Option<Unneeded>,
 }
 
-/// Why a part of a law needs no operation.
+/// The reason why a part of a law needs no operation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unneeded {
     /// It changes nothing with the scene's numbers: a factor of 1, a product with 0, a summand of 0.
@@ -45,10 +45,8 @@ pub fn parts(builder: &Builder, formula: &Formula, programs: [&Program; 2]) -> V
         counts[operation.origin as usize][place(operation.rate)] += 1;
     }
     let made = |origin: usize| {
-        let operations = builder.operations.iter();
-        operations
-            .filter(|operation| operation.code.is_some())
-            .any(|operation| operation.origin as usize == origin)
+        let mut operations = builder.operations.iter();
+        operations.any(|own| own.code.is_some() && own.origin as usize == origin)
     };
     let mut all: Vec<(usize, LawPart)> = vec![];
     for (origin, (span, counts)) in builder.origins.iter().zip(counts).enumerate() {
