@@ -138,8 +138,7 @@ fn limits(scene: &Scene, mesh: &VertexMesh) -> Vec<Limit> {
         ),
         (
             // A law of the scene's own turns no N.
-            scene.reflection.backfacing == Backfacing::Flip
-                && scene.reflection.model != ReflectionModel::Formula,
+            scene.reflection.backfacing == Backfacing::Flip && !scene.reflection.is_own_law(),
             limit!("export-limit-two-side"),
         ),
     ]));
@@ -350,7 +349,7 @@ fn exponent(scene: &Scene) -> f64 {
 
 /// Returns the index of refraction that W depends on, if it does: a law of the scene's own has no W.
 fn index(scene: &Scene) -> Option<Index> {
-    Index::of(&scene.material).filter(|_| scene.reflection.model != ReflectionModel::Formula)
+    Index::of(&scene.material).filter(|_| !scene.reflection.is_own_law())
 }
 
 /// Writes the four coefficients of a material: of each, its array in C and its meaning.

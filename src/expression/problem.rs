@@ -1,4 +1,4 @@
-//! What is wrong with an expression or a formula, and where.
+//! The faults of expressions and formulas, and their places.
 
 use crate::text::{excerpt, text};
 

@@ -6,7 +6,7 @@
 
 use crate::export::text::{ascii, filled, float};
 use crate::expression::{Formula, Operator, Term, Type, Typed};
-use crate::scene::{LAW_NUMBERS, LAW_VECTORS, ReflectionModel, Scene};
+use crate::scene::{LAW_NUMBERS, LAW_VECTORS, Scene};
 use std::collections::BTreeSet;
 
 /// Functions that a law may call, each after those that it calls itself.
@@ -49,7 +49,7 @@ pub struct OwnLaw {
 impl OwnLaw {
     /// Writes the law of `scene`; none if its model is another one.
     pub fn of(scene: &Scene) -> Option<Self> {
-        if scene.reflection.model != ReflectionModel::Formula {
+        if !scene.reflection.is_own_law() {
             return None;
         }
         let mut writer = Writer::default();
