@@ -226,22 +226,17 @@ impl Model {
         large.get(&face).copied()
     }
 
+    /// Returns the corners of a face relative to `origin`.
+    fn corners(&self, face: u32) -> impl Iterator<Item = DVec3> {
+        self.face(face).iter().map(|&v| self.place(v).as_dvec3())
+    }
+
     fn mean(&self, face: u32) -> DVec3 {
-        let corners = self.face(face);
-        let sum: DVec3 = corners
-            .iter()
-            .map(|&v| vector_at(&self.position, v).as_dvec3())
-            .sum();
-        let count = corners.len().max(1) as f64;
-        sum / count
+        self.corners(face).sum::<DVec3>() / self.face(face).len().max(1) as f64
     }
 
     fn newell(&self, face: u32) -> DVec3 {
-        let corners = self
-            .face(face)
-            .iter()
-            .map(|&v| vector_at(&self.position, v).as_dvec3());
-        direction(area_vector(corners))
+        direction(area_vector(self.corners(face)))
     }
 }
 
@@ -295,12 +290,12 @@ fn tints(mesh: &VertexMesh) -> Planes {
     planes(&colors)
 }
 
-fn vector_at(planes: &[Vec<f32>; 3], vertex: u32) -> Vec3 {
+fn vector_at(planes: &Planes, vertex: u32) -> Vec3 {
     let v = vertex as usize;
     Vec3::new(planes[0][v], planes[1][v], planes[2][v])
 }
 
-fn planes(vectors: &[Vec3]) -> [Vec<f32>; 3] {
+fn planes(vectors: &[Vec3]) -> Planes {
     let padded = vectors.len().next_multiple_of(PADDING);
     [0, 1, 2].map(|axis| {
         let mut plane = Vec::with_capacity(padded);

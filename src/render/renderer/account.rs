@@ -5,13 +5,13 @@
 use super::frame::{FrameReport, Stage};
 use super::pipeline::{PlannedFrame, Renderer};
 use super::plan::{Cued, NO_LIGHT, Per, Plan, casts_shadows, not_cued, silences, stiff};
-use crate::illumination::{Equation, LawPart, SpecularForm, Unneeded};
+use crate::illumination::{Equation, LawPart, Source, SpecularForm, Unneeded};
 use crate::render::face_materials::{any_transmits, for_each_material};
 use crate::render::model::Model;
 use crate::render::raster::Band;
 use crate::scene::{
     AmbientSource, Backfacing, Encoding, FaceMaterial, LightKind, Material, ObjectKind, Overflow,
-    PatternKind, Reflectance, Reflection, ReflectionModel, Rgb, Scene, Viewer,
+    PatternKind, Reflectance, Rgb, Scene, Viewer,
 };
 use crate::text::{Message, text};
 use serde::{Serialize, Serializer};
@@ -331,15 +331,17 @@ impl Account<'_> {
         let infinite = scene.camera.viewer == Viewer::Infinite;
         let constant =
             (scene.pattern.kind == PatternKind::None).then_some(Message("render-why-no-pattern"));
-        let clamped = match scene.reflection {
-            Reflection {
-                model: ReflectionModel::Formula,
-                ..
-            } => Some(OWN_LAW),
-            Reflection {
-                backfacing: Backfacing::Clamp,
-                ..
-            } => Some(Message("render-why-back-clamped")),
+        let own = scene.reflection.is_own_law().then_some(OWN_LAW);
+        let clamped = (scene.reflection.backfacing == Backfacing::Clamp)
+            .then_some(Message("render-why-back-clamped"));
+        let black = |own: &FaceMaterial| {
+            own.material.ka * own.material.color * scene.ambient.color == Rgb::ZERO
+        };
+        let no_ambient = match scene.ambient.source {
+            AmbientSource::Bounce => Some(Message("render-why-bounce-instead")),
+            _ if constant.is_some() && self.materials.iter().all(black) => {
+                Some(Message("render-why-ka-zero"))
+            }
             _ => None,
         };
         let unit =
@@ -365,35 +367,14 @@ impl Account<'_> {
                 } else {
                     count
                 },
-                None,
+                no_ambient,
             ),
-            term("render-term-flip", count, dark.or(clamped)),
+            term("render-term-flip", count, dark.or(own).or(clamped)),
         ];
         if self.plan.true_surface {
             terms[0] = terms[0]
                 .clone()
                 .noted(Message("render-why-unit-but-rounding"));
-        }
-        if constant.is_some()
-            && self
-                .materials
-                .iter()
-                .all(|FaceMaterial { material: own, .. }| {
-                    own.ka * own.color * scene.ambient.color == Rgb::ZERO
-                })
-        {
-            terms[4] = term(
-                "render-term-ambient",
-                count,
-                Some(Message("render-why-ka-zero")),
-            );
-        }
-        if scene.ambient.source == AmbientSource::Bounce {
-            terms[4] = term(
-                "render-term-ambient",
-                count,
-                Some(Message("render-why-bounce-instead")),
-            );
         }
         if self.model.is_tinted() {
             terms.push(term("render-term-vertex-colours", count, None));
@@ -474,8 +455,8 @@ impl Account<'_> {
             },
             ..self.term(self.stage(), word, count, silent.or(omitted))
         };
-        let parallel = sources.iter().all(crate::illumination::Source::is_parallel);
-        let attenuates = kept || sources.iter().any(crate::illumination::Source::attenuates);
+        let parallel = sources.iter().all(Source::is_parallel);
+        let attenuates = kept || sources.iter().any(Source::attenuates);
         let colour = if scene.pattern.kind == PatternKind::None {
             Rgb::ZERO
         } else {
@@ -502,7 +483,7 @@ impl Account<'_> {
                 Message("render-why-kd-od-zero")
             },
         );
-        let own = (scene.reflection.model == ReflectionModel::Formula).then_some(OWN_LAW);
+        let own = scene.reflection.is_own_law().then_some(OWN_LAW);
         let (matt, no_specular) = (own.or(matt), own.or(no_specular));
         let spot = (light.kind != LightKind::Spot).then_some(Message("render-why-no-spotlight"));
         let law = materials
@@ -563,10 +544,10 @@ impl Account<'_> {
         } else {
             self.inks
         };
-        let (per, points) = if plan.carries || plan.whole_picture {
-            (Per::Pixel, points)
+        let per = if plan.carries || plan.whole_picture {
+            Per::Pixel
         } else {
-            (Per::Face, points)
+            Per::Face
         };
         let count = if plan.whole_picture {
             self.pixels()
@@ -615,17 +596,11 @@ impl Account<'_> {
 
     /// Returns the frequency of the equation's evaluation, and the number of evaluations.
     fn shading_points(&self) -> (Per, u64) {
-        let FrameReport {
-            points, covered, ..
-        } = *self.report;
-        (
-            self.plan.per,
-            if self.plan.per == Per::Pixel {
-                covered
-            } else {
-                points
-            },
-        )
+        let points = match self.plan.per {
+            Per::Pixel => self.report.covered,
+            _ => self.report.points,
+        };
+        (self.plan.per, points)
     }
 
     fn pixels(&self) -> u64 {

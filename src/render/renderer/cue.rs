@@ -37,10 +37,8 @@ impl Inputs<'_> {
     }
 
     pub fn fade_points(&self, origin: DVec3, position: &Planes, intensity: &mut Planes) {
-        let (scales, color) = (
-            self.scales(origin, position),
-            self.scene.depth_cueing.color.as_vec3(),
-        );
+        let scales = self.scales(origin, position);
+        let color = self.scene.depth_cueing.color.as_vec3();
         for (plane, color) in intensity.iter_mut().zip(color.to_array()) {
             for (value, s0) in plane.iter_mut().zip(&scales) {
                 *value = s0 * *value + (1.0 - s0) * color;

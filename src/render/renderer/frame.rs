@@ -57,22 +57,16 @@ pub enum Stage {
 
 impl Stage {
     /// The stages in their order.
-    const ALL: [Self; 8] = {
-        use Stage::{
-            Coverage, Display, Geometry, Interpolation, PixelShading, Rays, Transform,
-            VertexShading,
-        };
-        [
-            Geometry,
-            Transform,
-            VertexShading,
-            Rays,
-            Coverage,
-            Interpolation,
-            PixelShading,
-            Display,
-        ]
-    };
+    const ALL: [Self; 8] = [
+        Self::Geometry,
+        Self::Transform,
+        Self::VertexShading,
+        Self::Rays,
+        Self::Coverage,
+        Self::Interpolation,
+        Self::PixelShading,
+        Self::Display,
+    ];
 }
 
 /// One stage of one frame.

@@ -327,13 +327,9 @@ impl Renderer {
         let ran = self.placed.update(key, |placed| {
             placed.run(level, &planned.lens, model, size, cull);
         });
-        let PlacedTriangles {
-            clipped,
-            candidates,
-            ..
-        } = &self.placed.output;
-        (self.report.candidates, self.report.clipped) =
-            (*candidates, clipped.triangles.len() as u64);
+        let placed = &self.placed.output;
+        self.report.candidates = placed.candidates;
+        self.report.clipped = placed.clipped.triangles.len() as u64;
         self.note(Stage::Transform, ran, began, 0);
     }
 
@@ -602,35 +598,25 @@ impl Renderer {
         self.level.unwrap_or_else(Level::new)
     }
 
-    pub(super) fn inputs<'a>(
-        &'a self,
-        PlannedFrame {
-            scene,
-            plan,
-            lens,
-            materials,
-            ..
-        }: &'a PlannedFrame,
-    ) -> Inputs<'a> {
+    pub(super) fn inputs<'a>(&'a self, planned: &'a PlannedFrame) -> Inputs<'a> {
         Inputs {
             level: self.level(),
-            scene,
-            plan,
-            lens,
-            materials,
+            scene: &planned.scene,
+            plan: &planned.plan,
+            lens: &planned.lens,
+            materials: &planned.materials,
             triangles: self.placed.output.triangles(&self.model.output),
             surface: self.surface.output.as_ref(),
-            visibility: self.rays.visibility(plan),
+            visibility: self.rays.visibility(&planned.plan),
         }
     }
 
     /// Returns the triangle of each pixel of a picture, once it is covered.
     pub(super) fn coverage(&self, scene: &Scene) -> Coverage<'_> {
-        let (bands, fragments) = (&self.bands.output, &self.interpolated.output.fragments);
         Coverage {
             size: scene.image.size,
-            bands,
-            fragments,
+            bands: &self.bands.output,
+            fragments: &self.interpolated.output.fragments,
         }
     }
 

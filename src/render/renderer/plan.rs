@@ -13,7 +13,7 @@ use crate::render::raster::Triangles;
 use crate::render::rays::{Visibility, World};
 use crate::scene::{
     AmbientSource, Camera, CuedBy, FaceMaterial, FlatAt, Interpolation, Light, LightKind,
-    NormalSource, Overflow, PatternKind, Projection, ReflectionModel, Rgb, Scene, ShadingMode,
+    NormalSource, Overflow, PatternKind, Projection, Rgb, Scene, ShadingMode,
 };
 use crate::text::Message;
 use fearless_simd::Level;
@@ -93,11 +93,11 @@ impl Plan {
     pub fn for_scene(scene: &Scene, model: &Model) -> Self {
         let mode = scene.shading.mode;
         let per = match mode {
-            ShadingMode::Flat => Per::Face,
-            ShadingMode::Interpolated | ShadingMode::Gouraud => Per::Vertex,
+            ShadingMode::Flat if scene.shading.flat_at == FlatAt::Centre => Per::Face,
+            ShadingMode::Flat | ShadingMode::Interpolated | ShadingMode::Gouraud => Per::Vertex,
             ShadingMode::Phong | ShadingMode::Exact => Per::Pixel,
         };
-        let has_surface = scene.object.kind.has_surface();
+        let true_surface = Self::shows_surface(scene);
         let outside = !sees_inside(&scene.camera, model);
         let interpolation = if mode == ShadingMode::Exact {
             Interpolation::Perspective
@@ -108,19 +108,15 @@ impl Plan {
             || any_transmits(&model.face_materials.materials(scene))
             || scene.ambient.source != AmbientSource::Constant;
         let mut plan = Self {
-            per: if mode == ShadingMode::Flat && scene.shading.flat_at != FlatAt::Centre {
-                Per::Vertex
-            } else {
-                per
-            },
+            per,
             carries: mode != ShadingMode::Flat,
-            true_surface: Self::shows_surface(scene),
-            double: (mode == ShadingMode::Exact && !has_surface) || stiff(scene, model).is_some(),
+            true_surface,
+            double: (mode == ShadingMode::Exact && !true_surface) || stiff(scene, model).is_some(),
             cull: model.closed && outside,
             depth_test: !(model.convex && model.closed && outside),
             perspective: interpolation == Interpolation::Perspective
                 && scene.camera.projection == Projection::Perspective,
-            scanline: interpolation == Interpolation::Scanline && per != Per::Face,
+            scanline: interpolation == Interpolation::Scanline && mode != ShadingMode::Flat,
             renormalise: scene.shading.renormalise || mode != ShadingMode::Phong,
             lights: silences(scene, model).iter().map(Option::is_none).collect(),
             shadows: false,
@@ -132,7 +128,7 @@ impl Plan {
         };
         plan.shadows = casts_shadows(scene, model, &plan.lights).is_none();
         if not_cued(scene, model).is_none() {
-            plan.cued = cued(scene, plan.per);
+            plan.cued = cued(scene, per);
         }
         plan.whole_picture |= matches!(plan.cued, Cued::AtVertices | Cued::AtPixels);
         plan
@@ -284,8 +280,7 @@ pub fn stiff(scene: &Scene, model: &Model) -> Option<Message> {
                 | SpecularForm::BlinnCosine
                 | SpecularForm::BlinnChord
         );
-        let own = scene.reflection.model == ReflectionModel::Formula;
-        (powers || own) && scene.material.n > STIFF_FROM
+        (powers || scene.reflection.is_own_law()) && scene.material.n > STIFF_FROM
     });
     if too_large.contains(&true) {
         return Some(Message("render-why-n-too-large"));
@@ -314,7 +309,7 @@ pub fn silences(scene: &Scene, model: &Model) -> Vec<Option<Message>> {
         .materials(scene)
         .iter()
         .map(|FaceMaterial { material: own, .. }| {
-            if scene.reflection.model == ReflectionModel::Formula {
+            if scene.reflection.is_own_law() {
                 // A law of one's own may reflect light whatever these numbers are.
                 return Rgb::ONE;
             }
@@ -342,10 +337,8 @@ fn misses(scene: &Scene, model: &Model, light: &Light) -> bool {
         && scene.shading.interpolation == Interpolation::Perspective;
     // The true surface bulges out of its polygons, and other interpolations take points off them.
     let radius = model.radius * if polygons { 1.0 + 1e-5 } else { 3.0 };
-    let (way, from_eye) = (
-        model.origin - light.position,
-        (light.position - scene.camera.eye).length(),
-    );
+    let way = model.origin - light.position;
+    let from_eye = (light.position - scene.camera.eye).length();
     let (distance, axis) = (way.length(), light.direction.normalize_or_zero());
     let spread = from_eye + distance + radius;
     if light.kind != LightKind::Spot || axis == DVec3::ZERO || !spread.is_finite() {

@@ -74,10 +74,8 @@ impl Renderer {
     /// Returns the equation of each material, with the lights that the picture of `scene`, the last one, is shaded with.
     pub(crate) fn shining_equations<T: Scalar>(&self, scene: &Scene) -> Vec<Equation<T>> {
         let model = &self.model.output;
-        let (materials, unit) = (
-            model.face_materials.materials(scene),
-            model.unit(&scene.camera),
-        );
+        let materials = model.face_materials.materials(scene);
+        let unit = model.unit(&scene.camera);
         let all = vec![true; scene.lights.len()];
         let kept = self.plan().map_or(&all, |plan| &plan.lights);
         equations(scene, &materials, unit, kept)
@@ -242,13 +240,12 @@ impl Renderer {
             .corners(triangle)
             .iter()
             .all(|corner| corner[0] != UNPLACED);
-        let (plan, lens, materials) = (&plan, &lens, model.face_materials.materials(scene));
         let inputs = Inputs {
             level: self.level(),
             scene,
-            plan,
-            lens,
-            materials: &materials,
+            plan: &plan,
+            lens: &lens,
+            materials: &model.face_materials.materials(scene),
             triangles,
             surface: None,
             visibility: None,

@@ -347,10 +347,8 @@ impl<'a> Inputs<'a> {
             .map(|v| self.corner(v, grid));
         let [a, b, c] = corners.map(|corner| corner.place);
         let area = (b - a).perp_dot(c - a);
-        let (w1, w2) = (
-            (place - a).perp_dot(c - a) / area,
-            (b - a).perp_dot(place - a) / area,
-        );
+        let w1 = (place - a).perp_dot(c - a) / area;
+        let w2 = (b - a).perp_dot(place - a) / area;
         let sound = w1.is_finite() && w2.is_finite();
         let weights = if sound {
             [1.0 - w1 - w2, w1, w2]
@@ -376,10 +374,9 @@ impl<'a> Inputs<'a> {
             z: view.z.max(NEAR),
             ..view
         };
-        let on_grid =
-            || DVec2::from_array(self.triangles.placed.places[vertex as usize].map(f64::from));
         let place = if grid {
-            on_grid() / f64::from(SUBPIXELS)
+            let place = self.triangles.placed.places[vertex as usize];
+            DVec2::from_array(place.map(f64::from)) / f64::from(SUBPIXELS)
         } else {
             self.lens.picture_from_view(view)
         };

@@ -10,6 +10,7 @@ use glam::DVec2;
 pub(super) const MOST_AT_ONCE: u64 = 1 << 23;
 /// The multiple of a strip's rows: the bands' 16, and the 6 after which the marks of overflow repeat.
 const STRIDE: u32 = 48;
+
 /// Returns the rows that are drawn at a time: all of them where the picture is small, or where a pixel depends on all others.
 pub(super) fn rows_at_once(scene: &Scene) -> u32 {
     let [width, height] = scene.image.size;

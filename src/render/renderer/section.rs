@@ -135,10 +135,8 @@ fn meet(
         weights[1][weight] = e1 * turned;
         if e0 == 0.0 && e1 == 0.0 {
             // The line runs along the edge: left and top edges belong, as in `span`.
-            let (across, down) = (
-                -f64::from(high[1] - low[1]) * turned,
-                f64::from(high[0] - low[0]) * turned,
-            );
+            let across = -f64::from(high[1] - low[1]) * turned;
+            let down = f64::from(high[0] - low[0]) * turned;
             if !(across > 0.0 || (across == 0.0 && down > 0.0)) {
                 return None;
             }
@@ -223,10 +221,8 @@ fn overtaken(active: &[Interval], seen: &Interval, from: f64, end: f64) -> f64 {
         .iter()
         .filter(|other| other.key(end) > seen.key(end))
         .map(|other| {
-            let (before, after) = (
-                seen.key(from) - other.key(from),
-                other.key(end) - seen.key(end),
-            );
+            let before = seen.key(from) - other.key(from);
+            let after = other.key(end) - seen.key(end);
             from + (end - from) * (before / (before + after)).clamp(0.0, 1.0)
         });
     passes
