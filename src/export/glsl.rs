@@ -261,18 +261,12 @@ fn specular(forms: &[SpecularForm]) -> String {
     const BLINN_COSINE: &str = "power(dot(N, normalize(L + V)))";
     const BLINN_CHORD: &str = "power(N, normalize(L + V))";
     const FACETS: &str = "facets(N, L, V, NL)";
-    let (by_cosine, by_chord) = (
-        include_str!("glsl/gap_of_cosine.glsl"),
-        include_str!("glsl/gap_of_chord.glsl"),
-    );
-    let (power, chord) = (
-        include_str!("glsl/power_of_cosine.glsl"),
-        include_str!("glsl/power_of_chord.glsl"),
-    );
-    let (beckmann, ggx) = (
-        include_str!("glsl/beckmann.glsl"),
-        include_str!("glsl/ggx.glsl"),
-    );
+    let by_cosine = include_str!("glsl/gap_of_cosine.glsl");
+    let by_chord = include_str!("glsl/gap_of_chord.glsl");
+    let power = include_str!("glsl/power_of_cosine.glsl");
+    let chord = include_str!("glsl/power_of_chord.glsl");
+    let beckmann = include_str!("glsl/beckmann.glsl");
+    let ggx = include_str!("glsl/ggx.glsl");
     let (both, either);
     let (gap, helpers, doc, body) = match form {
         SpecularForm::None | SpecularForm::Formula => return String::new(),

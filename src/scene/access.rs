@@ -11,9 +11,9 @@ use toml::{Spanned, Value};
 /// The field of a scene that holds a value. The `usize` is an index into a list, from 0: of the light, the pane or the model's material.
 #[derive(Debug)]
 pub struct Access<T: 'static> {
-    /// Returns the value, of the list's element with this index; `None` where the list is shorter.
+    /// The function that returns the value of the element with this index; `None` where the list is shorter.
     pub get: fn(&Scene, usize) -> Option<&T>,
-    /// Returns the value for changing it; `None` where the list is shorter.
+    /// The function that returns the value for changing it; `None` where the list is shorter.
     pub get_mut: fn(&mut Scene, usize) -> Option<&mut T>,
 }
 

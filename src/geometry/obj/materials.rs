@@ -8,7 +8,7 @@ use crate::geometry::mtl::{ModelMaterial, NO_MATERIAL, Remark};
 use crate::scene::{Material, MaterialOverride, Rgb};
 use crate::text::text;
 
-/// Returns the bytes of a library by its name in the model's file, or a sentence that says why there are none.
+/// A function that returns the bytes of a library by its name in the model's file, or a sentence that says why there are none.
 pub type OpenLibrary<'a> = &'a mut dyn FnMut(&str) -> Result<Vec<u8>, String>;
 
 /// The longest name of a material, in characters: that of its changes in a scene.

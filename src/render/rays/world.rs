@@ -122,11 +122,8 @@ impl<'a> World<'a> {
         if self.ground.is_some() {
             return;
         }
-        let (lens, depth, background) = (
-            self.hits.lens,
-            self.wall_depth,
-            in_range(self.scene.image.background),
-        );
+        let (lens, depth) = (self.hits.lens, self.wall_depth);
+        let background = in_range(self.scene.image.background);
         let Some(wall) = self.wall.as_ref().filter(|_| depth.is_finite()) else {
             line.iter_mut()
                 .filter(|pixel| pixel.is_nan())
@@ -138,10 +135,8 @@ impl<'a> World<'a> {
             let place = lens.world(point + direction * depth) - wall.centre;
             DVec2::new(place.dot(wall.right), place.dot(wall.up))
         };
-        let (first, step) = (
-            at(0.5),
-            (at(line.len() as f64 + 0.5) - at(0.5)) / line.len() as f64,
-        );
+        let first = at(0.5);
+        let step = (at(line.len() as f64 + 0.5) - first) / line.len() as f64;
         let color = in_range(wall.color);
         for (x, pixel) in line
             .iter_mut()

@@ -589,10 +589,8 @@ fn band_tasks<'a>(
     let share = (BAND * width) as usize;
     let blocks = ROWS * Block::count(width);
     let (mut fragments, mut tints) = (fragments.chunks_mut(blocks), tints.chunks_mut(blocks));
-    let (mut pixels, mut linear) = (
-        canvas.pixels.chunks_mut(share),
-        canvas.linear.chunks_mut(share),
-    );
+    let mut pixels = canvas.pixels.chunks_mut(share);
+    let mut linear = canvas.linear.chunks_mut(share);
     let first = canvas.pending.iter().position(|own| *own);
     let mut pending = canvas.pending.iter_mut();
     let bands = bands.iter_mut().zip((0..height).step_by(ROWS)).enumerate();

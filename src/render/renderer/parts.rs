@@ -36,7 +36,7 @@ impl Part {
 }
 
 /// Returns equations, with their ambient terms or without.
-fn with_ambient<T: Scalar>(equations: Vec<Equation<T>>, ambient: bool) -> Vec<Equation<T>> {
+pub fn with_ambient<T: Scalar>(equations: Vec<Equation<T>>, ambient: bool) -> Vec<Equation<T>> {
     if ambient {
         return equations;
     }

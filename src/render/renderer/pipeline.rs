@@ -524,11 +524,9 @@ impl Renderer {
     /// Takes every band through the steps that are out of date, and through shading if the frame is to be shaded.
     fn paint(&mut self, planned: &PlannedFrame, shades: bool) {
         let (plan, stale) = (&planned.plan, take(&mut self.stale));
-        let (mut bands, mut interpolated, mut picture) = (
-            take(&mut self.bands),
-            take(&mut self.interpolated),
-            take(&mut self.picture),
-        );
+        let mut bands = take(&mut self.bands);
+        let mut interpolated = take(&mut self.interpolated);
+        let mut picture = take(&mut self.picture);
         let painter = BandPainter {
             inputs: self.inputs(planned),
             clock: self.clock,

@@ -1,7 +1,7 @@
 //! The steps that follow rays, each run only when its inputs have changed: the hierarchy of boxes, the visibility of
 //! lights, the view past the object, and light from other surfaces.
 
-use super::parts::{Part, bouncing};
+use super::parts::{Part, bouncing, with_ambient};
 use super::plan::{Inputs, Per, Plan};
 use crate::illumination::{Equation, lights_backs};
 use crate::render::face_materials::{any_transmits, for_each_material};
@@ -93,22 +93,13 @@ impl<'a> Inputs<'a> {
 
     /// Returns the inputs of the shadow bits besides the object and the coverage: the lights' positions, not their intensities.
     fn shadow_key(&self) -> (Per, bool, Option<f64>, bool, Vec<Light>, Vec<bool>) {
-        let Scene {
-            ground,
-            reflection,
-            lights,
-            ..
-        } = self.scene;
-        let (ground, flip) = (
-            ground.visible.then_some(ground.height),
-            lights_backs(reflection),
-        );
+        let scene = self.scene;
         (
             self.plan.per,
             self.smooth(),
-            ground,
-            flip,
-            lights.iter().map(place).collect(),
+            scene.ground.visible.then_some(scene.ground.height),
+            lights_backs(&scene.reflection),
+            scene.lights.iter().map(place).collect(),
             self.plan.lights.clone(),
         )
     }
@@ -126,23 +117,15 @@ impl<'a> Inputs<'a> {
 
     /// Returns what rays past and through the object meet; where light bounces, without constant ambient light.
     fn world<'b>(&'b self, searched: Searched<'b>, bounces: bool) -> World<'b> {
-        let Self {
-            scene, materials, ..
-        } = *self;
-        let (hits, ka) = (
-            self.hits(searched),
-            if bounces { 0.0 } else { scene.ground.ka },
-        );
+        let (scene, materials) = (self.scene, self.materials);
+        let hits = self.hits(searched);
+        let ka = if bounces { 0.0 } else { scene.ground.ka };
         let mut world = World::new((scene, materials), hits, ka, self.shades_floor());
         if self.sees_others() {
             let equations = for_each_material(scene, materials, |scene| {
-                let equation = Equation::in_units(scene, self.lens.unit);
-                if bounces {
-                    equation.without_ambient()
-                } else {
-                    equation
-                }
+                Equation::in_units(scene, self.lens.unit)
             });
+            let equations = with_ambient(equations, !bounces);
             let others = DiffuseSurface::of_materials(scene, equations, hits.solid, self.shades());
             world.object = Some(others);
         }
@@ -157,9 +140,7 @@ impl<'a> Inputs<'a> {
     /// Returns the inputs of the view through the object besides the object and the coverage; `None` where it is opaque. Of
     /// one material, Kt is not among them.
     fn glass_key(&self) -> Option<Glass> {
-        let Self {
-            scene, materials, ..
-        } = *self;
+        let (scene, materials) = (self.scene, self.materials);
         any_transmits(materials).then(|| Glass {
             through: scene.transparency.through,
             relative_ior: materials.iter().map(|own| own.relative_ior).collect(),
@@ -302,12 +283,7 @@ impl RayNodes {
             materials,
             ..
         } = *inputs;
-        let Scene {
-            ground,
-            backdrop,
-            ambient,
-            ..
-        } = scene;
+        let (ground, backdrop, ambient) = (&scene.ground, &scene.backdrop, &scene.ambient);
         let at_pixels = plan.shadows && plan.per == Per::Pixel;
         let bounces = ambient.source != AmbientSource::Constant;
         if at_pixels
@@ -447,14 +423,10 @@ impl RayNodes {
         coverage: Coverage<'_>,
         [x, y]: [u32; 2],
     ) -> Option<Mixture> {
-        let Inputs {
-            scene, plan, lens, ..
-        } = *inputs;
-        let (hits, place) = (
-            inputs.hits(Searched::boxes(&self.boxes.output)),
-            pixel_centre(x as usize, y as usize),
-        );
-        let hit = if plan.true_surface {
+        let scene = inputs.scene;
+        let hits = inputs.hits(Searched::boxes(&self.boxes.output));
+        let place = pixel_centre(x as usize, y as usize);
+        let hit = if inputs.plan.true_surface {
             hits.of_fragment(place, coverage.fragment_at([x, y])?)
         } else {
             hits.of_triangle(coverage.triangle_at([x, y])?, place)
@@ -462,7 +434,7 @@ impl RayNodes {
         let bounces = bouncing(scene).contains(&(x as usize));
         let mut transmission = None;
         if inputs.materials[hit.material].kt > 0.0 {
-            let ray = [(0, hit, lens.ray(place).1.normalize())];
+            let ray = [(0, hit, inputs.lens.ray(place).1.normalize())];
             let world = inputs.world(Searched::boxes(&self.boxes.output), bounces);
             world.transmit(&ray, &mut LightScratch::default(), |_, told| {
                 transmission = Some(told);
