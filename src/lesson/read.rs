@@ -138,7 +138,7 @@ impl<'s> Reader<'s> {
         let parser = Parser::new_ext(&source[body..], Options::ENABLE_TABLES).into_offset_iter();
         let mut depth = 0usize;
         // The fenced block at hand: its info string, its start, and the range of its text.
-        let mut fence: Option<(String, usize, Option<(usize, usize)>)> = None;
+        let mut fence: Option<(String, usize, Option<_>)> = None;
         for (event, span) in parser {
             let (start, end) = (body + span.start, body + span.end);
             match event {
