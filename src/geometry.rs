@@ -2,6 +2,7 @@
 
 mod balls;
 mod bezier;
+mod buckets;
 mod concave;
 mod descent;
 mod mesh;
@@ -15,6 +16,7 @@ mod vector;
 mod vertex_normals;
 
 pub use balls::built_in;
+pub(crate) use buckets::Buckets;
 pub(crate) use descent::{Descent, nearer_first};
 pub use mesh::{Corner, Mesh, NO_NORMAL, VertexMesh};
 pub use mtl::{ModelMaterial, NO_MATERIAL, Remark};

@@ -1,11 +1,11 @@
 //! Meshes of n-sided polygons, and the test for whether they are closed.
 
+use super::buckets::Buckets;
 use super::concave;
 use super::mtl::{ModelMaterial, NO_MATERIAL, Remark};
 use crate::scene::area_vector;
 use glam::{DVec3, Vec3};
 use serde::{Deserialize, Serialize};
-use std::ops::Range;
 
 /// A corner of a polygon: its point and its given normal.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -338,7 +338,7 @@ impl Mesh {
 
     fn edges_pair_up(&self) -> bool {
         let count = self.positions.len();
-        let mut targets = ByPoint::new(count, self.edges());
+        let mut targets = Buckets::new(count, self.edges());
         (0..count).for_each(|point| targets.at_mut(point).sort_unstable());
         (0..count).all(|point| {
             let own = targets.at(point);
@@ -370,48 +370,6 @@ impl Mesh {
                 .first()
                 .is_none_or(|c| volumes[parts.root(c.position) as usize] > 0.0)
         })
-    }
-}
-
-/// The items of each point, as one list cut into runs.
-pub(super) struct ByPoint {
-    /// The ends of the runs: that of point p begins where that of p − 1 ends.
-    ends: Vec<u32>,
-    list: Vec<u32>,
-}
-
-impl ByPoint {
-    /// Sorts the items into their points' runs, keeping their order.
-    pub fn new(points: usize, items: impl Iterator<Item = (u32, u32)> + Clone) -> Self {
-        let mut ends = vec![0; points];
-        items
-            .clone()
-            .for_each(|(point, _)| ends[point as usize] += 1);
-        let mut begin = 0;
-        for end in &mut ends {
-            begin += std::mem::replace(end, begin);
-        }
-        let mut list = vec![0; begin as usize];
-        for (point, item) in items {
-            let slot = &mut ends[point as usize];
-            list[*slot as usize] = item;
-            *slot += 1;
-        }
-        Self { ends, list }
-    }
-
-    fn run(&self, point: usize) -> Range<usize> {
-        let begin = if point == 0 { 0 } else { self.ends[point - 1] };
-        begin as usize..self.ends[point] as usize
-    }
-
-    pub fn at(&self, point: usize) -> &[u32] {
-        &self.list[self.run(point)]
-    }
-
-    pub fn at_mut(&mut self, point: usize) -> &mut [u32] {
-        let run = self.run(point);
-        &mut self.list[run]
     }
 }
 

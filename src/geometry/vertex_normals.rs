@@ -1,7 +1,8 @@
 //! Vertex normals: from a mesh with shared points to vertices with one normal each, the faces that each normal comes from,
 //! and their weights.
 
-use super::mesh::{ByPoint, Mesh, NO_NORMAL, VertexMesh};
+use super::buckets::Buckets;
+use super::mesh::{Mesh, NO_NORMAL, VertexMesh};
 use crate::scene::{NormalSource, Weighting};
 use glam::{DVec3, DVec4, Vec3};
 use serde::Serialize;
@@ -126,7 +127,7 @@ impl Mesh {
         let corners = (0..)
             .zip(&self.corners)
             .map(|(c, corner)| (corner.position, c));
-        let mut around = ByPoint::new(self.positions.len(), corners);
+        let mut around = Buckets::new(self.positions.len(), corners);
         let mut positions = Vec::with_capacity(self.positions.len());
         let mut normals: Vec<Vec3> = Vec::with_capacity(self.positions.len());
         let mut indices = vec![0; self.corners.len()];

@@ -99,37 +99,3 @@ pub fn transmits(scene: &Scene, model: Option<&Mesh>) -> bool {
     model.materials.iter().any(|own| changed(own) > 0.0)
         || all && model.face_materials.contains(&NO_MATERIAL)
 }
-
-/// The indices of items, those of each material together, in their order.
-pub struct ByMaterial {
-    items: Vec<u32>,
-    /// The ends of the materials' items.
-    ends: Vec<u32>,
-}
-
-impl ByMaterial {
-    /// Sorts items with these materials, less than `count`, in time linear in both.
-    pub fn of(materials: impl Iterator<Item = usize> + Clone, count: usize) -> Self {
-        let mut ends = vec![0; count];
-        materials.clone().for_each(|material| ends[material] += 1);
-        let mut begin = 0;
-        for end in &mut ends {
-            begin += std::mem::replace(end, begin);
-        }
-        let mut items = vec![0; begin as usize];
-        for (item, material) in (0..).zip(materials) {
-            items[ends[material] as usize] = item;
-            ends[material] += 1;
-        }
-        Self { items, ends }
-    }
-
-    /// Returns each material that has items, with these.
-    pub fn groups(&self) -> impl Iterator<Item = (usize, &[u32])> {
-        let starts = std::iter::once(0).chain(self.ends.iter().copied());
-        let groups = starts.zip(&self.ends).enumerate();
-        groups
-            .map(|(material, (start, end))| (material, &self.items[start as usize..*end as usize]))
-            .filter(|(_, items)| !items.is_empty())
-    }
-}

@@ -228,7 +228,9 @@ impl Model {
 
     /// Returns the corners of a face relative to `origin`.
     fn corners(&self, face: u32) -> impl Iterator<Item = DVec3> {
-        self.face(face).iter().map(|&v| self.place(v).as_dvec3())
+        self.face(face)
+            .iter()
+            .map(move |&v| self.place(v).as_dvec3())
     }
 
     fn mean(&self, face: u32) -> DVec3 {

@@ -2,8 +2,8 @@
 
 use super::plan::{Inputs, Per};
 use super::shade::within_reach;
+use crate::geometry::Buckets;
 use crate::illumination::{Equation, LANES, Lanes, LawScratch, Reached, Real, V3};
-use crate::render::face_materials::ByMaterial;
 use crate::render::lens::FARTHEST;
 use crate::render::model::{Model, PADDING, Planes};
 use crate::render::rays::BLOCK;
@@ -159,9 +159,9 @@ pub fn shade_points(
         let mut undefined = vec![];
         let materials =
             &materials[range.start.min(materials.len())..range.end.min(materials.len())];
-        let own = materials.iter().map(|material| usize::from(*material));
+        let own = materials.iter().map(|material| u32::from(*material));
         // The points of one material are shaded together.
-        for (material, points) in ByMaterial::of(own, equations.len()).groups() {
+        for (material, points) in Buckets::new(equations.len(), own.zip(0..)).filled() {
             let own = all.map(|planes| gather(planes, points));
             let mut colors = own[0].clone();
             let sources = equations[material].sources.len();
