@@ -182,6 +182,11 @@ impl Text {
         Self { align, ..self }
     }
 
+    /// Sets the width of the halo.
+    pub(crate) fn haloed(self, halo: f64) -> Self {
+        Self { halo, ..self }
+    }
+
     /// Makes the text bold.
     pub fn bold(self) -> Self {
         Self {
@@ -272,15 +277,14 @@ impl Drawing {
 
     /// Creates an empty drawing over a picture, with halos of a colour and a width.
     pub fn over_picture(halo: Rgb8, breadth: f64) -> Self {
-        let (shapes, texts, scales) = (vec![], vec![], vec![]);
         Self {
             size: DVec2::ZERO,
             ground: None,
             halo,
             breadth,
-            shapes,
-            texts,
-            scales,
+            shapes: vec![],
+            texts: vec![],
+            scales: vec![],
         }
     }
 
@@ -321,8 +325,7 @@ impl Drawing {
             return;
         };
         let area = Area { min, max };
-        let places = points.into_iter().map(|point| scale.place(point));
-        let places: Vec<DVec2> = places.collect();
+        let places: Vec<DVec2> = points.into_iter().map(|point| scale.place(point)).collect();
         for part in places.split(|place| !place.is_finite()) {
             if let [only] = *part
                 && area.nearest(only) == only

@@ -34,10 +34,7 @@ pub struct Label {
 impl Label {
     /// Returns the text in the middle of its area.
     pub fn to_text(&self, halo: f64) -> Text {
-        Text {
-            halo,
-            ..Text::centred(&self.text, self.area.centre(), self.size, self.colour)
-        }
+        Text::centred(&self.text, self.area.centre(), self.size, self.colour).haloed(halo)
     }
 }
 

@@ -81,6 +81,12 @@ impl Vector {
     }
 }
 
+/// Returns the colour at a share of the way from one colour to another, from 0 to 1.
+pub(crate) fn mixed(from: Rgb8, to: Rgb8, share: f64) -> Rgb8 {
+    let [from, to] = [from, to].map(|colour| colour.map(f64::from));
+    std::array::from_fn(|c| (from[c] + (to[c] - from[c]) * share).round() as u8)
+}
+
 /// Returns `colour`, moved towards black or white as far as needed for the contrast `ratio` with `background`.
 pub fn readable(colour: Rgb8, background: Rgb8, ratio: f64) -> Rgb8 {
     const STEPS: u32 = 20;
@@ -90,13 +96,7 @@ pub fn readable(colour: Rgb8, background: Rgb8, ratio: f64) -> Rgb8 {
     } else {
         [255; 3]
     };
-    let towards = |step: u32| {
-        let share = f64::from(step) / f64::from(STEPS);
-        let mixed = |from: u8, to: u8| {
-            (f64::from(from) + (f64::from(to) - f64::from(from)) * share).round() as u8
-        };
-        std::array::from_fn(|channel| mixed(colour[channel], away[channel]))
-    };
+    let towards = |step: u32| mixed(colour, away, f64::from(step) / f64::from(STEPS));
     let stands_out = |candidate: &Rgb8| contrast(*candidate, background) >= ratio;
     (0..=STEPS).map(towards).find(stands_out).unwrap_or(away)
 }

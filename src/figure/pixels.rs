@@ -59,13 +59,7 @@ fn draw_text(pixmap: &mut PixmapMut<'_>, text: &Text, halo: Rgb8) {
     let bold = EMBOLDEN * text.size;
     for (colour, width) in [(halo, bold + 2.0 * text.halo), (text.colour, bold)] {
         let paint = paint(colour, 1.0);
-        pixmap.fill_path(
-            &path,
-            &paint,
-            FillRule::Winding,
-            Transform::identity(),
-            None,
-        );
+        fill(pixmap, &path, &paint);
         stroke(pixmap, &path, &paint, width, None);
     }
 }
@@ -82,13 +76,7 @@ fn draw_shape(pixmap: &mut PixmapMut<'_>, shape: &Shape) {
             return;
         };
         if shape.fill {
-            pixmap.fill_path(
-                &path,
-                &paint,
-                FillRule::Winding,
-                Transform::identity(),
-                None,
-            );
+            fill(pixmap, &path, &paint);
         }
         if shape.width > 0.0 {
             stroke(pixmap, &path, &paint, shape.width, None);
@@ -140,6 +128,10 @@ fn paint(colour: Rgb8, opacity: f64) -> Paint<'static> {
     colour.apply_opacity(opacity.clamp(0.0, 1.0) as f32);
     paint.set_color(colour);
     paint
+}
+
+fn fill(pixmap: &mut PixmapMut<'_>, path: &Path, paint: &Paint<'_>) {
+    pixmap.fill_path(path, paint, FillRule::Winding, Transform::identity(), None);
 }
 
 fn stroke(

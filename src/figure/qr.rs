@@ -24,11 +24,9 @@ impl QrCode {
     pub fn new(text: &str) -> Option<Self> {
         let code = |level| QRBuilder::new(text).ecl(level).build().ok();
         let smallest = code(ECL::L)?;
-        let better = [ECL::H, ECL::Q, ECL::M].into_iter().filter_map(code);
-        let code = better
-            .into_iter()
-            .find(|code| code.size == smallest.size)
-            .unwrap_or(smallest);
+        let mut better = [ECL::H, ECL::Q, ECL::M].into_iter().filter_map(code);
+        let code = better.find(|code| code.size == smallest.size);
+        let code = code.unwrap_or(smallest);
         let modules = code.data.iter().take(code.size * code.size);
         Some(Self {
             side: code.size,

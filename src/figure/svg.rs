@@ -141,15 +141,9 @@ fn escaped(text: &str) -> String {
 /// Formats a number with at most two decimals.
 fn brief(value: f64) -> String {
     let text = format!("{value:.2}");
-    let text = if text.contains('.') {
-        text.trim_end_matches('0').trim_end_matches('.')
-    } else {
-        &text
-    };
-    if text == "-0" {
-        "0".to_owned()
-    } else {
-        text.to_owned()
+    match text.trim_end_matches('0').trim_end_matches('.') {
+        "-0" => "0".to_owned(),
+        text => text.to_owned(),
     }
 }
 

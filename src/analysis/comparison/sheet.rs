@@ -3,7 +3,7 @@
 
 use super::{ErrorFigures, LinearPicture, PaneFigures, brightest, error_figures};
 use crate::analysis::perception::luminance;
-use crate::figure::palette::{Rgb8, Vector};
+use crate::figure::palette::{Rgb8, Vector, mixed};
 use crate::figure::{Area, Drawing, Shape, Text, with_raised_n};
 use crate::render::{Frame, Renderer};
 use crate::scene::{CompareView, DifferenceKind, Rgb, Scene};
@@ -270,11 +270,8 @@ pub fn comparison_sheet(scene: &Scene, panes: &[DrawnPane], captions: Captions) 
         drawing.shapes.push(Shape::line(ends, 0.1 * em, [255; 3]));
     }
     let mut letter = |text: &str, em: f64, at: DVec2, align: f64| {
-        let text = Text {
-            halo: drawing.breadth,
-            ..Text::new(with_raised_n(text), at, em, [255; 3]).aligned(align)
-        };
-        drawing.texts.push(text);
+        let text = Text::new(with_raised_n(text), at, em, [255; 3]).aligned(align);
+        drawing.texts.push(text.haloed(drawing.breadth));
     };
     match compare.view {
         _ if captions == Captions::None => {}
@@ -287,17 +284,12 @@ pub fn comparison_sheet(scene: &Scene, panes: &[DrawnPane], captions: Captions) 
             let figures = pane_figures(panes);
             for (pane, area) in figures.iter().zip(&areas) {
                 let corner = DVec2::from_array(area.min.map(f64::from));
-                let measured = caption(pane, &figures).join("   ");
                 letter(&pane.name, em, corner + DVec2::new(0.8, 1.4) * em, 0.0);
-                if captions == Captions::Names {
-                    continue;
+                if captions == Captions::Figures {
+                    let below = DVec2::new(0.8 * em, f64::from(area.size[1]) - 0.8 * em);
+                    let measured = caption(pane, &figures).join("   ");
+                    letter(&measured, 0.9 * em, corner + below, 0.0);
                 }
-                letter(
-                    &measured,
-                    0.9 * em,
-                    corner + DVec2::new(0.8 * em, f64::from(area.size[1]) - 0.8 * em),
-                    0.0,
-                );
             }
         }
         CompareView::Wipe => {
@@ -305,14 +297,10 @@ pub fn comparison_sheet(scene: &Scene, panes: &[DrawnPane], captions: Captions) 
             letter(&last.name, em, DVec2::new(width - em, 1.5 * em), 1.0);
         }
         CompareView::Difference => {
-            let words = error_line(&error_figures(first.measured(), last.measured()));
-            letter(
-                &format!("{} − {}", first.name, last.name),
-                em,
-                DVec2::new(em, 1.5 * em),
-                0.0,
-            );
+            let names = format!("{} − {}", first.name, last.name);
+            letter(&names, em, DVec2::new(em, 1.5 * em), 0.0);
             if captions == Captions::Figures {
+                let words = error_line(&error_figures(first.measured(), last.measured()));
                 letter(&words, em, DVec2::new(em, 3.0 * em), 0.0);
             }
         }
@@ -417,7 +405,7 @@ fn signed(share: f64) -> Rgb8 {
     } else {
         Vector::L.colour()
     };
-    mixed(NONE, end, share.abs())
+    mixed(NONE, end, share.abs().clamp(0.0, 1.0))
 }
 
 fn cividis(share: f64) -> Rgb8 {
@@ -425,13 +413,6 @@ fn cividis(share: f64) -> Rgb8 {
     let place = (share.clamp(0.0, 1.0) * steps).min(steps - 1e-9);
     let index = place as usize;
     mixed(CIVIDIS[index], CIVIDIS[index + 1], place - index as f64)
-}
-
-fn mixed(from: Rgb8, to: Rgb8, share: f64) -> Rgb8 {
-    let share = share.clamp(0.0, 1.0);
-    std::array::from_fn(|c| {
-        code(f64::from(from[c]) + (f64::from(to[c]) - f64::from(from[c])) * share)
-    })
 }
 
 fn code(value: f64) -> u8 {
@@ -453,15 +434,12 @@ pub fn difference_scale(size: [u32; 2], kind: DifferenceKind, gain: f64, em: f64
     let bar = (0..STEPS).map(|i| {
         let share = (f64::from(i) + 0.5) / f64::from(STEPS);
         let value = if two_sided { 2.0 * share - 1.0 } else { share };
-        let (x0, x1) = (
-            corner.x + f64::from(i) * step,
-            corner.x + f64::from(i + 1) * step + 0.5,
-        );
-        let (min, max) = (
-            DVec2::new(x0, corner.y),
-            DVec2::new(x1.min(corner.x + length), corner.y + breadth),
-        );
-        Shape::area(Area { min, max }.corners(), colour(kind, [value; 3])).plain()
+        let right = corner.x + f64::from(i + 1) * step + 0.5;
+        let part = Area {
+            min: DVec2::new(corner.x + f64::from(i) * step, corner.y),
+            max: DVec2::new(right.min(corner.x + length), corner.y + breadth),
+        };
+        Shape::area(part.corners(), colour(kind, [value; 3])).plain()
     });
     drawing.shapes.extend(bar);
     let whole = Area {
@@ -476,23 +454,17 @@ pub fn difference_scale(size: [u32; 2], kind: DifferenceKind, gain: f64, em: f64
         let x = corner.x + length * (value - least) / (1.0 - least);
         let at = DVec2::new(x, corner.y + breadth + 1.1 * em);
         let text = Text::new(tick(value / gain, two_sided), at, em, [255; 3]).aligned(0.5);
-        drawing.texts.push(Text {
-            halo: drawing.breadth,
-            ..text
-        });
+        drawing.texts.push(text.haloed(drawing.breadth));
     }
     drawing
 }
 
 fn tick(value: f64, signed: bool) -> String {
     let digits = format!("{:.4}", value.abs());
-    let digits = digits
-        .trim_end_matches('0')
-        .trim_end_matches('.')
-        .to_owned();
+    let digits = digits.trim_end_matches('0').trim_end_matches('.');
     match (signed, value) {
         (true, v) if v > 0.0 => format!("+{digits}"),
         (true, v) if v < 0.0 => format!("−{digits}"),
-        _ => digits,
+        _ => digits.to_owned(),
     }
 }

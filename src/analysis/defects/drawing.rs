@@ -150,10 +150,7 @@ pub fn draw_defects(
             .map(|line| Shape::line(line, 0.8 * style.line, style.neutral));
         let mut drawing = style.drawing(lines.collect());
         let text = Text::centred(&mark.label, mark.label_at, style.text, style.neutral);
-        drawing.texts.push(Text {
-            halo: style.halo,
-            ..text
-        });
+        drawing.texts.push(text.haloed(style.halo));
         drawing.draw(pixmap);
     }
 }

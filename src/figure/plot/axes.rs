@@ -81,10 +81,7 @@ fn power((exponent, mantissa): (i32, u8), alone: bool) -> String {
             exponent.unsigned_abs() as usize,
             f64::from(mantissa) * 10f64.powi(exponent)
         ),
-        0..5 => format!(
-            "{}",
-            u32::from(mantissa) * 10u32.pow(exponent.unsigned_abs())
-        ),
+        0..5 => (u32::from(mantissa) * 10u32.pow(exponent.unsigned_abs())).to_string(),
         _ => magnitude(f64::from(mantissa) * 10f64.powi(exponent)),
     }
 }
@@ -112,10 +109,12 @@ pub fn short(value: f64) -> String {
 }
 
 fn format_number(value: f64, decimals: usize, plain: bool) -> String {
-    match plain {
-        _ if value == 0.0 => "0".to_owned(),
-        true => fixed(value, decimals),
-        false => scientific(value),
+    if value == 0.0 {
+        "0".to_owned()
+    } else if plain {
+        fixed(value, decimals)
+    } else {
+        scientific(value)
     }
 }
 

@@ -103,20 +103,18 @@ impl Plot {
         [x, y]: [Axis; 2],
         curves: Vec<Curve>,
     ) -> Self {
-        let (title, note) = (title.into(), note.into());
-        let (legend, marks, directions, borders, points) = (vec![], vec![], vec![], vec![], vec![]);
         Self {
             kind,
-            title,
-            note,
+            title: title.into(),
+            note: note.into(),
             x,
             y,
             curves,
-            legend,
-            marks,
-            directions,
-            borders,
-            points,
+            legend: vec![],
+            marks: vec![],
+            directions: vec![],
+            borders: vec![],
+            points: vec![],
         }
     }
 
@@ -146,11 +144,8 @@ impl Axis {
     /// Creates an axis of an angle.
     pub fn degrees(name: impl Into<String>, low: f64, high: f64) -> Self {
         Self {
-            name: name.into(),
-            low,
-            high,
             degrees: true,
-            decades: false,
+            ..Self::new(name, low, high)
         }
     }
 
@@ -212,14 +207,14 @@ pub struct Curve {
 impl Curve {
     /// Creates a curve of the scene's own.
     pub fn new(name: impl Into<String>, points: Vec<[f64; 2]>, ink: Ink) -> Self {
-        let (name, notes, dash) = (name.into(), Vec::new(), Dash::Solid);
+        let name = name.into();
         Self {
             key: name.clone(),
             name,
-            notes,
+            notes: vec![],
             points,
             ink,
-            dash,
+            dash: Dash::Solid,
             emphasised: true,
             tag: None,
         }
