@@ -3,7 +3,7 @@
 
 mod palette;
 
-use crate::picture::{Apng, PictureError};
+use crate::picture::Apng;
 use crate::render::Frame;
 use crate::scene::parameter::{Kind, Parameter};
 use crate::scene::{Scene, SceneError};
@@ -11,6 +11,7 @@ use crate::text::text;
 use gif::Repeat;
 use std::ffi::OsStr;
 use std::io::{self, Write};
+use std::iter;
 use std::path::Path;
 use toml::Value;
 
@@ -105,9 +106,12 @@ pub enum SweepError {
 }
 
 impl Sweep {
-    /// Creates a sweep from a scene with the settings of the beginning to the same with those of the end, `KEY=VALUE`
-    /// as [`Scene::with_overrides`] has them. Every number that differs changes from frame to frame, also in colours
-    /// and points. An error, see [`SweepError`], also if any frame is not a valid scene.
+    /// Creates a sweep from a scene with the settings `from` to the same scene with the settings `to`, each `KEY=VALUE`
+    /// as in [`Scene::with_overrides`]. Every number that differs changes from frame to frame, also in colours and
+    /// points.
+    ///
+    /// # Errors
+    /// See [`SweepError`]; also if any frame is not a valid scene.
     pub fn new(
         scene: &Scene,
         from: &[impl AsRef<str>],
@@ -128,18 +132,18 @@ impl Sweep {
         }
         let first = scene.with_overrides(from).map_err(SweepError::Beginning)?;
         let last = scene.with_overrides(to).map_err(SweepError::End)?;
-        let tracks: Result<Vec<Track>, SweepError> = first
+        let tracks = first
             .differences(&last)
             .map(|(parameter, index)| Track::new(parameter, index, [&first, &last], course))
-            .collect();
-        let sweep = Self {
-            tracks: tracks?,
-            scene: first,
-            course,
-        };
-        if sweep.tracks.is_empty() {
+            .collect::<Result<Vec<Track>, SweepError>>()?;
+        if tracks.is_empty() {
             return Err(SweepError::Nothing);
         }
+        let sweep = Self {
+            scene: first,
+            tracks,
+            course,
+        };
         for frame in 0..course.frames {
             sweep
                 .scene_at(frame)
@@ -321,13 +325,9 @@ impl FilmFormat {
     /// Checks the duration of a film of `count` frames; [`SweepError::Seconds`] where each would be too short or too
     /// long.
     pub fn check_seconds(self, count: u32, seconds: f64) -> Result<(), SweepError> {
-        let (least, most) = (
-            f64::from(count) * self.timing().1,
-            f64::from(count) * LONGEST,
-        );
+        let [least, most] = [self.timing().1, LONGEST].map(|each| f64::from(count) * each);
         // A rounding error of the division is accepted.
-        let fits = seconds >= least * (1.0 - 1e-9) && seconds <= most;
-        if fits {
+        if seconds >= least * (1.0 - 1e-9) && seconds <= most {
             Ok(())
         } else {
             Err(SweepError::Seconds { least, most })
@@ -367,26 +367,16 @@ pub fn write_film(
 type Frames<'f> = &'f mut dyn Iterator<Item = io::Result<(Frame, u16)>>;
 
 fn write_apng(out: &mut dyn Write, sweep: &Sweep, frames: Frames<'_>) -> io::Result<()> {
-    let refused = |error| match error {
-        PictureError::Unwritten(png::EncodingError::IoError(error)) => error,
-        error => io::Error::other(error),
-    };
-    let Some((first, delay)) = frames.next().transpose()? else {
+    let Some(first) = frames.next().transpose()? else {
         return Ok(());
     };
-    let mut film = Apng::new(
-        out,
-        [first.width, first.height],
-        sweep.count(),
-        sweep.scene(),
-    )
-    .map_err(refused)?;
-    film.add(&first, delay).map_err(refused)?;
-    for frame in frames {
+    let size = [first.0.width, first.0.height];
+    let mut film = Apng::new(out, size, sweep.count(), sweep.scene())?;
+    for frame in iter::once(Ok(first)).chain(frames) {
         let (frame, delay) = frame?;
-        film.add(&frame, delay).map_err(refused)?;
+        film.add(&frame, delay)?;
     }
-    film.finish().map_err(refused)
+    Ok(film.finish()?)
 }
 
 fn write_gif(out: &mut dyn Write, frames: Frames<'_>) -> io::Result<()> {
@@ -401,7 +391,7 @@ fn write_gif(out: &mut dyn Write, frames: Frames<'_>) -> io::Result<()> {
     let (width, height) = (side(first.0.width)?, side(first.0.height)?);
     let mut film = gif::Encoder::new(out, width, height, &[]).map_err(refused)?;
     film.set_repeat(Repeat::Infinite).map_err(refused)?;
-    for frame in std::iter::once(Ok(first)).chain(frames) {
+    for frame in iter::once(Ok(first)).chain(frames) {
         let (frame, delay) = frame?;
         let (palette, numbers) = palette::indexed(&frame.pixels);
         let shown = gif::Frame::from_palette_pixels(width, height, numbers, palette, None);

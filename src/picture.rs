@@ -7,7 +7,7 @@ use crate::render::Frame;
 use crate::scene::{Encoding, Scene};
 use crate::text::text;
 use png::text_metadata::ITXtChunk;
-use std::io::{BufRead, ErrorKind, Seek, Write};
+use std::io::{self, BufRead, ErrorKind, Seek, Write};
 
 /// The keyword of the text chunk that holds the scene.
 pub const SCENE_KEYWORD: &str = "shading-lab:scene";
@@ -38,6 +38,15 @@ pub enum PictureError {
     Unwritten(#[from] png::EncodingError),
 }
 
+impl From<PictureError> for io::Error {
+    fn from(error: PictureError) -> Self {
+        match error {
+            PictureError::Unwritten(png::EncodingError::IoError(error)) => error,
+            error => Self::other(error),
+        }
+    }
+}
+
 /// Returns the cause of a PNG error without the decoder's own words, which name its types.
 fn cause(error: &png::DecodingError) -> String {
     use png::DecodingError::{Format, IoError, LimitsExceeded, Parameter};
@@ -54,8 +63,8 @@ fn cause(error: &png::DecodingError) -> String {
 /// A text to embed in a picture, with its keyword.
 pub type PictureText<'t> = (&'t str, &'t str);
 
-/// Writes `frame` as a PNG that holds `scene`, if it shows one, and other `texts`, compressed: three channels where every pixel is
-/// opaque, else four. A picture encoded as sRGB says so; a raw one says nothing about its colours.
+/// Writes `frame` as a PNG with `scene`, if it shows one, and other `texts`, which are compressed. It has three channels if every
+/// pixel is opaque, otherwise four. A picture encoded as sRGB says so; a raw one says nothing about its colours.
 ///
 /// # Examples
 /// ```
@@ -196,12 +205,8 @@ pub fn read_texts<const N: usize>(
     png: impl BufRead + Seek,
     wanted: [(&str, usize); N],
 ) -> Result<[Option<String>; N], PictureError> {
-    let decoder = png::Decoder::new_with_limits(
-        png,
-        png::Limits {
-            bytes: ANCILLARY_LIMIT,
-        },
-    );
+    let bytes = ANCILLARY_LIMIT;
+    let decoder = png::Decoder::new_with_limits(png, png::Limits { bytes });
     let mut reader = decoder.read_info().map_err(PictureError::Damaged)?;
     let missing = |info: &png::Info<'_>| wanted.iter().any(|(word, _)| chunk(info, word).is_none());
     if missing(reader.info()) {
