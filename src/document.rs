@@ -34,7 +34,7 @@ pub use error::{LoadError, SaveError};
 use names::beside;
 pub use names::ending;
 pub(crate) use names::stays_here;
-use std::io::{self, BufRead, BufReader, Cursor, Read, Seek};
+use std::io::{BufRead, BufReader, Cursor, Read, Seek};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -56,11 +56,10 @@ pub struct Loaded {
 impl Loaded {
     /// Creates a scene that is not a file, without its model.
     fn new(scene: Scene, name: &str, shown: Shown) -> Self {
-        let name = name.to_owned();
         Self {
             scene,
             model: None,
-            name,
+            name: name.to_owned(),
             path: None,
             shown,
         }
@@ -102,16 +101,11 @@ pub(crate) fn undrawn(object: &Object, model: Option<&Mesh>) -> Vec<String> {
     };
     let mut warnings: Vec<String> = mesh.remarks.iter().map(said).collect();
     let is_own = |name: &String| mesh.materials.iter().any(|own| own.name == *name);
-    for change in object
-        .materials
-        .iter()
-        .filter(|change| !is_own(&change.name))
-    {
-        let name = excerpt(&change.name);
-        warnings.push(format!(
-            "{own}: {}",
-            text!("document-no-material", name = name)
-        ));
+    for change in &object.materials {
+        if !is_own(&change.name) {
+            let words = text!("document-no-material", name = excerpt(&change.name));
+            warnings.push(format!("{own}: {words}"));
+        }
     }
     let mut textures: Vec<&str> = vec![];
     for name in mesh.materials.iter().flat_map(|material| &material.maps) {
@@ -123,10 +117,8 @@ pub(crate) fn undrawn(object: &Object, model: Option<&Mesh>) -> Vec<String> {
         let more = textures.len() > MOST_NAMED;
         textures.truncate(MOST_NAMED);
         let names = textures.join(", ") + if more { ", …" } else { "" };
-        warnings.push(format!(
-            "{own}: {}",
-            text!("document-textures", names = names)
-        ));
+        let words = text!("document-textures", names = names);
+        warnings.push(format!("{own}: {words}"));
     }
     let mut materials = mesh.materials.iter();
     if let Some(first) = materials.find(|material| material.refracts_by_model()) {
@@ -181,9 +173,8 @@ pub fn load_bytes(
 ) -> Result<Loaded, LoadError> {
     let path = Path::new(name);
     let (scene, shown) = if is_picture(&bytes) {
-        let text = read_scene_text(Cursor::new(bytes));
-        let text = text.map_err(|error| LoadError::file(path, error))?;
-        (parsed(&text, path)?, Shown::default())
+        let scene = parsed_picture(Cursor::new(bytes), path)?;
+        (scene, Shown::default())
     } else {
         let text = utf_8(path, bytes)?;
         if link::is_link(text.trim()) {
@@ -255,13 +246,10 @@ fn load_model(object: &Object, progress: Progress<'_>) -> Result<Option<Arc<Mesh
         ));
     }
     let mut told = |read| progress(read, total);
-    let refused = |error: ObjError| {
-        let (line, problem) = (error.line(), error.to_string());
-        LoadError::File {
-            path: path.clone(),
-            line,
-            problem,
-        }
+    let refused = |error: ObjError| LoadError::File {
+        path: path.clone(),
+        line: error.line(),
+        problem: error.to_string(),
     };
     let mut library = |name: &str| read_library(path, name);
     let mesh = read_model(BufReader::new(file), &mut told, &mut library).map_err(refused)?;
@@ -301,13 +289,7 @@ fn read_scene(source: &Path) -> Result<Loaded, LoadError> {
     }
     let mut scene = match ending(source).as_deref() {
         Some("toml") => parsed(&read_text(source, SCENE_FILE, Scene::MAX_TEXT)?, source)?,
-        Some("png") => {
-            let text = read_scene_text(open_picture(source)?);
-            parsed(
-                &text.map_err(|error| LoadError::file(source, error))?,
-                source,
-            )?
-        }
+        Some("png") => parsed_picture(open_picture(source)?, source)?,
         Some("obj") => scene_of_model(source)?,
         _ => return Err(unknown(source)),
     };
@@ -348,6 +330,12 @@ fn parsed(text: &str, path: &Path) -> Result<Scene, LoadError> {
     Ok(scene)
 }
 
+/// Parses the scene in a picture from `path`.
+fn parsed_picture(png: impl BufRead + Seek, path: &Path) -> Result<Scene, LoadError> {
+    let text = read_scene_text(png).map_err(|error| LoadError::file(path, error))?;
+    parsed(&text, path)
+}
+
 /// Reads the text of a file, which was expected to be `what`: at most one byte more than `most`, so that its reader
 /// can report the error.
 pub(crate) fn read_text(path: &Path, what: Message, most: usize) -> Result<String, LoadError> {
@@ -375,14 +363,12 @@ fn utf_8(path: &Path, bytes: Vec<u8>) -> Result<String, LoadError> {
 /// Returns the default scene with a model in place of its object.
 fn scene_of_model(path: &Path) -> Result<Scene, LoadError> {
     let mut scene = presets::default_scene();
-    let normals = NormalSource::File;
-    let name = path.file_name().map(PathBuf::from);
     scene.about = SceneDescription::default();
     scene.object = Object {
         kind: ObjectKind::Obj,
-        path: name,
+        path: path.file_name().map(PathBuf::from),
         fit: true,
-        normals,
+        normals: NormalSource::File,
         ..scene.object
     };
     scene.validate()?;
@@ -461,13 +447,7 @@ pub(crate) fn write_picture(
     scene: Option<&Scene>,
     texts: &[PictureText<'_>],
 ) -> Result<(), SaveError> {
-    let refused = |error| match error {
-        PictureError::Unwritten(png::EncodingError::IoError(error)) => error,
-        error => io::Error::other(error),
-    };
-    write_whole(path, |out| {
-        write_png(out, frame, scene, texts).map_err(refused)
-    })
+    write_whole(path, |out| Ok(write_png(out, frame, scene, texts)?))
 }
 
 fn write_text(path: &Path, text: &str) -> Result<(), SaveError> {
@@ -518,10 +498,9 @@ pub fn save_answer(
 }
 
 fn write_drawing(path: &Path, drawing: &Drawing, scene: Option<&Scene>) -> Result<(), SaveError> {
-    let problem = Message("document-figure-too-large");
     let too_large = || SaveError::Target {
         path: path.to_owned(),
-        problem,
+        problem: Message("document-figure-too-large"),
     };
     write_picture(path, &drawing.to_frame().ok_or_else(too_large)?, scene, &[])
 }
