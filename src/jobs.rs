@@ -1,7 +1,6 @@
-//! Work in the background: plain data is given to a thread, which returns an answer. Nothing else starts threads, but a live class
-//! (`class`) its own. A
-//! web page has none: there a worker does work that has [codecs](Work::CODECS), and the rest is done between two
-//! frames.
+//! Work in the background: plain data is given to a thread, which returns an answer. Nothing else starts threads, except a live
+//! class (`class`), which has its own. A web page has no threads: there a worker does work that has [codecs](Work::CODECS), and the
+//! rest is done between two frames.
 //!
 //! A [`Job`] is one piece of work with its progress; [`Background`] answers one question after the other and keeps
 //! the latest answer.
@@ -52,7 +51,7 @@ pub fn nanoseconds() -> u64 {
     u64::try_from(START.get_or_init(Instant::now).elapsed().as_nanos()).unwrap_or(u64::MAX)
 }
 
-/// Does work whose parallel parts have threads of their own, so that it does not wait for those of work in the background.
+/// Does work with a thread pool of its own for its parallel parts, so that it does not wait for work in the background.
 pub fn at_once<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     #[cfg(not(target_arch = "wasm32"))]
     {
@@ -358,22 +357,15 @@ impl<W: Work> Background<W> {
 
     /// Takes any news; returns whether there was any.
     pub fn take(&mut self) -> bool {
-        let news = self.job.as_ref().and_then(|job| {
-            Some((
-                Arc::clone(&job.work),
-                Arc::clone(&job.progress),
-                job.news()?,
-            ))
-        });
-        let Some((work, progress, news)) = news else {
-            return false;
-        };
+        let Some(job) = &self.job else { return false };
+        let Some(news) = job.news() else { return false };
+        let work = Arc::clone(&job.work);
         match news {
             News::SoFar(answer) => self.known = Some((work, Ok(answer))),
             News::Over(answer) => {
                 self.known = Some((work, answer));
-                self.took = Duration::from_nanos(progress.took.load(Ordering::Relaxed));
-                self.stopped = progress.cancel.load(Ordering::Relaxed);
+                self.took = Duration::from_nanos(job.progress.took.load(Ordering::Relaxed));
+                self.stopped = job.progress.cancel.load(Ordering::Relaxed);
                 self.job = None;
             }
         }
@@ -406,7 +398,7 @@ impl<W: Work> Background<W> {
         self.job.as_ref().map(Job::share)
     }
 
-    /// Returns the time that the latest answer took on a thread of this process: none before there is one.
+    /// Returns the time that the latest answer took on a thread of this process; zero before there is one.
     pub fn took(&self) -> Duration {
         self.took
     }
@@ -449,7 +441,7 @@ impl<Q: PartialEq> Request<Q> {
         }
     }
 
-    /// Returns whether this is what [`Self::new`] would make.
+    /// Returns whether this equals what [`Self::new`] would create; models are compared by address.
     pub fn is(
         &self,
         question: &Q,
@@ -483,6 +475,7 @@ pub(crate) fn model_to_bytes<S: Serializer>(
     model.as_deref().serialize(into)
 }
 
+/// Deserializes a model that [`model_to_bytes`] serialized.
 pub(crate) fn model_from_bytes<'de, D: Deserializer<'de>>(
     from: D,
 ) -> Result<Option<Arc<Mesh>>, D::Error> {
