@@ -1,5 +1,5 @@
 //! The time of a frame: medians over the requested frames, after some that are not counted, of a frame drawn from
-//! scratch, with its stages, and of frames in which a single thing changed. Of a scene that compares panes all visible
+//! scratch, with its stages, and of frames in which a single thing changed. For a scene that compares panes, all visible
 //! ones are drawn.
 
 mod growth;
@@ -225,10 +225,8 @@ impl<'a> Panes<'a> {
     fn measure_change(&mut self, change: Change, coarser: u32) -> Option<f64> {
         let (run, mut times) = (self.run, Vec::new());
         for frame in 0..WARM_UP + run.frames {
-            let time = self.draw(
-                &changed(&run.subject.scene, change, 1 + frame % 8)?,
-                coarser,
-            );
+            let scene = changed(&run.subject.scene, change, 1 + frame % 8)?;
+            let time = self.draw(&scene, coarser);
             if frame >= WARM_UP {
                 times.push(time);
                 (run.count)();
@@ -247,10 +245,9 @@ fn measure(run: Run<'_>, simd: SimdLevel) -> Bench {
         let time = panes.draw(&run.subject.scene, 1);
         if frame >= WARM_UP {
             times.push(time);
-            panes
-                .renderers
-                .iter()
-                .for_each(|renderer| stages.add(renderer.report()));
+            for renderer in &panes.renderers {
+                stages.add(renderer.report());
+            }
             (run.count)();
         }
     }
@@ -354,27 +351,18 @@ impl Bench {
 
 impl Answer for Bench {
     fn report(&self, about: &ReportContext<'_>) -> Report {
-        let FrameReport {
-            triangles, covered, ..
-        } = self.drawn;
-        let (
-            evaluations,
-            Self {
-                threads, frames, ..
-            },
-        ) = (self.evaluations(), self);
         let counts = text!(
             "engine-bench-counts",
             about = about.heading(),
-            triangles = triangles,
-            covered = covered,
-            evaluations = evaluations
+            triangles = self.drawn.triangles,
+            covered = self.drawn.covered,
+            evaluations = self.evaluations()
         );
         let measured = text!(
             "engine-bench-measured",
-            threads = *threads,
+            threads = self.threads,
             simd = word(&self.simd),
-            frames = *frames
+            frames = self.frames
         );
         let mut report = Report::new(format!("{counts}\n{measured}"));
         let mut times = Table::new([
@@ -435,11 +423,7 @@ impl Answer for Bench {
         let stage = |(stage, ms): &(Stage, f64)| (word(stage), json!({ "median_ms": ms }));
         let change = |(name, changed): &(String, Option<Changed>)| {
             let mut figures = json!({ "median_ms": changed.map(|changed| changed.whole) });
-            if let Some(Changed {
-                dragged: (coarser, ms),
-                ..
-            }) = changed
-            {
+            if let Some((coarser, ms)) = changed.map(|changed| changed.dragged) {
                 figures["dragged"] = json!({ "median_ms": ms, "coarser": coarser });
             }
             (name.clone(), figures)

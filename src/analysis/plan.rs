@@ -64,9 +64,9 @@ impl Question for PlanQuestion {
                 renderer.render(scene);
                 if frame >= WARM_UP {
                     times.push(renderer.report().nanoseconds);
-                }
-                if frame >= WARM_UP && which == 0 {
-                    stages.add(renderer.report());
+                    if which == 0 {
+                        stages.add(renderer.report());
+                    }
                 }
             }
             watch.progress(frame as f32 / (WARM_UP + frames) as f32);
@@ -99,21 +99,16 @@ impl Question for PlanQuestion {
     }
 }
 
+/// Returns the stages that run again after a change.
 fn run_again(renderer: &mut Renderer, change: impl Fn(u32) -> Option<Scene>) -> Option<Vec<Stage>> {
     renderer.render(&change(1)?);
     renderer.render(&change(2)?);
-    Some(
-        renderer
-            .report()
-            .stages
-            .iter()
-            .filter(|run| run.ran)
-            .map(|run| run.stage)
-            .collect(),
-    )
+    let ran = renderer.report().stages.iter().filter(|run| run.ran);
+    Some(ran.map(|run| run.stage).collect())
 }
 
 impl Saved {
+    /// Returns a stage's time, milliseconds, and its share of the time of all stages.
     fn time(&self, stage: Stage) -> Option<(f64, f64)> {
         let whole: f64 = self.stages.iter().map(|(_, ms)| ms).sum();
         let (_, ms) = self.stages.iter().find(|(known, _)| *known == stage)?;
@@ -200,15 +195,12 @@ impl Answer for FramePlan {
             table
                 .rows
                 .extend(self.materials.iter().map(|(name, count)| {
-                    let of_scene = text!("engine-plan-material-scene");
-                    cells![
-                        if name.is_empty() {
-                            of_scene
-                        } else {
-                            name.as_str()
-                        },
-                        *count
-                    ]
+                    let name = if name.is_empty() {
+                        text!("engine-plan-material-scene")
+                    } else {
+                        name.as_str()
+                    };
+                    cells![name, *count]
                 }));
             report
                 .section(text!("engine-plan-materials"))

@@ -63,11 +63,8 @@ pub trait Answer: Debug + Send + Sync {
         let plots: Vec<Plot> = self.report(about).plots().cloned().collect();
         let size = size.unwrap_or_else(|| self.figure_size(plots.len()));
         let extent = DVec2::from_array(size.map(f64::from));
-        let title = plots
-            .iter()
-            .map(|plot| plot.title.as_str())
-            .collect::<Vec<_>>()
-            .join("; ");
+        let titles: Vec<&str> = plots.iter().map(|plot| plot.title.as_str()).collect();
+        let title = titles.join("; ");
         let drawing = || lay_out_sheet(&plots, extent, &PlotStyle::of(size, plots.len(), paper));
         (!plots.is_empty()).then(|| Figure::Drawing {
             drawing: drawing(),
@@ -180,22 +177,17 @@ impl Report {
 
     /// Returns all plots in reading order.
     pub fn plots(&self) -> impl Iterator<Item = &Plot> {
-        self.parts().filter_map(|part| {
-            if let Part::Plot(plot) = part {
-                Some(&**plot)
-            } else {
-                None
-            }
+        self.parts().filter_map(|part| match part {
+            Part::Plot(plot) => Some(&**plot),
+            _ => None,
         })
     }
 
+    /// Returns the first table with keys, or else the samples of all curves.
     fn rows(&self) -> Table {
-        let mut tables = self.parts().filter_map(|part| {
-            if let Part::Table(table) = part {
-                Some(table)
-            } else {
-                None
-            }
+        let mut tables = self.parts().filter_map(|part| match part {
+            Part::Table(table) => Some(table),
+            _ => None,
         });
         let own = tables.find(|table| table.columns.iter().any(|column| column.key.is_some()));
         own.map_or_else(|| samples(self.plots()), Table::clone)
@@ -409,9 +401,7 @@ impl Column {
     ) -> Self {
         Self {
             key: Some(key.into()),
-            head: Some(head.into()),
-            show,
-            extra: false,
+            ..Self::shown(head, show)
         }
     }
 
@@ -530,10 +520,8 @@ impl Table {
     /// Formats the columns with keys, with all digits, as CSV (RFC 4180).
     pub fn to_csv(&self) -> String {
         let kept = || {
-            self.columns
-                .iter()
-                .zip(0..)
-                .filter_map(|(column, index)| Some((column.key.as_deref()?, index)))
+            let columns = self.columns.iter().enumerate();
+            columns.filter_map(|(index, column)| Some((column.key.as_deref()?, index)))
         };
         let field = |cell: Option<&Cell>| match cell {
             Some(Cell::Text(text)) => csv::field(text),
@@ -543,14 +531,8 @@ impl Table {
         };
         let line = |fields: Vec<String>| fields.join(",") + "\n";
         let head = line(kept().map(|(key, _)| csv::field(key)).collect());
-        let rows = self.rows.iter();
-        let rows = rows.map(|row| {
-            line(
-                kept()
-                    .map(|(_, index): (_, usize)| field(row.get(index)))
-                    .collect(),
-            )
-        });
+        let row = |row: &Vec<Cell>| line(kept().map(|(_, index)| field(row.get(index))).collect());
+        let rows = self.rows.iter().map(row);
         head + &rows.collect::<String>()
     }
 }

@@ -82,9 +82,8 @@ pub fn measure(run: Run<'_>) -> Growth {
         .iter()
         .filter_map(|count| divided(&sized(scene, FEW_PIXELS), *count))
         .collect();
-    let pixels = series(run, pictures, |row| row.pixels);
     Growth {
-        pixels,
+        pixels: series(run, pictures, |row| row.pixels),
         triangles: (!fine.is_empty()).then(|| series(run, fine, |row| row.triangles)),
     }
 }
@@ -147,15 +146,12 @@ impl Frame {
 
     fn row(mut self) -> Row {
         let [width, height] = self.scene.image.size.map(u64::from);
+        let fastest = self.times.iter().min();
         Row {
             pixels: width * height,
             triangles: self.renderer.report().triangles,
             frames: self.times.len(),
-            fastest_ms: self
-                .times
-                .iter()
-                .min()
-                .map_or(0.0, |fastest| median_ms(&mut [*fastest])),
+            fastest_ms: fastest.map_or(0.0, |fastest| median_ms(&mut [*fastest])),
             median_ms: median_ms(&mut self.times),
         }
     }
@@ -196,10 +192,8 @@ impl Growth {
             ("engine-growth-pixels", Some(&self.pixels)),
             ("engine-growth-triangles", self.triangles.as_ref()),
         ];
-        for (name, series) in series
-            .into_iter()
-            .filter_map(|(name, series)| Some((name, series?)))
-        {
+        for (name, series) in series {
+            let Some(series) = series else { continue };
             let table = Table::from_rows(
                 &series.rows,
                 [
@@ -231,14 +225,10 @@ impl Growth {
             ];
             for (which, fit) in fits {
                 let exponent = |fit: Fit| {
-                    let (slope, spread) = (
-                        format!("{:.3}", fit.slope),
-                        format!("{:.3}", fit.confidence),
-                    );
                     text!(
                         "engine-fit",
-                        slope = slope,
-                        spread = spread,
+                        slope = format!("{:.3}", fit.slope),
+                        spread = format!("{:.3}", fit.confidence),
                         count = fit.points
                     )
                 };
