@@ -125,7 +125,7 @@ pub fn conditions(renderer: &mut Renderer, scene: &Scene) -> Conditions {
     let mesh = &*Arc::clone(renderer.mesh_shown());
     let has_surface = scene.object.kind.has_surface();
     // If there is no surface beyond the polygons, the vertex normals represent it.
-    let surface = leaning(
+    let surface = normal_deviation(
         mesh,
         scene,
         if has_surface {
@@ -158,6 +158,7 @@ pub fn conditions(renderer: &mut Renderer, scene: &Scene) -> Conditions {
     }
 }
 
+/// Returns the scene in a shading mode, without the panes of a comparison.
 fn alone(scene: &Scene, mode: ShadingMode) -> Scene {
     let mut alone = Scene {
         compare: Compare::default(),
@@ -167,22 +168,19 @@ fn alone(scene: &Scene, mode: ShadingMode) -> Scene {
     alone
 }
 
-/// Returns for each pixel whether both pictures show the same polygon, judging by the normals: beside an edge, the grid
-/// of the picture can put a pixel's centre on either side. The flat picture is drawn last.
+/// Returns for each pixel whether both pictures show the same polygon, judging by the normals: beside an edge, a pixel's
+/// centre can lie on different sides of it in the two. The flat picture is drawn last.
 fn same_polygon(renderer: &mut Renderer, scene: &Scene) -> Vec<bool> {
     let width = scene.image.size[0] as usize;
     let [exact, flat] = [ShadingMode::Exact, ShadingMode::Flat].map(|mode| {
         let count = renderer.render(&alone(scene, mode)).pixels.len();
         let renderer = &*renderer;
         let normal = |index: usize| {
-            Some(
-                renderer
-                    .evaluation((index % width) as u32, (index / width) as u32)?
-                    .normal,
-            )
+            let seen = renderer.evaluation((index % width) as u32, (index / width) as u32)?;
+            Some(seen.normal)
         };
-        let normals: Vec<Option<DVec3>> = (0..count).into_par_iter().map(normal).collect();
-        normals
+        let normals = (0..count).into_par_iter().map(normal);
+        normals.collect::<Vec<Option<DVec3>>>()
     });
     let same = |pair| match pair {
         (Some(a), Some(b)) => angle(a, b).to_degrees() < ROUNDING,
@@ -199,7 +197,7 @@ fn light_variation(mesh: &Mesh, scene: &Scene) -> Variation {
         .iter()
         .filter(|light| light.shines(soloing) && light.kind != LightKind::Directional)
         .map(|light| variation(mesh, light.position))
-        .fold(Variation::default(), Variation::or_more)
+        .fold(Variation::default(), Variation::max)
 }
 
 /// Returns the assumptions of the three conditions that the scene violates; `plan` is that of its flat picture, `materials` are those
@@ -216,7 +214,7 @@ fn assumptions(mesh: &Mesh, scene: &Scene, plan: &Plan, materials: &[Material]) 
     };
     let own_normals = || {
         scene.shading.flat_at == FlatAt::Centre
-            || leaning(mesh, scene, scene.object.normal_source()) < ROUNDING
+            || normal_deviation(mesh, scene, scene.object.normal_source()) < ROUNDING
     };
     let broken = [
         (Assumption::Pattern, materials.iter().any(patterned)),
@@ -250,7 +248,7 @@ fn falls_with_distance(light: &Light) -> bool {
 }
 
 impl Variation {
-    fn or_more(self, other: Self) -> Self {
+    fn max(self, other: Self) -> Self {
         Self {
             degrees: self.degrees.max(other.degrees),
             cosine: self.cosine.max(other.cosine),
@@ -287,11 +285,11 @@ fn variation(mesh: &Mesh, place: DVec3) -> Variation {
     (0..mesh.face_count())
         .into_par_iter()
         .map(of_face)
-        .reduce(Variation::default, Variation::or_more)
+        .reduce(Variation::default, Variation::max)
 }
 
 /// Returns the maximum angle between a polygon's normal and those at its corners, degrees.
-fn leaning(mesh: &Mesh, scene: &Scene, normals: NormalSource) -> f64 {
+fn normal_deviation(mesh: &Mesh, scene: &Scene, normals: NormalSource) -> f64 {
     let vertices = mesh.with_vertex_normals(normals, scene.object.weighting);
     let of_face = |f: usize| {
         let normal = mesh.face_normal(f);
@@ -332,17 +330,13 @@ impl Conditions {
             0 => ("picture-condition-light.figures", self.light),
             1 => ("picture-condition-viewer.figures", self.viewer),
             _ => {
-                let own = [
-                    "picture-condition-polygons.figures",
-                    "picture-condition-surface.figures",
-                ];
-                (
-                    own[usize::from(self.has_surface)],
-                    Variation {
-                        degrees: self.surface,
-                        cosine: 0.0,
-                    },
-                )
+                let key = if self.has_surface {
+                    "picture-condition-surface.figures"
+                } else {
+                    "picture-condition-polygons.figures"
+                };
+                let (degrees, cosine) = (self.surface, 0.0);
+                (key, Variation { degrees, cosine })
             }
         };
         text!(
@@ -382,19 +376,13 @@ fn verdict(holds: bool) -> &'static str {
 
 impl Answer for Conditions {
     fn report(&self, about: &ReportContext<'_>) -> Report {
-        let mut report = Report::new(text!(
-            "picture-conditions-of",
-            scene = about.heading().as_str()
-        ));
+        let mut report = Report::new(text!("picture-conditions-of", scene = about.heading()));
         for (index, (_, holds)) in CONDITIONS.iter().enumerate() {
             let words = format!("{} {}", verdict(holds(self)), self.figures(index));
             report.section(self.title(index)).line(words);
         }
-        let words = format!(
-            "{} {}",
-            verdict(self.further.is_empty()),
-            self.further_words()
-        );
+        let holds = verdict(self.further.is_empty());
+        let words = format!("{holds} {}", self.further_words());
         report.section(text!("picture-further")).line(words);
         let section = report.section(text!("picture-flat-and-exact"));
         section.quantity(

@@ -64,6 +64,7 @@ fn or_missing<T: Serialize, S: Serializer>(
     }
 }
 
+/// Deserializes what [`or_missing`] has serialized for programs of this kind.
 fn found<'de, T: Deserialize<'de>, D: Deserializer<'de>>(
     deserializer: D,
 ) -> Result<Measurement<T>, D::Error> {
@@ -305,10 +306,7 @@ fn code(value: f64, name: impl Into<String>) -> (String, String) {
 
 impl Answer for MeasuredDefects {
     fn report(&self, about: &ReportContext<'_>) -> Report {
-        let mut report = Report::new(text!(
-            "picture-defects-of",
-            scene = about.heading().as_str()
-        ));
+        let mut report = Report::new(text!("picture-defects-of", scene = about.heading()));
         let plots = defect_plots(&self.defects);
         for defect in DEFECTS {
             let section = report.section(defect.title());

@@ -90,6 +90,7 @@ fn world(mesh: &Mesh, point: u32) -> DVec3 {
     mesh.origin + mesh.positions[point as usize].as_dvec3()
 }
 
+/// Measures the distance between the polygons' outline and the true surface's.
 pub fn silhouette(
     renderer: &mut Renderer,
     scene: &Scene,
@@ -136,20 +137,16 @@ pub fn silhouette(
                 (true, false) => -across,
                 _ => return None,
             };
-            Some((
-                distance(place, outwards, reach, shown, sees)?,
-                place,
-                outwards,
-            ))
+            let distance = distance(place, outwards, reach, shown, sees)?;
+            Some((distance, place, outwards))
         });
         found.max_by(|a, b| a.0.abs().total_cmp(&b.0.abs()))
     };
     let found: Vec<(f64, DVec2, DVec2)> = edges.par_iter().filter_map(of_edge).collect();
     goes_on(watch, 0.0)?;
     let edges = found.len();
-    let greatest = found
-        .into_iter()
-        .reduce(|a, b| if b.0.abs() > a.0.abs() { b } else { a });
+    let larger = |a: (f64, _, _), b: (f64, _, _)| if b.0.abs() > a.0.abs() { b } else { a };
+    let greatest = found.into_iter().reduce(larger);
     let (distance, polygon, outwards) = greatest.ok_or("picture-missing-outline")?;
     Ok(Silhouette {
         greatest: distance.abs(),
@@ -208,16 +205,16 @@ fn distance(
     Some(way * 0.5 * (near + far))
 }
 
-/// An edge of a face, and a vertex on it that the face does not have.
+/// A T-vertex: a vertex on an edge of a face that does not have it.
 #[derive(Clone, Copy, Debug)]
-struct Touched {
+struct TVertex {
     face: u32,
     ends: [DVec3; 2],
     vertex: DVec3,
 }
 
-/// Finds edges with vertices on them; an edge with a face on either side has none, since both end at its ends.
-fn touched(mesh: &Mesh) -> Measurement<Vec<Touched>> {
+/// Finds the T-vertices; an edge with a face on either side has none, since both faces end at its ends.
+fn t_vertices(mesh: &Mesh) -> Measurement<Vec<TVertex>> {
     // If every edge has a face on either side, there is none to examine.
     let open = if mesh.closed {
         Vec::new()
@@ -251,7 +248,7 @@ fn touched(mesh: &Mesh) -> Measurement<Vec<Touched>> {
             let t = from.dot(along) / along.length_squared();
             let on = t > ON && t < 1.0 - ON && (from - t * along).length() < ON * along.length();
             if on && !own(vertex) {
-                found.push(Touched {
+                found.push(TVertex {
                     face: f as u32,
                     ends,
                     vertex,
@@ -262,6 +259,7 @@ fn touched(mesh: &Mesh) -> Measurement<Vec<Touched>> {
     Ok(found)
 }
 
+/// Measures the largest jump of the luminance at a T-vertex.
 pub fn shared_vertices(
     renderer: &mut Renderer,
     scene: &Scene,
@@ -270,26 +268,26 @@ pub fn shared_vertices(
     interpolates(scene)?;
     renderer.render(scene);
     let mesh = renderer.mesh_shown();
-    let touched = touched(mesh)?;
-    if touched.is_empty() {
+    let found = t_vertices(mesh)?;
+    if found.is_empty() {
         return Err("picture-missing-unshared");
     }
-    let edges = touched.len();
+    let edges = found.len();
     let equations = renderer.shining_equations(scene);
     let each =
         mesh.corners.len() + SAMPLES as usize * PER_SOURCE * (1 + equations[0].sources.len());
     let every = edges.div_ceil((MOST_WORK / each).max(LEAST_EDGES));
     let count = edges.div_ceil(every);
     let mut greatest: Option<SharedVertices> = None;
-    for (index, edge) in touched.iter().step_by(every).enumerate() {
+    for (index, edge) in found.iter().step_by(every).enumerate() {
         goes_on(watch, index as f32 / count as f32)?;
-        let measured = along(renderer, scene, &equations, edge, [edges, count]);
-        let before = greatest
-            .as_ref()
-            .map_or(f64::NEG_INFINITY, |greatest| greatest.greatest);
-        greatest = measured
-            .filter(|measured| measured.greatest > before)
-            .or(greatest);
+        if let Some(measured) = along(renderer, scene, &equations, edge, [edges, count])
+            && greatest
+                .as_ref()
+                .is_none_or(|before| measured.greatest > before.greatest)
+        {
+            greatest = Some(measured);
+        }
     }
     greatest.ok_or("picture-missing-edge")
 }
@@ -299,7 +297,7 @@ fn along(
     renderer: &Renderer,
     scene: &Scene,
     equations: &[Equation<f64>],
-    edge: &Touched,
+    edge: &TVertex,
     [edges, measured]: [usize; 2],
 ) -> Option<SharedVertices> {
     let view = View::new(&scene.camera, scene.image.size);

@@ -6,6 +6,7 @@ use crate::analysis::comparison::{ErrorFigures, LinearPicture, error_figures};
 use crate::analysis::perception::{luminance, pixel_luminance};
 use crate::analysis::probe::probe;
 use crate::figure::Area;
+use crate::geometry::angle;
 use crate::illumination::Equation;
 use crate::render::Renderer;
 use crate::scene::{Interpolation, NormalSource, Projection, Rgb, Scene, ShadingMode, View};
@@ -69,11 +70,8 @@ impl DeepEdge {
         let mesh = renderer.mesh_shown();
         let mut found: Option<Self> = None;
         for face in 0..mesh.face_count() {
-            if mesh
-                .face_normal(face)
-                .dot(view.eye - mesh.face_centre(face))
-                <= 0.0
-            {
+            let to_eye = view.eye - mesh.face_centre(face);
+            if mesh.face_normal(face).dot(to_eye) <= 0.0 {
                 continue;
             }
             let points: Vec<DVec3> = mesh.face_points(face).collect();
@@ -105,6 +103,7 @@ impl DeepEdge {
     }
 }
 
+/// Measures the difference between intensities interpolated in the picture and perspective-correct ones.
 pub fn perspective(renderer: &mut Renderer, scene: &Scene) -> Measurement<PerspectiveDistortion> {
     interpolates(scene)?;
     if scene.camera.projection == Projection::Orthographic {
@@ -155,6 +154,7 @@ pub struct Turned {
     pub barycentric: Option<f64>,
 }
 
+/// Measures the change of the intensity at the point seen in `pixel` while the picture is rotated.
 pub fn orientation(
     renderer: &mut Renderer,
     scene: &Scene,
@@ -235,6 +235,7 @@ pub struct VertexNormals {
     pub true_contrast: f64,
 }
 
+/// Measures the angles between vertex normals and polygons, and the contrast of the luminance with and without averaging.
 pub fn vertex_normals(renderer: &mut Renderer, scene: &Scene) -> Measurement<VertexNormals> {
     match scene.shading.mode {
         ShadingMode::Gouraud | ShadingMode::Phong => {}
@@ -253,10 +254,7 @@ pub fn vertex_normals(renderer: &mut Renderer, scene: &Scene) -> Measurement<Ver
             .filter(move |_| face.length_squared() > 0.0)
             .map(move |&vertex| {
                 let normal = normals[vertex as usize].as_dvec3();
-                face.cross(normal)
-                    .length()
-                    .atan2(face.dot(normal))
-                    .to_degrees()
+                angle(face, normal).to_degrees()
             })
     };
     let chunks = (0..mesh.face_count())
@@ -264,8 +262,8 @@ pub fn vertex_normals(renderer: &mut Renderer, scene: &Scene) -> Measurement<Ver
         .step_by(CHUNK)
         .map(|first| {
             let angles = (first..(first + CHUNK).min(mesh.face_count())).flat_map(of_face);
-            angles.fold((0.0f64, 0.0, 0u32), |(most, sum, count), angle| {
-                (most.max(angle), sum + angle, count + 1)
+            angles.fold((0.0f64, 0.0, 0u32), |(most, sum, count), own| {
+                (most.max(own), sum + own, count + 1)
             })
         });
     // Added in the order of the faces, in whatever order they were finished.
