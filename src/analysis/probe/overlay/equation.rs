@@ -3,7 +3,7 @@
 use super::lights::LETTERED;
 use super::{lobe, side};
 use crate::analysis::lobe::ReflectionLobe;
-use crate::analysis::overlay::{OverlayLayer, OverlayOptions, Sketch, Style, inset};
+use crate::analysis::overlay::{OverlayLayer, OverlayOptions, Sketch, inset};
 use crate::analysis::probe::{LightTerms, ProbeHit};
 use crate::figure::palette::Vector;
 use crate::figure::{Area, Shape, lowered};
@@ -166,15 +166,9 @@ impl<'a> Equation<'a> {
             side.shapes.extend(section);
         }
         let constructed = options.layers.contains(&OverlayLayer::Construction);
-        let layers = [
-            (true, OverlayLayer::Vectors),
-            (options.side_view_angles, OverlayLayer::Angles),
-            (constructed, OverlayLayer::Construction),
-        ];
-        let layers: Vec<_> = layers
-            .into_iter()
-            .filter_map(|(shown, layer)| shown.then_some(layer))
-            .collect();
+        let mut layers = vec![OverlayLayer::Vectors];
+        layers.extend(options.side_view_angles.then_some(OverlayLayer::Angles));
+        layers.extend(constructed.then_some(OverlayLayer::Construction));
         self.draw(&mut side, false, &layers);
         Some(side)
     }
@@ -191,8 +185,7 @@ impl<'a> Equation<'a> {
         if let Some(focus) = constructed {
             draw_construction(sketch, focus.n, focus.terms.l);
         }
-        let with_vectors = layers.contains(&OverlayLayer::Vectors);
-        let arrows = if with_vectors {
+        let arrows = if layers.contains(&OverlayLayer::Vectors) {
             self.draw_vectors(sketch, every_light, |_| true)
         } else {
             vec![]
@@ -207,16 +200,10 @@ impl<'a> Equation<'a> {
         if let Some(Focus { n, terms, .. }) = constructed {
             let foot = *n * n.dot(terms.l);
             if let (Some(at_l), Some(at_foot)) = (sketch.end(terms.l), sketch.end(foot)) {
-                let (text, anchor) = (sketch.style.text, sketch.inside(at_foot, sketch.style.text));
+                let em = sketch.style.text;
+                let (anchor, colour) = (sketch.inside(at_foot, em), Vector::N.colour());
                 let aside = (at_foot - at_l).normalize_or_zero();
-                sketch.letter(
-                    "N(N·L)".into(),
-                    0.8,
-                    Vector::N.colour(),
-                    anchor,
-                    aside,
-                    0.3 * text,
-                );
+                sketch.letter("N(N·L)".into(), 0.8, colour, anchor, aside, 0.3 * em);
             }
         }
         (arrows, arcs)
@@ -235,23 +222,15 @@ impl<'a> Equation<'a> {
             index, terms, lit, ..
         }) = &self.focus
         {
-            let own = [
-                (Vector::L, true, terms.l),
-                (Vector::R, *lit, terms.r),
-                (Vector::H, self.half_vector, terms.h),
-            ];
-            list.extend(
-                own.into_iter()
-                    .filter(|(_, shown, _)| *shown)
-                    .map(|(letter, _, v)| (letter, Some(*index), v)),
-            );
+            let light = Some(*index);
+            list.push((Vector::L, light, terms.l));
+            list.extend(lit.then_some((Vector::R, light, terms.r)));
+            let halfway = (Vector::H, light, terms.h);
+            list.extend(self.half_vector.then_some(halfway));
         }
         list.push((Vector::V, None, hit.view));
-        list.extend(
-            hit.transmission
-                .and_then(|through| through.t)
-                .map(|t| (Vector::T, None, t)),
-        );
+        let through = hit.transmission.and_then(|through| through.t);
+        list.extend(through.map(|t| (Vector::T, None, t)));
         list.retain(|(vector, ..)| shown(*vector));
         let emphasised = list.len();
         if every_light {
@@ -289,22 +268,11 @@ impl<'a> Equation<'a> {
             let beside = draw_arrow(sketch, &arrow, &mut circles);
             if emphasised || hit.lights.len() <= LETTERED {
                 let name = format!("{}{}", vector.letter(), self.subscript(light));
-                let (anchor, along) = (
-                    sketch.inside(tip, 0.5 * sketch.style.text),
-                    tip - sketch.origin,
-                );
-                let (size, clearance) = (
-                    if emphasised { 1.15 } else { 0.9 },
-                    beside + 0.15 * sketch.style.text,
-                );
-                sketch.letter(
-                    name,
-                    size,
-                    sketch.style.colour(vector),
-                    anchor,
-                    along.normalize_or_zero(),
-                    clearance,
-                );
+                let size = if emphasised { 1.15 } else { 0.9 };
+                let (em, colour) = (sketch.style.text, sketch.style.colour(vector));
+                let anchor = sketch.inside(tip, 0.5 * em);
+                let along = (tip - sketch.origin).normalize_or_zero();
+                sketch.letter(name, size, colour, anchor, along, beside + 0.15 * em);
             }
             arrows.push(arrow);
         }
@@ -329,15 +297,13 @@ impl<'a> Equation<'a> {
             let Some(arc) = draw_arc(sketch, *angle, pair) else {
                 continue;
             };
-            if letter.is_empty() {
-                arcs.push(arc);
-                continue;
+            if !letter.is_empty() {
+                let (middle, style) = (arc.points[arc.points.len() / 2], sketch.style);
+                let out = (middle - sketch.origin).normalize_or_zero();
+                let anchor = sketch.inside(middle, 0.5 * style.text);
+                let text = format!("{letter}{subscript} {:.1}°", value.to_degrees());
+                sketch.letter(text, 0.9, style.neutral, anchor, out, 0.3 * style.text);
             }
-            let (middle, style) = (arc.points[arc.points.len() / 2], sketch.style);
-            let out = (middle - sketch.origin).normalize_or_zero();
-            let anchor = sketch.inside(middle, 0.5 * style.text);
-            let text = format!("{letter}{subscript} {:.1}°", value.to_degrees());
-            sketch.letter(text, 0.9, style.neutral, anchor, out, 0.3 * style.text);
             arcs.push(arc);
         }
         arcs
@@ -394,22 +360,16 @@ fn draw_arc(sketch: &mut Sketch, angle: Angle, (from, to): (DVec3, DVec3)) -> Op
         Angle::Phi => (RADIUS[1], 0.6),
         Angle::Alpha => (RADIUS[2], 0.6),
     };
-    let points = sketch.ends(
-        turn(from, to)?
-            .into_iter()
-            .map(|direction| direction * radius),
-    )?;
+    let directions = turn(from, to)?.into_iter();
+    let points = sketch.ends(directions.map(|direction| direction * radius))?;
     // All points on one line through the origin: edge-on, the arc would only thicken the arrow beneath it.
     let ways = || points.iter().map(|point| *point - sketch.origin);
     let far = ways().max_by(|a, b| a.length_squared().total_cmp(&b.length_squared()));
     let along = far.unwrap_or(DVec2::ZERO).normalize_or_zero();
     let edge_on = ways().all(|way| along.perp_dot(way).abs() < 1.2 * sketch.style.line);
     if !edge_on {
-        let mark = Shape::line(
-            points.clone(),
-            width * sketch.style.line,
-            sketch.style.neutral,
-        );
+        let style = sketch.style;
+        let mark = Shape::line(points.clone(), width * style.line, style.neutral);
         // The arcs share a colour; dashes tell them apart.
         sketch.shapes.push(match angle {
             Angle::Phi => mark.dashed(&[3.0, 2.0]),
@@ -449,13 +409,11 @@ fn draw_construction(sketch: &mut Sketch, n: DVec3, l: DVec3) {
     };
     let style = sketch.style;
     let thin = |points| Shape::line(points, 0.45 * style.line, style.neutral);
-    sketch.shapes.push(thin(vec![at_l, at_r]));
-    sketch
-        .shapes
-        .push(thin(vec![at_l, at_top, at_r]).dashed(DASHES));
-    sketch
-        .shapes
-        .push(thin(vec![sketch.origin, at_top]).dashed(DASHES));
+    sketch.shapes.extend([
+        thin(vec![at_l, at_r]),
+        thin(vec![at_l, at_top, at_r]).dashed(DASHES),
+        thin(vec![sketch.origin, at_top]).dashed(DASHES),
+    ]);
     draw_right_angle(sketch, n, l, foot);
     sketch
         .shapes
@@ -464,10 +422,10 @@ fn draw_construction(sketch: &mut Sketch, n: DVec3, l: DVec3) {
 
 /// Draws the square at `foot`, where the line from the end of `l` meets N's line.
 pub(super) fn draw_right_angle(sketch: &mut Sketch, n: DVec3, l: DVec3, foot: DVec3) {
-    let across = (l - foot)
-        .try_normalize()
-        .filter(|_| (l - foot).length() > 2.0 * SQUARE);
-    let Some(across) = across else { return };
+    let way = l - foot;
+    let Some(across) = way.try_normalize().filter(|_| way.length() > 2.0 * SQUARE) else {
+        return;
+    };
     let corners = sketch.ends([
         foot + across * SQUARE,
         foot + (across - n) * SQUARE,
@@ -479,16 +437,11 @@ pub(super) fn draw_right_angle(sketch: &mut Sketch, n: DVec3, l: DVec3, foot: DV
         .extend(corners.map(|corners| Shape::line(corners, width, colour)));
 }
 
+/// Draws the ring of the probed point.
 pub(super) fn draw_point(sketch: &mut Sketch) {
-    let Style {
-        ring,
-        line,
-        neutral,
-        ..
-    } = sketch.style;
-    sketch
-        .shapes
-        .push(Shape::ring(sketch.origin, ring, 0.5 * line, neutral));
+    let style = sketch.style;
+    let ring = Shape::ring(sketch.origin, style.ring, 0.5 * style.line, style.neutral);
+    sketch.shapes.push(ring);
 }
 
 #[cfg(test)]

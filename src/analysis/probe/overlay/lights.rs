@@ -48,14 +48,8 @@ pub(super) fn draw(
         if lights.len() > 1 && (lights.len() <= LETTERED || chosen == Some(index)) {
             let aside = (sketch.view.centre - pixel).normalize_or_zero();
             let clearance = SUN[0] * radius + 0.1 * sketch.style.text;
-            sketch.letter(
-                (index + 1).to_string(),
-                size,
-                Vector::L.colour(),
-                pixel,
-                aside,
-                clearance,
-            );
+            let (number, colour) = ((index + 1).to_string(), Vector::L.colour());
+            sketch.letter(number, size, colour, pixel, aside, clearance);
         }
         handles.push(LightHandle {
             light: index,
@@ -87,12 +81,9 @@ fn draw_sun(sketch: &mut Sketch, light: &Light, radius: f64) -> (DVec2, bool) {
     }
     if outside {
         let way = (wanted - sketch.view.centre).normalize_or_zero();
-        sketch.shapes.push(Shape::arrow_head(
-            pixel + way * SUN[1] * radius,
-            way,
-            0.9 * radius,
-            Vector::L.colour(),
-        ));
+        let tip = pixel + way * SUN[1] * radius;
+        let head = Shape::arrow_head(tip, way, 0.9 * radius, Vector::L.colour());
+        sketch.shapes.push(head);
     }
     // The light's hue at full brightness, so that a dim light can still be found.
     let brightest = light.color.max_element();
@@ -145,12 +136,8 @@ fn draw_rays(sketch: &mut Sketch, light: &Light, radius: f64) -> (DVec2, bool) {
     let reach = RAYS_AT * (sketch.pane.max - sketch.pane.min).min_element();
     let pixel = sketch.pane.centre() - flat * reach;
     if flat.length() < HEAD_ON {
-        sketch.draw_end_on(
-            pixel,
-            1.5 * radius,
-            direction.dot(sketch.view.forward) < 0.0,
-            Vector::L.colour(),
-        );
+        let towards_eye = direction.dot(sketch.view.forward) < 0.0;
+        sketch.draw_end_on(pixel, 1.5 * radius, towards_eye, Vector::L.colour());
         return (pixel, false);
     }
     let (along, half) = (flat.normalize(), flat * 0.5 * RAYS_LENGTH * radius / 0.4);
@@ -161,14 +148,10 @@ fn draw_rays(sketch: &mut Sketch, light: &Light, radius: f64) -> (DVec2, bool) {
         } else {
             0.6 * style.line
         };
-        let (tip, head) = (middle + half, (4.5 * width).min(half.length()));
-        sketch.shapes.extend(Shape::arrow(
-            [middle - half, tip],
-            along,
-            width,
-            head,
-            Vector::L.colour(),
-        ));
+        let ends = [middle - half, middle + half];
+        let head = (4.5 * width).min(half.length());
+        let arrow = Shape::arrow(ends, along, width, head, Vector::L.colour());
+        sketch.shapes.extend(arrow);
     }
     (pixel, false)
 }

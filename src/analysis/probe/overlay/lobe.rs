@@ -33,6 +33,7 @@ const WIDTH: f64 = 0.32;
 /// Opacity of a line that the lobe itself hides, and of the surface.
 const FAINT: [f64; 2] = [0.22, 0.1];
 
+/// Draws the surface of the lobe as a net of lines over a faint skin; nothing where no light is reflected.
 pub(super) fn draw(sketch: &Sketch, lobe: &ReflectionLobe, scene: &Scene) -> Vec<Shape> {
     let peak = peak_of(lobe, scene);
     if peak.is_nan() || peak <= 0.0 || !peak.is_finite() {
@@ -80,11 +81,8 @@ pub(super) fn draw(sketch: &Sketch, lobe: &ReflectionLobe, scene: &Scene) -> Vec
         for run in runs(&knots) {
             let Knot { seen, bright, .. } = run[0];
             let points = run.iter().filter_map(|knot| knot.place).collect();
-            let line = Shape::line(
-                points,
-                WIDTH * sketch.style.line,
-                if bright { specular } else { Vector::L.colour() },
-            );
+            let colour = if bright { specular } else { Vector::L.colour() };
+            let line = Shape::line(points, WIDTH * sketch.style.line, colour);
             if seen {
                 shown.push(line);
             } else {
@@ -188,11 +186,10 @@ impl Surface<'_> {
         let direction = self.direction(i, j);
         let response = self.lobe.towards(direction);
         let point = direction * (response.length() / self.unit);
-        let bright = response.specular > response.diffuse;
         Knot {
             place: self.sketch.end(point),
             seen: self.is_seen(point),
-            bright,
+            bright: response.specular > response.diffuse,
         }
     }
 

@@ -126,21 +126,16 @@ pub fn draw_vectors(
     draw_steps(&mut sketch, focus, here.hit.normal.length(), v, shown);
     let labels = sketch.labels(&[]);
     let mut drawing = Drawing::new(size, paper.ground);
-    drawing.texts = labels
-        .iter()
-        .map(|label| label.to_text(letters.halo))
-        .collect();
-    drawing.shapes = std::mem::take(&mut sketch.shapes);
+    let texts = labels.iter().map(|label| label.to_text(letters.halo));
+    drawing.texts = texts.collect();
+    drawing.shapes = sketch.shapes;
     let fit = |colour: &mut Rgb8, contrast| *colour = readable(*colour, paper.ground, contrast);
-    drawing
-        .shapes
-        .iter_mut()
-        .skip(surfaces)
-        .for_each(|shape| fit(&mut shape.colour, CONTRAST[0]));
-    drawing
-        .texts
-        .iter_mut()
-        .for_each(|text| fit(&mut text.colour, CONTRAST[1]));
+    for shape in drawing.shapes.iter_mut().skip(surfaces) {
+        fit(&mut shape.colour, CONTRAST[0]);
+    }
+    for text in &mut drawing.texts {
+        fit(&mut text.colour, CONTRAST[1]);
+    }
     Some(drawing)
 }
 
@@ -171,30 +166,20 @@ fn draw_steps(sketch: &mut Sketch, focus: &Focus<'_>, length: f64, v: DVec3, sho
     // N as given, which may be shorter than 1.
     let n = focus.n * length;
     let foot = n * n.dot(l);
-    let neutral = sketch.style.neutral;
+    let (colour, neutral) = (Vector::N.colour(), sketch.style.neutral);
     if projects(focus, shown) {
         if shown.has(Cosine) {
-            if let (Some(from), Some(to)) = (sketch.end(DVec3::ZERO), sketch.end(foot)) {
-                let line = STRONG * sketch.style.line;
-                sketch
-                    .shapes
-                    .push(Shape::line(vec![from, to], line, Vector::N.colour()));
-            }
+            let line = sketch.ends([DVec3::ZERO, foot]);
+            let width = STRONG * sketch.style.line;
+            let line = line.map(|ends| Shape::line(ends, width, colour));
+            sketch.shapes.extend(line);
             let text = format!("N·L = {}", fixed(n.dot(l), 3));
-            letter(sketch, text, Vector::N.colour(), 0.5 * foot, -l);
+            letter(sketch, text, colour, 0.5 * foot, -l);
         }
-        if [Projection, Across, Mirror]
-            .into_iter()
-            .any(|step| shown.has(step))
-        {
-            arrow(sketch, [DVec3::ZERO, foot], STRONG, Vector::N.colour());
-            letter(
-                sketch,
-                "N(N·L)".into(),
-                Vector::N.colour(),
-                0.5 * foot,
-                r - foot,
-            );
+        let steps = [Projection, Across, Mirror];
+        if steps.into_iter().any(|step| shown.has(step)) {
+            arrow(sketch, [DVec3::ZERO, foot], STRONG, colour);
+            letter(sketch, "N(N·L)".into(), colour, 0.5 * foot, r - foot);
         }
         if shown.has(Across) || shown.has(Mirror) {
             arrow(sketch, [l, foot], 1.0, neutral);
@@ -209,14 +194,14 @@ fn draw_steps(sketch: &mut Sketch, focus: &Focus<'_>, length: f64, v: DVec3, sho
         let middle = 0.5 * (l + v);
         thin(sketch, [l, v]);
         if let Some(at) = sketch.end(middle) {
-            sketch
-                .shapes
-                .push(Shape::disc(at, 1.3 * sketch.style.line, Vector::H.colour()));
+            let dot = Shape::disc(at, 1.3 * sketch.style.line, Vector::H.colour());
+            sketch.shapes.push(dot);
         }
         letter(sketch, "(L + V)/2".into(), neutral, middle, -middle);
     }
 }
 
+/// Draws a thin dashed line.
 fn thin(sketch: &mut Sketch, ends: [DVec3; 2]) {
     let (width, colour) = (0.5 * sketch.style.line, sketch.style.neutral);
     let line = sketch
@@ -225,6 +210,7 @@ fn thin(sketch: &mut Sketch, ends: [DVec3; 2]) {
     sketch.shapes.extend(line);
 }
 
+/// Draws an arrow, its width relative to that of the vectors.
 fn arrow(sketch: &mut Sketch, ends: [DVec3; 2], width: f64, colour: Rgb8) {
     let [Some(from), Some(to)] = ends.map(|end| sketch.end(end)) else {
         return;
@@ -234,27 +220,15 @@ fn arrow(sketch: &mut Sketch, ends: [DVec3; 2], width: f64, colour: Rgb8) {
     };
     let style = sketch.style;
     let head = (style.head * width.sqrt()).min(0.6 * (to - from).length());
-    sketch.shapes.extend(Shape::arrow(
-        [from, to],
-        along,
-        width * style.line,
-        head,
-        colour,
-    ));
+    let arrow = Shape::arrow([from, to], along, width * style.line, head, colour);
+    sketch.shapes.extend(arrow);
 }
 
 /// Requests a label beside the end of `at`, towards `aside`.
 fn letter(sketch: &mut Sketch, text: String, colour: Rgb8, at: DVec3, aside: DVec3) {
     let Some(anchor) = sketch.end(at) else { return };
-    let towards = sketch
-        .end(at + aside)
-        .map_or(DVec2::ZERO, |end| end - anchor);
-    sketch.letter(
-        text,
-        0.9,
-        colour,
-        anchor,
-        towards.normalize_or_zero(),
-        0.35 * sketch.style.text,
-    );
+    let end = sketch.end(at + aside).unwrap_or(anchor);
+    let towards = (end - anchor).normalize_or_zero();
+    let clearance = 0.35 * sketch.style.text;
+    sketch.letter(text, 0.9, colour, anchor, towards, clearance);
 }
