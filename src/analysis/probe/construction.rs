@@ -58,10 +58,10 @@ pub struct WorkedStep {
 impl LightHere<'_> {
     /// Returns the construction of R and H, without those of R where no light is in front, or of H where L is −V.
     pub fn construction(self) -> Vec<WorkedStep> {
-        let n = if self.turned() {
-            -self.here.hit.normal
+        let (n, letters) = if self.turned() {
+            (-self.here.hit.normal, "−{N}·{L}")
         } else {
-            self.here.hit.normal
+            (self.here.hit.normal, "{N}·{L}")
         };
         let (l, v) = (self.terms.l, self.here.hit.view);
         if n == DVec3::ZERO || ![n, l, v].iter().all(|vector| vector.is_finite()) {
@@ -77,11 +77,7 @@ impl LightHere<'_> {
         };
         let mut steps = vec![step(
             ConstructionStep::Cosine,
-            if self.turned() {
-                "−{N}·{L}"
-            } else {
-                "{N}·{L}"
-            },
+            letters,
             vec![products.join(" + ").replace("+ −", "− "), fixed(cosine, 4)],
             DVec3::X * cosine,
         )];
@@ -92,40 +88,23 @@ impl LightHere<'_> {
             let times = format!("{} · {}", fixed(cosine, 4), coordinates(n));
             let made = |sign: &str, a, b| format!("{} {sign} {}", coordinates(a), coordinates(b));
             let mut add = |which, formula, numbers, vector| {
-                steps.push(step(
-                    which,
-                    formula,
-                    vec![numbers, coordinates(vector)],
-                    vector,
-                ));
+                let numbers = vec![numbers, coordinates(vector)];
+                steps.push(step(which, formula, numbers, vector));
             };
             add(ConstructionStep::Projection, "{N}({N}·{L})", times, foot);
-            add(
-                ConstructionStep::Across,
-                "S = {N}({N}·{L}) − {L}",
-                made("−", foot, l),
-                across,
-            );
-            let mirror = "{R} = {N}({N}·{L}) + S = 2{N}({N}·{L}) − {L}";
-            add(
-                ConstructionStep::Mirror,
-                mirror,
-                made("+", foot, across),
-                mirrored,
-            );
+            let formula = "S = {N}({N}·{L}) − {L}";
+            let numbers = made("−", foot, l);
+            add(ConstructionStep::Across, formula, numbers, across);
+            let formula = "{R} = {N}({N}·{L}) + S = 2{N}({N}·{L}) − {L}";
+            let numbers = made("+", foot, across);
+            add(ConstructionStep::Mirror, formula, numbers, mirrored);
         }
         let sum = l + v;
         if let Some(halfway) = sum.try_normalize() {
-            let numbers = vec![
-                format!("{}/{}", coordinates(sum), digits(sum.length())),
-                coordinates(halfway),
-            ];
-            steps.push(step(
-                ConstructionStep::Halfway,
-                "{H} = ({L} + {V})/|{L} + {V}|",
-                numbers,
-                halfway,
-            ));
+            let quotient = format!("{}/{}", coordinates(sum), digits(sum.length()));
+            let numbers = vec![quotient, coordinates(halfway)];
+            let formula = "{H} = ({L} + {V})/|{L} + {V}|";
+            steps.push(step(ConstructionStep::Halfway, formula, numbers, halfway));
         }
         steps
     }

@@ -35,28 +35,18 @@ pub fn digits_below(values: Rgb) -> [String; 3] {
         value.abs() < 1e3 && (scaled - scaled.round()).abs() < 1e-6
     };
     let short = (2..=4).find(|decimals| values.iter().all(|value| is_short(value, *decimals)));
-    let count = short.map_or_else(
-        || {
-            let needed = |value: &f64| {
-                decimals(
-                    *value,
-                    if (SMALL..0.1).contains(&value.abs()) {
-                        4
-                    } else {
-                        3
-                    },
-                )
-            };
-            let allowed = |value: &f64| decimals(*value, 4);
-            values
-                .iter()
-                .map(needed)
-                .max()
-                .min(values.iter().map(allowed).min())
-                .unwrap_or(4)
-        },
-        |decimals| decimals as usize,
-    );
+    let needed = |value: f64| {
+        let small = (SMALL..0.1).contains(&value.abs());
+        decimals(value, if small { 4 } else { 3 })
+    };
+    let count = match short {
+        Some(decimals) => decimals as usize,
+        None => {
+            let needed = values.map(needed).into_iter().max();
+            let allowed = values.map(|value| decimals(value, 4)).into_iter().min();
+            needed.min(allowed).unwrap_or(4)
+        }
+    };
     values.map(|value| with_decimals(value, count))
 }
 
@@ -70,6 +60,7 @@ pub fn triple(values: Rgb) -> String {
     }
 }
 
+/// Names the channels of three formatted numbers.
 pub fn in_channels([red, green, blue]: [&str; 3]) -> String {
     text!("point-channels", red = red, green = green, blue = blue)
 }
@@ -84,6 +75,7 @@ fn decimals(value: f64, most: usize) -> usize {
     }
 }
 
+/// Formats a number with that many decimals, or with a power of ten if it is very small or very large.
 fn with_decimals(value: f64, decimals: usize) -> String {
     let size = value.abs();
     if value == 0.0 || (SMALL..LARGE).contains(&size) || !size.is_finite() {

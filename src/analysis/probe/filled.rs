@@ -78,6 +78,18 @@ pub enum LineValue {
     Words(String),
 }
 
+impl FilledPart {
+    /// Creates a product with the colours of its letters and of its value.
+    fn product(name: impl Into<String>, product: Product, [letters, value]: [Tone; 2]) -> Self {
+        Self::Product {
+            name: name.into(),
+            product,
+            letters,
+            value,
+        }
+    }
+}
+
 impl LineValue {
     fn sum(value: Rgb) -> Self {
         Self::Channels(value.to_array().map(digits))
@@ -121,6 +133,7 @@ pub struct Share {
     pub weight: f64,
 }
 
+/// Creates a line of the sum without letters, light and parts.
 fn line(sign: &'static str, name: impl Into<String>, value: LineValue, tone: Tone) -> FilledLine {
     FilledLine {
         sign,
@@ -169,20 +182,13 @@ impl Here<'_> {
     }
 
     fn ambient_line(self) -> FilledLine {
-        let (name, value) = if self.hit.bounced {
-            (text!("point-bounce"), Tone::Weak)
-        } else {
-            (text!("point-ambient"), Tone::Strong)
-        };
-        let note = text!("point-bounce-note");
-        let mut parts = Vec::from_iter(self.hit.bounced.then(|| FilledPart::Note(note.into())));
-        let (name, product) = (name.to_owned(), self.ambient());
-        parts.push(FilledPart::Product {
-            name: name.clone(),
-            product,
-            letters: Tone::Plain,
-            value,
-        });
+        let (mut parts, mut name, mut value) = (vec![], text!("point-ambient"), Tone::Strong);
+        if self.hit.bounced {
+            parts.push(FilledPart::Note(text!("point-bounce-note").into()));
+            (name, value) = (text!("point-bounce"), Tone::Weak);
+        }
+        let tones = [Tone::Plain, value];
+        parts.push(FilledPart::product(name, self.ambient(), tones));
         FilledLine {
             parts,
             ..line("", name, LineValue::sum(self.hit.ambient), Tone::Strong)
@@ -215,13 +221,8 @@ impl Here<'_> {
             Some(t) => text!("point-snell-in", v = v, t = t, eta = eta),
             None => text!("point-snell-total", v = v, eta = eta),
         };
-        let (name, tone) = (text!("point-transparency").to_owned(), Tone::Of(Vector::T));
-        let table = FilledPart::Product {
-            name: name.clone(),
-            product,
-            letters: tone,
-            value: tone,
-        };
+        let (name, tone) = (text!("point-transparency"), Tone::Of(Vector::T));
+        let table = FilledPart::product(name, product, [tone; 2]);
         let parts = vec![FilledPart::Note(snell), table];
         Some(FilledLine {
             parts,
@@ -240,30 +241,24 @@ impl Here<'_> {
             back_scale,
             ..
         } = cueing;
-        let number = |value: f64, decimals| fixed(value, decimals);
-        let scale = number(s0, 3);
+        let scale = fixed(s0, 3);
         let found = if self.fades_at_points() {
             text!("point-cue-at-points", s0 = scale)
         } else if cueing.by == CuedBy::Vertex && self.scene.shading.mode != ShadingMode::Exact {
-            let own = number(cueing.scale_at(self.hit.depth), 3);
+            let own = fixed(cueing.scale_at(self.hit.depth), 3);
             text!("point-cue-interpolated", s0 = scale, own = own)
         } else {
             text!(
                 "point-cue-at-pixel",
                 s0 = scale,
-                front = number(*front, 2),
-                back = number(*back, 2),
-                front_scale = number(*front_scale, 2),
-                back_scale = number(*back_scale, 2)
+                front = fixed(*front, 2),
+                back = fixed(*back, 2),
+                front_scale = fixed(*front_scale, 2),
+                back_scale = fixed(*back_scale, 2)
             )
         };
-        let name = text!("point-depth-cueing").to_owned();
-        let table = FilledPart::Product {
-            name: name.clone(),
-            product,
-            letters: Tone::Plain,
-            value: Tone::Strong,
-        };
+        let name = text!("point-depth-cueing");
+        let table = FilledPart::product(name, product, [Tone::Plain, Tone::Strong]);
         let words = text!(
             "point-cue-left",
             percent = format!("{:.1}", 100.0 * s0),
@@ -333,12 +328,12 @@ impl Here<'_> {
         let left = hit.cue.map_or(1.0, |cue| {
             luminance(cue.kept) / luminance(hit.intensity).max(f64::MIN_POSITIVE)
         });
-        let opaque = left
-            * if hit.transmission.is_some() {
-                1.0 - kt
-            } else {
-                1.0
-            };
+        let reflected = if hit.transmission.is_some() {
+            1.0 - kt
+        } else {
+            1.0
+        };
+        let opaque = left * reflected;
         let part = |name: &str, number: &str, tone, weight: f64| {
             let first = name.chars().next().unwrap_or_default();
             let short = format!("{first}{}", number.trim());
@@ -362,38 +357,23 @@ impl Here<'_> {
             } else {
                 String::new()
             };
+            let tone = Tone::Of(Vector::L);
             if light.law.is_some() {
-                let name = text!("point-own-law");
-                parts.push(term(name, &number, Tone::Of(Vector::L), light.diffuse));
+                parts.push(term(text!("point-own-law"), &number, tone, light.diffuse));
                 continue;
             }
-            parts.push(term(
-                text!("point-diffuse"),
-                &number,
-                Tone::Of(Vector::L),
-                light.diffuse,
-            ));
-            parts.push(term(
-                text!("point-specular"),
-                &number,
-                Tone::Of(specular_vector(self.scene.reflection.model)),
-                light.specular,
-            ));
+            parts.push(term(text!("point-diffuse"), &number, tone, light.diffuse));
+            let tone = Tone::Of(specular_vector(self.scene.reflection.model));
+            parts.push(term(text!("point-specular"), &number, tone, light.specular));
         }
-        let through = hit
-            .transmission
-            .map(|through| left * kt * luminance(through.seen));
-        parts.extend(
-            through.map(|weight| part(text!("point-transmitted"), "", Tone::Of(Vector::T), weight)),
-        );
-        parts.extend(hit.cue.map(|cue| {
-            part(
-                text!("point-depth-cueing"),
-                "",
-                Tone::Weak,
-                luminance(cue.veil),
-            )
-        }));
+        if let Some(through) = hit.transmission {
+            let (name, tone) = (text!("point-transmitted"), Tone::Of(Vector::T));
+            parts.push(part(name, "", tone, left * kt * luminance(through.seen)));
+        }
+        if let Some(cue) = hit.cue {
+            let name = text!("point-depth-cueing");
+            parts.push(part(name, "", Tone::Weak, luminance(cue.veil)));
+        }
         parts
     }
 

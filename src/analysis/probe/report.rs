@@ -59,11 +59,7 @@ impl Question for ProbeQuestion {
     fn answer(&self, subject: &Subject, _: &dyn Watch<Probed>) -> Result<Probed, String> {
         let (mut renderer, [x, y]) = (subject.renderer(), self.pixel);
         let probe = probe(&mut renderer, &subject.scene, x, y);
-        let lights = if probe.hit.is_some() {
-            subject.scene.lights.len()
-        } else {
-            0
-        };
+        let lights = probe.hit.as_ref().map_or(0, |hit| hit.lights.len());
         let sampling = (0..lights)
             .map(|light| sampling_error(&mut renderer, &subject.scene, light))
             .collect();
@@ -178,20 +174,15 @@ impl Answer for Probed {
         let (scene, hit) = (about.scene, self.probe.hit.as_ref()?);
         let own = hit.scene_of(scene);
         let here = Here { scene: &own, hit };
-        let is_lit = |light: &LightHere<'_>| light.terms.theta < FRAC_PI_2;
-        let light = self
-            .light
-            .or_else(|| here.lights().position(|light| is_lit(&light)));
+        let lit = || {
+            here.lights()
+                .position(|light| light.terms.theta < FRAC_PI_2)
+        };
+        let light = self.light.or_else(lit).unwrap_or(0);
         let size = size.unwrap_or([SIDE; 2]);
         let style = PlotStyle::of(size, 1, paper);
         let width = f64::from(size[0].min(size[1]));
-        let drawing = draw_vectors(
-            here,
-            light.unwrap_or(0),
-            VectorsShown::Angles,
-            width,
-            &style,
-        )?;
+        let drawing = draw_vectors(here, light, VectorsShown::Angles, width, &style)?;
         let [x, y] = self.probe.pixel;
         let title = text!(
             "point-report-surface",
@@ -229,6 +220,7 @@ impl Answer for Probed {
     }
 }
 
+/// Returns the heading of a light's section: its number, name, kind and attenuation.
 fn light_title(light: LightHere<'_>) -> String {
     let source = light.source;
     let name = if source.name.is_empty() {
@@ -271,11 +263,8 @@ fn numbers_of(own: &FaceMaterial) -> String {
         .iter()
         .map(|(letter, value)| format!("{letter} = {}", triple(*value)));
     let n = format!("n = {}", exponent(n));
-    numbers
-        .chain([n])
-        .chain(through)
-        .collect::<Vec<_>>()
-        .join(", ")
+    let numbers: Vec<String> = numbers.chain([n]).chain(through).collect();
+    numbers.join(", ")
 }
 
 /// Adds the vectors and angles of a light that shines.
@@ -292,6 +281,7 @@ fn light_rows(section: &mut Section, light: LightHere<'_>) {
     }
 }
 
+/// Adds a part of the filled-in equation.
 fn say(section: &mut Section, part: FilledPart) {
     match part {
         FilledPart::Note(text) => _ = section.note(text),
@@ -310,12 +300,8 @@ fn say(section: &mut Section, part: FilledPart) {
             _ = section.push(Part::Table(product_table(&product)));
         }
         FilledPart::Line(line) => {
-            _ = section.line(format!(
-                "{:1} {}: {}",
-                line.sign,
-                line.name,
-                line.value.words()
-            ));
+            let value = line.value.words();
+            _ = section.line(format!("{:1} {}: {value}", line.sign, line.name));
         }
         FilledPart::Rule => {}
     }
@@ -340,16 +326,15 @@ fn product_table(product: &Product) -> Table {
     columns.push(Column::shown("=", format_number));
     let mut table = Table::new(columns);
     for (c, name) in channels().into_iter().enumerate() {
-        let factors = product
-            .columns
-            .iter()
-            .map(|column| Cell::from(column.values[c]));
-        table.rows.push(
-            std::iter::once(name.into())
-                .chain(factors)
-                .chain([product.value[c].into()])
-                .collect(),
+        let mut row = cells![name];
+        row.extend(
+            product
+                .columns
+                .iter()
+                .map(|column| Cell::from(column.values[c])),
         );
+        row.push(product.value[c].into());
+        table.rows.push(row);
     }
     table
 }
@@ -358,11 +343,9 @@ fn stored(hit: &ProbeHit) -> Table {
     let mut columns = vec![
         Column::both("channel", "", format_number),
         Column::key("ambient"),
-    ];
-    columns.extend([
         Column::both("sum", text!("point-sum"), format_number),
         Column::both("stored", text!("point-stored"), format_number),
-    ]);
+    ];
     for index in 0..hit.lights.len() {
         columns.extend(
             ["diffuse", "specular"].map(|term| Column::key(format!("light{index}_{term}"))),

@@ -16,6 +16,7 @@ use glam::DVec3;
 const UNIT: f64 = 1e-6;
 
 impl LightHere<'_> {
+    /// Returns the light's line of the sum, with its parts.
     pub(super) fn line(self, shares: &[Share]) -> FilledLine {
         let (terms, name) = (self.terms, self.source.name.trim());
         let number = self.index + 1;
@@ -52,13 +53,13 @@ impl LightHere<'_> {
         let whole: f64 = shares.iter().map(|share| share.weight).sum();
         let one = self.is_one_product();
         if one {
-            parts.extend(
-                self.attenuates()
-                    .then(|| FilledPart::Formula(self.attenuation_formula())),
-            );
-            let spot = || format!("{{spot}}{}{}", result(terms.spot), text!("point-spot-part"));
-            parts
-                .extend((self.source.kind == LightKind::Spot).then(|| FilledPart::Formula(spot())));
+            if self.attenuates() {
+                parts.push(FilledPart::Formula(self.attenuation_formula()));
+            }
+            if self.source.kind == LightKind::Spot {
+                let (value, part) = (result(terms.spot), text!("point-spot-part"));
+                parts.push(FilledPart::Formula(format!("{{spot}}{value}{part}")));
+            }
         } else {
             let points = text!("point-over-samples", count = self.source.samples);
             let points = (self.source.kind == LightKind::Area).then_some(points.as_str());
@@ -72,17 +73,11 @@ impl LightHere<'_> {
             let share = percent(weight, whole);
             parts.push(FilledPart::Heading { name, tone, share });
             if law.undefined {
-                parts.push(FilledPart::Note(
-                    text!("point-own-law-undefined").to_owned(),
-                ));
+                parts.push(FilledPart::Note(text!("point-own-law-undefined").into()));
             }
             parts.extend(law.lines.iter().cloned().map(FilledPart::OfLaw));
-            parts.push(FilledPart::Product {
-                name: format!("{name} {}", self.index + 1),
-                product,
-                letters: tone,
-                value: tone,
-            });
+            let name = format!("{name} {}", self.index + 1);
+            parts.push(FilledPart::product(name, product, [tone; 2]));
             return parts;
         }
         let diffuse = (
@@ -108,21 +103,15 @@ impl LightHere<'_> {
                 tone,
                 share: percent(share.weight, whole),
             });
-            parts.extend(
-                (one && (zero.is_none() || told_by_cosine)).then_some(FilledPart::Formula(formula)),
-            );
+            if one && (zero.is_none() || told_by_cosine) {
+                parts.push(FilledPart::Formula(formula));
+            }
             parts.push(match zero {
                 Some(why) => {
                     FilledPart::Note(text!("point-term-adds-nothing", term = name, why = why))
                 }
                 None => {
-                    let name = format!("{name} {}", self.index + 1);
-                    FilledPart::Product {
-                        name,
-                        product,
-                        letters: tone,
-                        value: tone,
-                    }
+                    FilledPart::product(format!("{name} {}", self.index + 1), product, [tone; 2])
                 }
             });
         }
@@ -208,8 +197,7 @@ impl LightHere<'_> {
 
     /// Returns the distance that f depends on, world units.
     fn distance(self) -> f64 {
-        let by_viewer = self.source.attenuation == Attenuation::Viewer;
-        let from = if by_viewer {
+        let from = if self.source.attenuation == Attenuation::Viewer {
             self.here.scene.camera.eye
         } else {
             self.source.position
@@ -259,11 +247,8 @@ impl LightHere<'_> {
                 result(self.lobe())
             );
         }
-        let (letters, cosine, n) = (
-            self.lobe_letters(),
-            self.lobe_cosine(),
-            exponent(self.here.scene.material.n),
-        );
+        let (letters, cosine) = (self.lobe_letters(), self.lobe_cosine());
+        let n = exponent(self.here.scene.material.n);
         if cosine <= 0.0 {
             let vector = if model == ReflectionModel::Phong {
                 "R"
