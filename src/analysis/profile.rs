@@ -20,7 +20,7 @@ pub use plots::{Abscissa, Compared, compared_plots, mode_dash};
 
 use super::codec::Codec;
 use super::perception::{Perception, Viewing, blur_line};
-use super::report::{Answer, Cell, Column, Part, Report, ReportContext, Table};
+use super::report::{Answer, Cell, Column, Part, Report, ReportContext, Table, cells};
 use super::{Question, Subject, Watch};
 use crate::render::{Piece, Renderer};
 use crate::scene::{Choice, Scene, ShadingMode};
@@ -196,11 +196,10 @@ pub fn profile(
         }
         let corner = |(t, sides)| {
             let [before, after] = source.sides(t, sides);
-            let slopes = [before.1, after.1];
             Some(Discontinuity {
                 step: after.0 - before.0,
-                slopes,
-                jump: slopes[1] - slopes[0],
+                slopes: [before.1, after.1],
+                jump: after.1 - before.1,
             })
         };
         let corners = joints.into_iter().map(corner).collect();
@@ -257,6 +256,7 @@ impl Question for ProfileQuestion {
 }
 
 impl TakenProfile {
+    /// Returns the table of all samples: their places, and the values of each mode.
     fn samples(&self) -> Table {
         let Profile {
             samples, traces, ..
@@ -269,23 +269,18 @@ impl TakenProfile {
             ]
         };
         let modes = traces.iter().flat_map(|trace| of_mode(trace.mode.word()));
-        let mut table = Table::new(
-            ["x", "y", "t", "distance"]
-                .into_iter()
-                .map(Column::key)
-                .chain(modes.map(Column::key)),
-        );
+        let places = ["x", "y", "t", "distance"].map(Column::key);
+        let mut table = Table::new(places.into_iter().chain(modes.map(Column::key)));
         for (i, sample) in samples.iter().enumerate() {
-            let values = traces
-                .iter()
-                .flat_map(|trace| [trace.intensity[i], trace.slope[i], trace.perceived[i]]);
-            table.rows.push(
-                [sample.x, sample.y, sample.t, sample.t * self.profile.length]
-                    .into_iter()
-                    .chain(values)
-                    .map(Cell::from)
-                    .collect(),
-            );
+            let mut row = cells![sample.x, sample.y, sample.t, sample.t * self.profile.length];
+            for trace in traces {
+                row.extend(cells![
+                    trace.intensity[i],
+                    trace.slope[i],
+                    trace.perceived[i]
+                ]);
+            }
+            table.rows.push(row);
         }
         table
     }
@@ -326,12 +321,9 @@ impl Answer for TakenProfile {
                 .iter()
                 .map(|column| column.key.as_deref().unwrap_or_default().to_owned())
         };
-        let number = |cell: &Cell| {
-            if let Cell::Number(value) = cell {
-                json!(value)
-            } else {
-                Value::Null
-            }
+        let number = |cell: &Cell| match cell {
+            Cell::Number(value) => json!(value),
+            _ => Value::Null,
         };
         let samples = table
             .rows

@@ -61,19 +61,16 @@ impl Line {
         let grid = |t: f64| (begin + t * longer - offset) * fineness * longer.signum();
         let (first, last) = ((grid(low) - SAME).ceil(), (grid(high) + SAME).floor());
         let count = (last - first + 1.0).max(0.0) as usize;
-        let ends = [from, to];
-        if count == 0 {
+        let (first, step, count) = if count == 0 {
             // Shorter than a step: only its ends.
-            return Some(Self {
-                ends,
-                first: 0.0,
-                step: 1.0,
-                count: 2,
-            });
-        }
+            (0.0, 1.0, 2)
+        } else {
+            let first = (first * longer.signum() / fineness + offset - begin) / longer;
+            (first, step, count)
+        };
         Some(Self {
-            ends,
-            first: (first * longer.signum() / fineness + offset - begin) / longer,
+            ends: [from, to],
+            first,
             step,
             count,
         })
@@ -112,9 +109,11 @@ impl Line {
     pub fn samples(&self) -> Vec<Sample> {
         let inner = self.followed().filter(|t| self.is_inner(*t));
         let all = std::iter::once(0.0).chain(inner).chain([1.0]);
-        all.map(|t| (t, self.place(t)))
-            .map(|(t, DVec2 { x, y })| Sample { x, y, t })
-            .collect()
+        let sample = |t: f64| {
+            let DVec2 { x, y } = self.place(t);
+            Sample { x, y, t }
+        };
+        all.map(sample).collect()
     }
 
     fn is_inner(&self, t: f64) -> bool {
@@ -128,11 +127,8 @@ impl Line {
         let between = |t: f64| {
             let at = ((t - self.first) / self.step).clamp(0.0, (self.count - 1) as f64);
             let (k, share) = (at.floor() as usize, at.fract());
-            let next = values
-                .get(k + 1)
-                .or(values.last())
-                .copied()
-                .unwrap_or_default();
+            let next = values.get(k + 1).or(values.last());
+            let next = next.copied().unwrap_or_default();
             values.get(k).copied().unwrap_or_default() * (1.0 - share) + next * share
         };
         let inner = self
@@ -153,10 +149,8 @@ fn in_picture(from: DVec2, along: DVec2, size: DVec2) -> (f64, f64) {
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
     for axis in 0..2 {
         if along[axis] != 0.0 {
-            let (a, b) = (
-                -from[axis] / along[axis],
-                (size[axis] - from[axis]) / along[axis],
-            );
+            let a = -from[axis] / along[axis];
+            let b = (size[axis] - from[axis]) / along[axis];
             (low, high) = (low.max(a.min(b)), high.min(a.max(b)));
         }
     }
@@ -193,10 +187,8 @@ impl<'a> Source<'a> {
         let [low, high] = line.span();
         let mut pieces = renderer.section(line.place(low), line.place(high));
         for piece in &mut pieces {
-            (piece.from, piece.to) = (
-                low + piece.from * (high - low),
-                low + piece.to * (high - low),
-            );
+            piece.from = low + piece.from * (high - low);
+            piece.to = low + piece.to * (high - low);
         }
         Self {
             line,
@@ -231,21 +223,16 @@ impl<'a> Source<'a> {
             // A difference across the outline would not be a slope.
             let sees = |t: f64| self.renderer.evaluation_at(self.place(t), None).is_some();
             let seen = sees(t);
-            (from, to) = (
-                if sees(from) == seen { from } else { t },
-                if sees(to) == seen { to } else { t },
-            );
+            [from, to] = [from, to].map(|end| if sees(end) == seen { end } else { t });
         }
         let at = |t: f64| self.intensity(t, piece);
         let run = (to - from) * self.line.length();
-        (
-            at(t),
-            if run > 0.0 {
-                (at(to) - at(from)) / run
-            } else {
-                0.0
-            },
-        )
+        let slope = if run > 0.0 {
+            (at(to) - at(from)) / run
+        } else {
+            0.0
+        };
+        (at(t), slope)
     }
 
     /// Returns the joints between the line's ends, where one piece ends and another or the background begins.
@@ -274,10 +261,7 @@ impl<'a> Source<'a> {
                 return (self.intensity(t + way * delta, None), 0.0);
             };
             let delta = delta.min(piece.to - piece.from) * way;
-            let (here, there) = (
-                self.intensity(t, Some(piece)),
-                self.intensity(t + delta, Some(piece)),
-            );
+            let [here, there] = [t, t + delta].map(|t| self.intensity(t, Some(piece)));
             (here, (there - here) / (delta * self.line.length()))
         };
         [side(sides[0], -1.0), side(sides[1], 1.0)]
@@ -285,10 +269,8 @@ impl<'a> Source<'a> {
 
     /// Returns the place at t, clamped to the picture.
     fn place(&self, t: f64) -> DVec2 {
-        self.line.place(t).clamp(
-            DVec2::ZERO,
-            DVec2::from_array(self.size.map(|side| f64::from(side) - 1e-6)),
-        )
+        let last = DVec2::from_array(self.size.map(|side| f64::from(side) - 1e-6));
+        self.line.place(t).clamp(DVec2::ZERO, last)
     }
 
     fn intensity(&self, t: f64, piece: Option<&Piece>) -> f64 {
@@ -305,12 +287,10 @@ impl<'a> Source<'a> {
 /// Interpolates linearly between the centres of pixels; beyond the outermost ones their value continues.
 fn bilinear(pixels: &[f64], [width, height]: [u32; 2], place: DVec2) -> f64 {
     let split = |at: f64, side: u32| {
-        let at = (at - 0.5).clamp(0.0, f64::from(side.saturating_sub(1)));
-        (
-            at.floor() as usize,
-            (at.floor() as usize + 1).min(side.saturating_sub(1) as usize),
-            at.fract(),
-        )
+        let last = side.saturating_sub(1);
+        let at = (at - 0.5).clamp(0.0, f64::from(last));
+        let index = at.floor() as usize;
+        (index, (index + 1).min(last as usize), at.fract())
     };
     let ((x0, x1, u), (y0, y1, v)) = (split(place.x, width), split(place.y, height));
     let at = |x: usize, y: usize| {

@@ -59,11 +59,8 @@ pub fn lay_out_profile(
             .collect()
     };
     let (mut ticks, mut latest) = (Vec::new(), f64::NEG_INFINITY);
-    for border in profile
-        .borders
-        .iter()
-        .filter(|border| border.faces[0] != border.faces[1])
-    {
+    let borders = profile.borders.iter();
+    for border in borders.filter(|border| border.faces[0] != border.faces[1]) {
         let s = border.t * profile.length;
         if s - latest >= GAP * em {
             latest = s;

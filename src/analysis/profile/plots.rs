@@ -71,21 +71,16 @@ pub struct Compared {
 /// Returns the plots of such a view: intensity, slope, and perceived minus actual, each with the curves of all modes.
 pub fn compared_plots(profile: &Profile, request: &ProfileQuestion, view: Compared) -> [Plot; 3] {
     let plotter = ProfilePlotter::new(profile, view.abscissa, view.edges);
-    let own = Some(view.own);
+    let own = view.own;
     let traces = profile.traces.iter();
     let seen: Vec<&Trace> = traces
-        .filter(|trace| view.perceived && trace.mode == view.own)
+        .filter(|trace| view.perceived && trace.mode == own)
         .collect();
     let mut curves = plotter.curves(own, |trace| trace.intensity.clone());
     curves.extend(seen.iter().map(|trace| plotter.perceived(trace)));
     let y = plotter.intensity_axis(&seen);
-    let intensity = plotter.plot(
-        PlotKind::Profile,
-        text!("line-intensity-title"),
-        "",
-        y,
-        curves,
-    );
+    let title = text!("line-intensity-title");
+    let intensity = plotter.plot(PlotKind::Profile, title, "", y, curves);
     [intensity, plotter.slopes(own), plotter.added(request, own)]
 }
 
@@ -101,31 +96,25 @@ struct ProfilePlotter<'a> {
 impl<'a> ProfilePlotter<'a> {
     fn new(profile: &'a Profile, abscissa: Abscissa, marked: bool) -> Self {
         let borders = profile.borders.iter();
+        let edges = borders.filter(|border| border.faces[0] != border.faces[1]);
         Self {
             profile,
             abscissa,
-            edges: borders
-                .filter(|border| border.faces[0] != border.faces[1])
-                .collect(),
+            edges: edges.collect(),
             marked,
         }
     }
 
     /// Returns the axis for the range of all intensities, and of the perceived brightness of those of `seen`.
     fn intensity_axis(&self, seen: &[&Trace]) -> Axis {
-        let actual = self
-            .profile
-            .traces
-            .iter()
-            .flat_map(|trace| &trace.intensity);
-        let all = actual
-            .chain(seen.iter().flat_map(|trace| &trace.perceived))
-            .copied()
-            .collect();
+        let traces = self.profile.traces.iter();
+        let actual = traces.flat_map(|trace| &trace.intensity);
+        let perceived = seen.iter().flat_map(|trace| &trace.perceived);
+        let all = actual.chain(perceived).copied().collect();
         axis(text!("line-axis-intensity"), bounds(all, 0.0))
     }
 
-    fn slopes(&self, own: Option<ShadingMode>) -> Plot {
+    fn slopes(&self, own: ShadingMode) -> Plot {
         let constant = |trace: &Trace| trace.slope.iter().all(|slope| slope.abs() < CONSTANT);
         if self.profile.traces.iter().all(constant) {
             return self.jumps(own);
@@ -135,13 +124,8 @@ impl<'a> ProfilePlotter<'a> {
         let values = self.away_from_outline(CLEAR[0], &curves);
         let off = if self.edges.is_empty() { OFF } else { 0.0 };
         let y = axis(text!("line-axis-slope"), bounds(values, off));
-        self.plot(
-            PlotKind::ProfileSlope,
-            text!("line-slope-title"),
-            text!("line-slope-note"),
-            y,
-            curves,
-        )
+        let (title, note) = (text!("line-slope-title"), text!("line-slope-note"));
+        self.plot(PlotKind::ProfileSlope, title, note, y, curves)
     }
 
     /// Returns the factor by which slopes along the line become slopes along the axis.
@@ -154,7 +138,7 @@ impl<'a> ProfilePlotter<'a> {
     }
 
     /// Plots the jumps of intensity between polygons, where slopes are 0 within them.
-    fn jumps(&self, own: Option<ShadingMode>) -> Plot {
+    fn jumps(&self, own: ShadingMode) -> Plot {
         let curve = |trace: &Trace| {
             let steps = self.profile.borders.iter().zip(&trace.corners);
             let spikes = steps.filter_map(|(border, corner)| {
@@ -176,21 +160,14 @@ impl<'a> ProfilePlotter<'a> {
             .iter()
             .flat_map(|curve| curve.points.iter().map(|[_, y]| *y));
         let y = axis(text!("line-axis-jump"), bounds(values.collect(), 0.0));
-        self.plot(
-            PlotKind::ProfileSlope,
-            text!("line-jumps-title"),
-            text!("line-jumps-note"),
-            y,
-            curves,
-        )
+        let (title, note) = (text!("line-jumps-title"), text!("line-jumps-note"));
+        self.plot(PlotKind::ProfileSlope, title, note, y, curves)
     }
 
-    fn added(&self, request: &ProfileQuestion, own: Option<ShadingMode>) -> Plot {
+    fn added(&self, request: &ProfileQuestion, own: ShadingMode) -> Plot {
         let curves = self.curves(own, |trace| {
             let pairs = trace.perceived.iter().zip(&trace.intensity);
-            pairs
-                .map(|(perceived, actual)| perceived - actual)
-                .collect()
+            pairs.map(|(seen, actual)| seen - actual).collect()
         });
         let [centre, surround] = self.profile.widths;
         let values = self.away_from_outline(CLEAR[1] * surround, &curves);
@@ -215,13 +192,8 @@ impl<'a> ProfilePlotter<'a> {
         if curves.iter().any(outside) {
             note = format!("{note} {}", text!("line-added-outline"));
         }
-        self.plot(
-            PlotKind::ProfileAdded,
-            text!("line-added-title"),
-            &note,
-            y,
-            curves,
-        )
+        let title = text!("line-added-title");
+        self.plot(PlotKind::ProfileAdded, title, &note, y, curves)
     }
 
     /// Returns the values at least so many pixels from where the line enters or leaves the object; or else all.
@@ -260,7 +232,7 @@ impl<'a> ProfilePlotter<'a> {
         }
     }
 
-    fn curves(&self, own: Option<ShadingMode>, values: impl Fn(&Trace) -> Vec<f64>) -> Vec<Curve> {
+    fn curves(&self, own: ShadingMode, values: impl Fn(&Trace) -> Vec<f64>) -> Vec<Curve> {
         self.profile
             .traces
             .iter()
@@ -268,27 +240,22 @@ impl<'a> ProfilePlotter<'a> {
             .collect()
     }
 
-    fn curve_of(&self, trace: &Trace, values: Vec<f64>, own: Option<ShadingMode>) -> Curve {
-        let stands_out = own == Some(trace.mode);
-        let dash = mode_dash(trace.mode, stands_out);
+    fn curve_of(&self, trace: &Trace, values: Vec<f64>, own: ShadingMode) -> Curve {
+        let emphasised = own == trace.mode;
+        let dash = mode_dash(trace.mode, emphasised);
         Curve {
-            emphasised: own.is_none() || stands_out,
+            emphasised,
             ..self.curve(trace, &values, dash)
         }
     }
 
     fn curve(&self, trace: &Trace, values: &[f64], dash: Dash) -> Curve {
         let samples = self.profile.samples.iter().zip(values);
-        let points = samples
-            .map(|(sample, value)| [self.x(sample.t), *value])
-            .collect();
+        let points = samples.map(|(sample, value)| [self.x(sample.t), *value]);
+        let (points, ink) = (self.ordered(points.collect()), Ink::Shading(trace.mode));
         Curve {
             dash,
-            ..Curve::new(
-                trace.mode.label(),
-                self.ordered(points),
-                Ink::Shading(trace.mode),
-            )
+            ..Curve::new(trace.mode.label(), points, ink)
         }
     }
 
