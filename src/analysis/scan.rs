@@ -329,10 +329,8 @@ impl Scan {
 
     /// Returns the step of this scan that is most like step `step` of `other`, of the same polygon in another view.
     pub fn step_like(&self, other: &Self, step: usize) -> usize {
-        self.nearest(
-            other.at(step).level,
-            other.place_of(step) * self.grid.size() / other.grid.size(),
-        )
+        let place = other.place_of(step) * self.grid.size() / other.grid.size();
+        self.nearest(other.at(step).level, place)
     }
 
     /// Returns the step that begins line `y` of the grid, and the one that ends it.
@@ -342,25 +340,20 @@ impl Scan {
         Some([first, steps.next_back().unwrap_or(first)])
     }
 
+    /// Returns the step of that size nearest to a place of the grid.
     fn nearest(&self, level: ScanLevel, place: DVec2) -> usize {
         let steps = (0..self.steps.len()).filter(|step| self.steps[*step].level() == level);
         // Another line is farther than any pixel of this one.
-        let far = |step: &usize| {
-            (self.place_of(*step) - place)
-                .abs()
-                .dot(DVec2::new(1.0, f64::from(self.grid.columns)))
-        };
+        let weights = DVec2::new(1.0, f64::from(self.grid.columns));
+        let far = |step: &usize| (self.place_of(*step) - place).abs().dot(weights);
         steps.min_by(|a, b| far(a).total_cmp(&far(b))).unwrap_or(0)
     }
 
+    /// Returns the place of the grid that a step has reached.
     fn place_of(&self, step: usize) -> DVec2 {
         let point = self.at(step);
         let crossing = point.q.or(point.p).map_or(0.0, |crossing| crossing.x);
-        DVec2::new(
-            point
-                .pixel
-                .map_or(crossing, |pixel| f64::from(pixel.x) + 0.5),
-            point.line.centre_y(),
-        )
+        let pixel = point.pixel.map(|pixel| f64::from(pixel.x) + 0.5);
+        DVec2::new(pixel.unwrap_or(crossing), point.line.centre_y())
     }
 }

@@ -10,6 +10,7 @@ use crate::render::{Cued, Renderer, WeightedPoint, stored_pixel};
 use crate::scene::{Encoding, Interpolation, Projection, Rgb, Scene, ShadingMode, View};
 use glam::{DVec2, DVec3};
 use serde::Serialize;
+use std::cmp::Ordering;
 
 /// Rows and columns left free on each side of the polygon.
 const MARGIN: f64 = 1.0;
@@ -46,11 +47,8 @@ pub(crate) fn scan_drawn(
     let (polygon, shading) = seen(renderer, scene, face)?;
     let grid = Grid::around(&polygon.corners, rows).ok_or(ScanError::EdgeOn { face })?;
     let scan = convert(polygon, &shading, grid);
-    let covered = scan
-        .steps
-        .iter()
-        .any(|step| matches!(step, ScanStep::Pixel { .. }));
-    if covered {
+    let is_pixel = |step: &ScanStep| matches!(step, ScanStep::Pixel { .. });
+    if scan.steps.iter().any(is_pixel) {
         Ok(scan)
     } else {
         Err(ScanError::EdgeOn { face })
@@ -91,10 +89,8 @@ impl Grid {
         let extent = max - min;
         let first = corners.first()?.place;
         let pairs = places().zip(places().skip(1));
-        let area = pairs
-            .map(|(a, b)| (a - first).perp_dot(b - first))
-            .sum::<f64>()
-            * 0.5;
+        let doubled: f64 = pairs.map(|(a, b)| (a - first).perp_dot(b - first)).sum();
+        let area = doubled * 0.5;
         if area.abs() <= EDGE_ON * extent.length_squared() || !extent.is_finite() {
             return None;
         }
@@ -233,6 +229,7 @@ fn seen(renderer: &Renderer, scene: &Scene, face: u32) -> Result<(Scan, Shading)
 }
 
 impl Shading {
+    /// Returns the intensity of an interpolated value at a position with its tint.
     fn intensity(&self, scan: &Scan, value: DVec3, (position, tint): (DVec3, Rgb)) -> Rgb {
         if scan.carried != Carried::Normal {
             return value;
@@ -259,10 +256,8 @@ impl Shading {
         let weighted = self.triangles.iter().filter_map(|&triangle| {
             let [a, b, c] = triangle.map(|i| corners[i].place);
             let area = (b - a).perp_dot(c - a);
-            let (w1, w2) = (
-                (place - a).perp_dot(c - a) / area,
-                (b - a).perp_dot(place - a) / area,
-            );
+            let w1 = (place - a).perp_dot(c - a) / area;
+            let w2 = (b - a).perp_dot(place - a) / area;
             (w1.is_finite() && w2.is_finite()).then_some((triangle, [1.0 - w1 - w2, w1, w2]))
         });
         let min_of = |weights: &[f64; 3]| weights.iter().copied().fold(f64::INFINITY, f64::min);
@@ -292,22 +287,17 @@ impl Shading {
     }
 }
 
+/// Converts a polygon to the pixels of a grid.
 fn convert(mut scan: Scan, shading: &Shading, grid: Grid) -> Scan {
     scan.grid = grid;
     for corner in &mut scan.corners {
         corner.place = grid.from_picture(corner.place);
     }
     scan.edges = edge_table(&scan.corners);
-    let top = scan
-        .edges
-        .iter()
-        .map(|edge| edge.y_top)
-        .fold(f64::INFINITY, f64::min);
-    let bottom = scan
-        .edges
-        .iter()
-        .map(|edge| edge.y_bottom)
-        .fold(f64::NEG_INFINITY, f64::max);
+    let tops = scan.edges.iter().map(|edge| edge.y_top);
+    let bottoms = scan.edges.iter().map(|edge| edge.y_bottom);
+    let top = tops.fold(f64::INFINITY, f64::min);
+    let bottom = bottoms.fold(f64::NEG_INFINITY, f64::max);
     let rows = first_centre(top, grid.rows)..first_centre(bottom, grid.rows);
     scan.lines = rows.map(|y| scan_line(&scan, shading, y)).collect();
     for (line, scan_line) in scan.lines.iter().enumerate() {
@@ -315,12 +305,8 @@ fn convert(mut scan: Scan, shading: &Shading, grid: Grid) -> Scan {
         for (span, scan_span) in scan_line.spans.iter().enumerate() {
             scan.steps
                 .extend([ScanStep::P { line, span }, ScanStep::Q { line, span }]);
-            scan.steps
-                .extend((0..scan_span.pixels.len()).map(|pixel| ScanStep::Pixel {
-                    line,
-                    span,
-                    pixel,
-                }));
+            let pixel = |pixel| ScanStep::Pixel { line, span, pixel };
+            scan.steps.extend((0..scan_span.pixels.len()).map(pixel));
         }
     }
     scan
@@ -353,14 +339,11 @@ fn edge_table(corners: &[ScanCorner]) -> Vec<ScanEdge> {
         })
         .collect();
     let order = |edge: &ScanEdge| [edge.y_top, edge.x_top, edge.dx_dy];
-    edges.sort_by(|a, b| {
-        order(a)
-            .partial_cmp(&order(b))
-            .unwrap_or(std::cmp::Ordering::Equal)
-    });
+    edges.sort_by(|a, b| order(a).partial_cmp(&order(b)).unwrap_or(Ordering::Equal));
     edges
 }
 
+/// Returns the scan line of row `y` with its crossings and pixels.
 fn scan_line(scan: &Scan, shading: &Shading, y: u32) -> ScanLine {
     let at = f64::from(y) + 0.5;
     let edges = scan

@@ -25,10 +25,8 @@ const ROOMY: f64 = 1.2;
 pub fn scan_room(scan: &Scan, width: f64, tallest: f64, style: &PlotStyle) -> DVec2 {
     let grid = scan.grid.size();
     let cell = (width - 2.0 * pad(width / grid.x, style.text).x) / grid.x;
-    DVec2::new(
-        width,
-        (cell * grid.y + 2.0 * pad(cell, style.text).y).min(tallest),
-    )
+    let height = cell * grid.y + 2.0 * pad(cell, style.text).y;
+    DVec2::new(width, height.min(tallest))
 }
 
 /// Returns the margins beside and above a grid of such pixels, whose free rows and columns hold letters too.
@@ -45,9 +43,8 @@ pub fn lay_out_scan(scan: &Scan, step: usize, size: DVec2, style: &PlotStyle) ->
     }
     let (grid, extent) = (scan.grid.size(), bounds.max - bounds.min);
     let natural = (extent / grid).min_element();
-    let cell = ((extent - 2.0 * pad(natural, style.text)) / grid)
-        .min_element()
-        .max(0.0);
+    let cell = (extent - 2.0 * pad(natural, style.text)) / grid;
+    let cell = cell.min_element().max(0.0);
     let origin = (bounds.min + bounds.max - grid * cell) * 0.5;
     let (point, paper, em) = (scan.at(step), style.paper, style.text);
     let alpha = readable(ALPHA, paper.ground, 3.0);
@@ -64,11 +61,8 @@ pub fn lay_out_scan(scan: &Scan, step: usize, size: DVec2, style: &PlotStyle) ->
         taken: Vec::new(),
     };
     for (y, pixel) in scan.filled(step) {
-        let square = canvas.square([pixel.x, y]);
-        canvas
-            .drawing
-            .shapes
-            .push(Shape::area(square.corners(), pixel.stored));
+        let square = canvas.square([pixel.x, y]).corners();
+        canvas.push(Shape::area(square, pixel.stored));
     }
     canvas.grid_lines();
     let corners = scan.corners.iter().chain(scan.corners.first());
@@ -101,13 +95,10 @@ fn draw_column(
         face = scan.face
     );
     rest.min.y += 1.2 * em;
-    drawing
-        .texts
-        .push(Text::new(title, rest.min, 1.25 * em, paper.text).bold());
+    let title = Text::new(title, rest.min, 1.25 * em, paper.text).bold();
     rest.min.y += 1.45 * em;
-    drawing
-        .texts
-        .push(Text::new(scan.caption(step), rest.min, em, paper.weak));
+    let caption = Text::new(scan.caption(step), rest.min, em, paper.weak);
+    drawing.texts.extend([title, caption]);
     rest.min.y += 0.7 * em;
     let (mut at, extent) = (rest.min, rest.max - rest.min);
     if extent.x > extent.y {
@@ -122,17 +113,14 @@ fn draw_column(
         at.y += 1.1 * em;
         let mut heading = Text::new(heading, at, 1.05 * em, paper.text).bold();
         if let Some(colour) = swatch {
-            let (min, max) = (
-                at + DVec2::new(0.0, -0.95) * em,
-                at + DVec2::new(1.5, 0.25) * em,
-            );
+            let min = at + DVec2::new(0.0, -0.95) * em;
+            let max = at + DVec2::new(1.5, 0.25) * em;
             let square = Area { min, max }.corners();
-            drawing.shapes.push(Shape::area(square.clone(), colour));
-            drawing.shapes.push(Shape::line(
-                [square, vec![min]].concat(),
-                0.06 * em,
-                paper.weak,
-            ));
+            let around = [&square[..], &[min]].concat();
+            drawing.shapes.extend([
+                Shape::area(square, colour),
+                Shape::line(around, 0.06 * em, paper.weak),
+            ]);
             heading.at.x += 2.0 * em;
         }
         drawing.texts.push(heading);
@@ -140,12 +128,9 @@ fn draw_column(
             at.y += 1.28 * em;
             // Text after a tabulator begins at the same place in every line.
             for (text, indent) in line.split('\t').zip([0.0, em]) {
-                drawing.texts.push(Text::new(
-                    text,
-                    at + DVec2::new(indent, 0.0),
-                    0.88 * em,
-                    paper.text,
-                ));
+                let place = at + DVec2::new(indent, 0.0);
+                let text = Text::new(text, place, 0.88 * em, paper.text);
+                drawing.texts.push(text);
             }
         }
         at.y += 0.75 * em;
@@ -207,6 +192,10 @@ impl ScanCanvas<'_> {
         self.at(DVec2::new(x, self.point.line.centre_y()))
     }
 
+    fn push(&mut self, shape: Shape) {
+        self.drawing.shapes.push(shape);
+    }
+
     fn square(&self, [x, y]: [u32; 2]) -> Area {
         let min = self.at(DVec2::new(f64::from(x), f64::from(y)));
         Area {
@@ -224,9 +213,7 @@ impl ScanCanvas<'_> {
 
     /// Draws a line, its width in ems.
     fn line(&mut self, points: Vec<DVec2>, width: f64, colour: Rgb8) {
-        self.drawing
-            .shapes
-            .push(Shape::line(points, width * self.em, colour));
+        self.push(Shape::line(points, width * self.em, colour));
     }
 
     /// Draws a line set off from the lines that it crosses.
@@ -238,9 +225,7 @@ impl ScanCanvas<'_> {
     /// Draws a dot set off from its background, its radii in ems.
     fn dot(&mut self, at: DVec2, [outer, inner]: [f64; 2], colour: Rgb8) {
         for (radius, colour) in [(outer, self.paper.ground), (inner, colour)] {
-            self.drawing
-                .shapes
-                .push(Shape::disc(at, radius * self.em, colour));
+            self.push(Shape::disc(at, radius * self.em, colour));
         }
     }
 
@@ -259,9 +244,7 @@ impl ScanCanvas<'_> {
             .find(free)
             .or_else(|| places.first().map(about).filter(|_| must));
         let Some(area) = area else { return };
-        self.drawing
-            .shapes
-            .push(Shape::area(area.corners(), self.paper.ground).faded(0.78));
+        self.push(Shape::area(area.corners(), self.paper.ground).faded(0.78));
         let at = area.centre() + DVec2::new(0.0, 0.35 * size);
         self.drawing.texts.push(Text { at, ..text }.aligned(0.5));
         self.taken.push(area);
@@ -277,9 +260,7 @@ impl ScanCanvas<'_> {
             (0..=grid.rows).map(|y| [DVec2::new(0.0, y.into()), DVec2::new(end.x, y.into())]);
         for ends in columns.chain(rows) {
             let ends = ends.map(|place| self.at(place)).to_vec();
-            self.drawing
-                .shapes
-                .push(Shape::line(ends, width, self.paper.grid));
+            self.push(Shape::line(ends, width, self.paper.grid));
         }
     }
 
@@ -293,16 +274,12 @@ impl ScanCanvas<'_> {
             0.1
         };
         self.line(ends.clone(), width + 0.12, self.paper.ground);
-        self.drawing
-            .shapes
-            .push(Shape::line(ends, width * self.em, self.paper.text).dashed(LINE_DASHES));
+        let line = Shape::line(ends, width * self.em, self.paper.text);
+        self.push(line.dashed(LINE_DASHES));
         if self.cell >= 0.8 * self.em {
             for x in 0..columns {
-                self.dot(
-                    self.on_line(f64::from(x) + 0.5),
-                    [0.17, 0.1],
-                    self.paper.text,
-                );
+                let centre = self.on_line(f64::from(x) + 0.5);
+                self.dot(centre, [0.17, 0.1], self.paper.text);
             }
         }
     }
@@ -388,19 +365,10 @@ impl ScanCanvas<'_> {
                 .any(|&edge| scan.edges[edge].corners.contains(&corner))
         };
         let few = scan.corners.len() <= MOST_LETTERS;
-        let count = scan.corners.len().max(1) as f64;
-        let middle = self.at(scan
-            .corners
-            .iter()
-            .map(|corner| corner.place)
-            .sum::<DVec2>()
-            / count);
-        for (index, corner) in scan
-            .corners
-            .iter()
-            .enumerate()
-            .filter(|(index, _)| few || active(*index))
-        {
+        let sum: DVec2 = scan.corners.iter().map(|corner| corner.place).sum();
+        let middle = self.at(sum / scan.corners.len().max(1) as f64);
+        let corners = scan.corners.iter().enumerate();
+        for (index, corner) in corners.filter(|(index, _)| few || active(*index)) {
             let at = self.at(corner.place);
             let outwards = (at - middle).normalize_or_zero();
             let colour = if active(index) {
@@ -408,9 +376,7 @@ impl ScanCanvas<'_> {
             } else {
                 self.paper.weak
             };
-            self.drawing
-                .shapes
-                .push(Shape::disc(at, 0.22 * self.em, colour));
+            self.push(Shape::disc(at, 0.22 * self.em, colour));
             let places = [-0.0f64, 0.7, -0.7, 1.4, -1.4].map(|turn| {
                 at + DVec2::from_angle(turn).rotate(outwards) * DVec2::new(1.25, 1.05) * self.em
             });
@@ -438,19 +404,14 @@ impl ScanCanvas<'_> {
         if from.distance(to) < LETTERED_PART * self.em {
             return;
         }
-        let letters = readable(ALPHA, self.paper.ground, 4.5);
         let (letter, colour) = if alpha {
-            ("α ", letters)
+            ("α ", readable(ALPHA, self.paper.ground, 4.5))
         } else {
             ("", self.paper.text)
         };
         let middle = (from + to) * 0.5;
-        self.label(
-            format!("{letter}{value:.2}"),
-            colour,
-            0.95,
-            &[middle + aside, middle - aside],
-            false,
-        );
+        let text = format!("{letter}{value:.2}");
+        let places = [middle + aside, middle - aside];
+        self.label(text, colour, 0.95, &places, false);
     }
 }

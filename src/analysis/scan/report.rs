@@ -6,7 +6,7 @@ use super::{
 };
 use crate::analysis::probe::clearest_pixel;
 use crate::analysis::report::{
-    Answer, Column, Figure, Part, Report, ReportContext, Table, as_it_is, cells,
+    Answer, Cell, Column, Figure, Part, Report, ReportContext, Table, as_it_is, cells,
 };
 use crate::analysis::{Question, Subject, Watch};
 use crate::figure::{Paper, PlotStyle};
@@ -71,10 +71,8 @@ impl Question for ScanQuestion {
                     .unwrap_or_else(|| clearest_pixel(&mut renderer, scene).pixel);
                 let seen = face_at(&mut renderer, scene, x, y);
                 let expected = || text!("line-scan-error-background", x = x, y = y);
-                (
-                    seen.ok_or_else(expected)?,
-                    Some(DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5)),
-                )
+                let place = DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
+                (seen.ok_or_else(expected)?, Some(place))
             }
         };
         let scan =
@@ -94,9 +92,10 @@ impl Question for ScanQuestion {
                     .map(|[_, end]| end)
                     .ok_or_else(expected)?
             }
-            Stop::Pixel => scan.step_near(place.map_or(0.5 * scan.grid.size(), |place| {
-                scan.grid.from_picture(place)
-            })),
+            Stop::Pixel => {
+                let place = place.map(|place| scan.grid.from_picture(place));
+                scan.step_near(place.unwrap_or(0.5 * scan.grid.size()))
+            }
         };
         Ok(ScanStop { step, scan })
     }
@@ -142,23 +141,14 @@ impl Answer for ScanStop {
         for line in &self.scan.lines {
             for ScanSpan { p, q, pixels } in &line.spans {
                 table.rows.extend(pixels.iter().map(|pixel| {
-                    let [[r, g, b], [br, bg, bb]] =
-                        [pixel.intensity, pixel.barycentric].map(|color| color.to_array());
-                    cells![
-                        line.y,
-                        pixel.x,
-                        p.x,
-                        q.x,
-                        p.alpha,
-                        q.alpha,
-                        pixel.alpha,
-                        r,
-                        g,
-                        b,
-                        br,
-                        bg,
-                        bb
-                    ]
+                    let mut row = cells![line.y, pixel.x, p.x, q.x, p.alpha, q.alpha, pixel.alpha];
+                    let colors = [pixel.intensity, pixel.barycentric];
+                    row.extend(
+                        colors
+                            .into_iter()
+                            .flat_map(|color| color.to_array().map(Cell::from)),
+                    );
+                    row
                 }));
             }
         }
@@ -177,16 +167,12 @@ impl Answer for ScanStop {
     ) -> Option<Figure> {
         let size = DVec2::from_array(size.unwrap_or([1600, 1100]).map(f64::from));
         let text = (size / EMS).min_element().max(7.0);
-        let drawing = lay_out_scan(
-            &self.scan,
-            self.step,
-            size,
-            &PlotStyle {
-                paper,
-                text,
-                titled: true,
-            },
-        );
+        let style = PlotStyle {
+            paper,
+            text,
+            titled: true,
+        };
+        let drawing = lay_out_scan(&self.scan, self.step, size, &style);
         let title = text!(
             "line-scan-alternative",
             caption = self.scan.caption(self.step)
@@ -351,11 +337,8 @@ impl Scan {
 
     /// Returns the names of the edges that a line crosses.
     pub fn active_edges(&self, line: &ScanLine) -> String {
-        line.active
-            .iter()
-            .map(|edge| self.edge_name(*edge))
-            .collect::<Vec<_>>()
-            .join(", ")
+        let names = line.active.iter().map(|edge| self.edge_name(*edge));
+        names.collect::<Vec<_>>().join(", ")
     }
 
     /// Returns the results up to a step on its scan line: P, Q and the pixel.
@@ -423,14 +406,12 @@ impl Scan {
             return Vec::new();
         }
         let length = fixed(pixel.value.length(), 4);
-        vec![
-            if self.renormalise {
-                text!("line-scan-renormalised", length = length)
-            } else {
-                text!("line-scan-not-renormalised", length = length)
-            },
-            format!("I = {}", triple(pixel.intensity)),
-        ]
+        let words = if self.renormalise {
+            text!("line-scan-renormalised", length = length)
+        } else {
+            text!("line-scan-not-renormalised", length = length)
+        };
+        vec![words, format!("I = {}", triple(pixel.intensity))]
     }
 
     /// Returns the table of results up to a step, with the pixel's value by barycentric interpolation.
@@ -446,25 +427,15 @@ impl Scan {
                 .push(cells![name, alpha, value.x, value.y, value.z]);
         };
         for mix in self.found(step) {
-            row(
-                if mix.pixel.is_some() {
-                    text!("line-scan-row-pixel")
-                } else {
-                    mix.of
-                },
-                Some(mix.alpha),
-                mix.value,
-            );
+            let name = mix.pixel.map_or(mix.of, |_| text!("line-scan-row-pixel"));
+            row(name, Some(mix.alpha), mix.value);
             let Some(pixel) = mix.pixel else { continue };
             if self.carried == Carried::Normal {
                 row("I (r, g, b)", None, pixel.intensity);
             }
             row(text!("line-scan-row-barycentric"), None, pixel.barycentric);
-            row(
-                text!("line-scan-row-difference"),
-                None,
-                pixel.intensity - pixel.barycentric,
-            );
+            let difference = pixel.intensity - pixel.barycentric;
+            row(text!("line-scan-row-difference"), None, difference);
         }
         table
     }
@@ -482,12 +453,8 @@ impl Scan {
         ];
         let mut table = Table::new(columns.map(|head| Column::shown(head, |v| fixed(v, 2))));
         let many = self.edges.len() > MOST_EDGES;
-        for (index, edge) in self
-            .edges
-            .iter()
-            .enumerate()
-            .filter(|(index, _)| !many || active.contains(index))
-        {
+        let edges = self.edges.iter().enumerate();
+        for (index, edge) in edges.filter(|(index, _)| !many || active.contains(index)) {
             let mark = if active.contains(&index) { "●" } else { "" };
             table.rows.push(cells![
                 mark,
