@@ -214,14 +214,10 @@ pub fn stability(renderer: &mut Renderer, case: &'static Case) -> CaseResult {
         Some(make) => make(renderer),
         None => {
             let scene = case.scene().unwrap_or_default();
-            let naive = naive::draw(&scene)
-                .into_iter()
-                .map(|color| color.map(f64::from))
-                .collect();
-            let engine = engine_picture(renderer, &scene);
+            let naive = naive::draw(&scene).into_iter();
             Pictures {
-                naive,
-                engine,
+                naive: naive.map(|color| color.map(f64::from)).collect(),
+                engine: engine_picture(renderer, &scene),
                 truth: reference::draw(&scene),
                 scene: Some(scene),
             }
@@ -252,9 +248,8 @@ pub fn stability(renderer: &mut Renderer, case: &'static Case) -> CaseResult {
         let truth = truth.color.map(clamped);
         let naive = greatest(truth, naive.map(wrapped));
         result.naive_error = result.naive_error.max(naive);
-        result.robust_error = result
-            .robust_error
-            .max(greatest(truth, engine.map(clamped)));
+        let engine = greatest(truth, engine.map(clamped));
+        result.robust_error = result.robust_error.max(engine);
         result.naive_off += u64::from(naive > HALF_A_CODE_VALUE);
         result.pixels += 1;
     }
@@ -270,6 +265,7 @@ pub fn stability(renderer: &mut Renderer, case: &'static Case) -> CaseResult {
     result
 }
 
+/// Draws a scene with the engine; returns its linear intensities.
 fn engine_picture(renderer: &mut Renderer, scene: &Scene) -> Vec<[f64; 3]> {
     renderer.keep_linear(true);
     renderer.render(scene);
@@ -282,11 +278,10 @@ fn engine_picture(renderer: &mut Renderer, scene: &Scene) -> Vec<[f64; 3]> {
     pixels
 }
 
+/// Counts the pixels that are infinite or NaN.
 fn not_finite(pixels: &[[f64; 3]]) -> u64 {
-    pixels
-        .iter()
-        .filter(|pixel| !pixel.iter().all(|v| v.is_finite()))
-        .count() as u64
+    let is_lost = |pixel: &&[f64; 3]| !pixel.iter().all(|v| v.is_finite());
+    pixels.iter().filter(is_lost).count() as u64
 }
 
 /// Returns the maximum difference of code values in any channel; NaN is off by the whole range.
@@ -295,6 +290,7 @@ fn greatest(truth: [f64; 3], value: [f64; 3]) -> f64 {
     truth.into_iter().zip(value).map(of).fold(0.0, f64::max)
 }
 
+/// Returns an intensity in code values, clamped.
 fn clamped(intensity: f64) -> f64 {
     if intensity.is_nan() {
         f64::NAN

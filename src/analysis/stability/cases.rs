@@ -260,12 +260,8 @@ fn lobe(n: f64) -> Scene {
 /// Returns the square with a vertex normal at each corner, given as a function of x and y.
 fn with_normals(normal: fn(f64, f64) -> DVec3) -> Scene {
     let mut scene = square();
-    scene.object.vertex_normals = scene
-        .object
-        .vertices
-        .iter()
-        .map(|v| normal(v.x, v.y))
-        .collect();
+    let vertices = scene.object.vertices.iter();
+    scene.object.vertex_normals = vertices.map(|v| normal(v.x, v.y)).collect();
     scene.object.normals = NormalSource::File;
     scene
 }
@@ -311,8 +307,7 @@ fn room(floor: f64, to: f64) -> Scene {
         [-1.5, floor, -3.0],
     ];
     let mut scene = polygons(&[wall, floor].concat(), &[&[0, 1, 2, 3], &[4, 5, 6, 7]]);
-    (scene.camera.eye, scene.camera.target) =
-        (DVec3::new(0.0, 0.0, 2.0), DVec3::new(0.0, 0.0, -1.0));
+    (scene.camera.eye, scene.camera.target) = (DVec3::new(0.0, 0.0, 2.0), DVec3::NEG_Z);
     scene.lights = vec![lamp(0.8, 1.0, 0.5)];
     scene
 }
@@ -334,10 +329,9 @@ fn pyramid() -> Scene {
 fn moved(scene: &mut Scene, to: impl Fn(DVec3) -> DVec3) {
     scene.object.vertices = scene.object.vertices.iter().map(|v| to(*v)).collect();
     (scene.camera.eye, scene.camera.target) = (to(scene.camera.eye), to(scene.camera.target));
-    scene
-        .lights
-        .iter_mut()
-        .for_each(|light| light.position = to(light.position));
+    for light in &mut scene.lights {
+        light.position = to(light.position);
+    }
 }
 
 fn scaled(factor: f64) -> Scene {
@@ -392,13 +386,11 @@ fn scan_lines(renderer: &mut Renderer) -> Pictures {
 }
 
 fn true_spans(background: [f64; 3]) -> Vec<Truth> {
-    let mut pixels = vec![
-        Truth {
-            color: background,
-            clear: true
-        };
-        (SIDE * SIDE) as usize
-    ];
+    let beside = Truth {
+        color: background,
+        clear: true,
+    };
+    let mut pixels = vec![beside; (SIDE * SIDE) as usize];
     for y in 0..SIDE {
         let line = f64::from(y) + 0.5;
         let mut crossings: Vec<[Precise; 2]> = Vec::new();
@@ -490,9 +482,8 @@ fn critical(_: &mut Renderer) -> Pictures {
         let incident = DVec3::new(angle.sin(), 0.0, -angle.cos());
         let cosine = refract(incident, DVec3::Z, eta).map_or(0.0, |t| -t.z);
         pictures.engine.push([cosine * GAIN; 3]);
-        pictures
-            .naive
-            .push([f64::from(naive_cosine(angle as f32, eta as f32)) * GAIN; 3]);
+        let cosine = naive_cosine(angle as f32, eta as f32);
+        pictures.naive.push([f64::from(cosine) * GAIN; 3]);
     }
     pictures
 }

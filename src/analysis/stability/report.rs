@@ -99,12 +99,9 @@ impl CaseResult {
 
     /// Returns the figures of the case for programs.
     fn value(&self) -> Value {
-        let (case, words) = (
-            self.case,
-            [self.case.title(), self.case.naive(), self.case.engine()],
-        );
+        let case = self.case;
         json!({
-            "name": case.name, "title": words[0], "topic": case.topic, "wrong": words[1], "robust": words[2],
+            "name": case.name, "title": case.title(), "topic": case.topic, "wrong": case.naive(), "robust": case.engine(),
             "condition": case.condition, "naive_error": self.naive_error, "robust_error": self.robust_error,
             "verdict": self.verdict, "pixels": self.pixels, "naive_off": self.naive_off,
             "naive_not_finite": self.naive_not_finite, "robust_not_finite": self.robust_not_finite,
@@ -170,12 +167,9 @@ impl Answer for Catalogue {
         if let [result] = &self.results[..] {
             result.describe(report.section(result.case.title()));
         }
-        let failed = self
-            .results
-            .iter()
-            .filter(|result| result.verdict == Verdict::Fails)
-            .count();
-        let all = self.results.len();
+        let results = self.results.iter();
+        let failed = results.filter(|result| result.verdict == Verdict::Fails);
+        let (failed, all) = (failed.count(), self.results.len());
         report.failure =
             (failed > 0).then(|| text!("engine-stability-failed", count = failed, all = all));
         report
@@ -195,10 +189,9 @@ impl Answer for Catalogue {
                 scene: Some(Box::new(about.scene.clone())),
             });
         }
-        let scene = if let [one] = &self.results[..] {
-            one.scene.clone().map(Box::new)
-        } else {
-            None
+        let scene = match &self.results[..] {
+            [one] => one.scene.clone().map(Box::new),
+            _ => None,
         };
         Some(Figure::Picture {
             frame: stability_sheet(&self.results)?,
@@ -235,26 +228,22 @@ const WRONG: [u8; 3] = [0xFF, 0x8A, 0x5C];
 /// Draws the cases two to a row; none if there are no results, or more than a sheet can hold.
 fn stability_sheet(results: &[Arc<CaseResult>]) -> Option<Frame> {
     let side = results.first()?.pictures[0].width * SCALE;
-    let columns = u32::try_from(results.len()).ok()?.min(2);
-    let rows = u32::try_from(results.len()).ok()?.div_ceil(columns);
+    let count = u32::try_from(results.len()).ok()?;
+    let columns = count.min(2);
+    let rows = count.div_ceil(columns);
     let cell = [3 * side + 2 * GAP + MARGIN, HEAD + side + FOOT + MARGIN / 2];
-    let (width, height) = (
-        columns * cell[0] + MARGIN,
-        rows.checked_mul(cell[1])? + MARGIN,
-    );
+    let width = columns * cell[0] + MARGIN;
+    let height = rows.checked_mul(cell[1])? + MARGIN;
     let mut sheet = Frame {
         width,
         height,
         pixels: vec![GROUND; width as usize * height as usize],
     };
-    let places: Vec<[u32; 2]> = (0..columns * rows)
-        .map(|index| {
-            [
-                MARGIN + (index % columns) * cell[0],
-                MARGIN / 2 + (index / columns) * cell[1],
-            ]
-        })
-        .collect();
+    let place = |index: u32| {
+        let [column, row] = [index % columns, index / columns];
+        [MARGIN + column * cell[0], MARGIN / 2 + row * cell[1]]
+    };
+    let places: Vec<[u32; 2]> = (0..columns * rows).map(place).collect();
     for (result, [x, y]) in results.iter().zip(&places) {
         for (picture, step) in result.pictures.iter().zip(0..) {
             enlarge(&mut sheet, picture, [x + step * (side + GAP), y + HEAD]);
@@ -262,50 +251,38 @@ fn stability_sheet(results: &[Arc<CaseResult>]) -> Option<Frame> {
     }
     let mut drawing = Drawing::over_picture([GROUND[0], GROUND[1], GROUND[2]], 0.0);
     let mut letter = |text: &str, em: f64, [x, y]: [u32; 2], colour: [u8; 3]| {
-        drawing
-            .texts
-            .push(Text::new(text, DVec2::new(x.into(), y.into()), em, colour));
+        let at = DVec2::new(x.into(), y.into());
+        drawing.texts.push(Text::new(text, at, em, colour));
     };
     for (result, [x, y]) in results.iter().zip(&places) {
         letter(result.case.title(), EM, [*x, y + HEAD - 12], WORDS);
         for ((words, colour), step) in captions(result).into_iter().zip(0..) {
-            letter(
-                &words,
-                0.86 * EM,
-                [x + step * (side + GAP), y + HEAD + side + 22],
-                colour,
-            );
+            let below = [x + step * (side + GAP), y + HEAD + side + 22];
+            letter(&words, 0.86 * EM, below, colour);
         }
     }
     drawing.draw_over(&mut sheet);
     Some(sheet)
 }
 
+/// Returns the captions of a case's pictures, each with its colour.
 fn captions(result: &CaseResult) -> [(String, [u8; 3]); 3] {
     let of = |name: &str, error: f64| {
         let decimals = if error < 10.0 { 2 } else { 0 };
-        let colour = if error > HALF_A_CODE_VALUE {
-            WRONG
-        } else {
-            WEAK
-        };
+        let wrong = error > HALF_A_CODE_VALUE;
+        let colour = if wrong { WRONG } else { WEAK };
         let error = format!("{error:.decimals$}");
         (text!("engine-caption", name = name, error = error), colour)
     };
     let [naive, engine, reference] = case_pictures();
-    let (words, colour) = of(naive, result.naive_error);
-    let naive = match result.naive_not_finite {
-        0 => (words, colour),
-        lost => (
-            text!("engine-caption-lost", caption = words, count = lost),
-            WRONG,
-        ),
-    };
-    [
-        naive,
-        of(engine, result.robust_error),
-        (reference.to_owned(), WEAK),
-    ]
+    let mut naive = of(naive, result.naive_error);
+    let lost = result.naive_not_finite;
+    if lost > 0 {
+        let words = text!("engine-caption-lost", caption = naive.0, count = lost);
+        naive = (words, WRONG);
+    }
+    let engine = of(engine, result.robust_error);
+    [naive, engine, (reference.to_owned(), WEAK)]
 }
 
 /// Draws a picture on the sheet, each pixel as a square.
