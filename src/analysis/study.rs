@@ -224,24 +224,21 @@ impl Setting {
 
     /// Applies the setting to a scene and returns true, unless it is one of the scalar methods, which no scene has.
     pub fn load(&self, scene: &mut Scene) -> bool {
-        if !self.method.is_scalar() {
+        let drawn = !self.method.is_scalar();
+        if drawn {
             self.apply(scene);
         }
-        !self.method.is_scalar()
+        drawn
     }
 
     /// Returns whether it belongs to the same series of tessellations.
     fn is_like(&self, other: &Self) -> bool {
-        (self.method, self.interpolation, self.n.to_bits(), self.law)
-            == (
-                other.method,
-                other.interpolation,
-                other.n.to_bits(),
-                other.law,
-            )
+        let series = |of: &Self| (of.method, of.interpolation, of.n.to_bits(), of.law);
+        series(self) == series(other)
     }
 }
 
+/// Returns the title of a method, with the interpolation unless it is the usual one.
 fn title(method: Method, interpolation: Option<Interpolation>) -> String {
     let method = method.label();
     match interpolation {
@@ -400,6 +397,7 @@ impl Study {
         format!("{method} {segments}×{rings}")
     }
 
+    /// Marks the Pareto front and fits the orders of convergence.
     fn conclude(&mut self) {
         // Times of engine and scalar code are not comparable: the scalar ones count only where there are no others.
         let engine = self.rows.iter().any(|row| !row.scalar);
@@ -410,11 +408,8 @@ impl Study {
                 row.time_ms
             }
         };
-        let points: Vec<[f64; 2]> = self
-            .rows
-            .iter()
-            .map(|row| [time(row), row.error_rms])
-            .collect();
+        let points = self.rows.iter().map(|row| [time(row), row.error_rms]);
+        let points: Vec<[f64; 2]> = points.collect();
         for (row, on) in self.rows.iter_mut().zip(pareto_front(&points)) {
             row.pareto = on;
         }
@@ -429,15 +424,13 @@ impl Study {
                     law,
                     ..
                 } = rows[0].setting;
-                let order = order_of(rows.iter().map(|row| (row.spacing, row.error_max)));
-                let order_rms = order_of(rows.iter().map(|row| (row.spacing, row.error_rms)));
                 Series {
                     method,
                     interpolation,
                     n,
                     law,
-                    order,
-                    order_rms,
+                    order: order_of(rows.iter().map(|row| (row.spacing, row.error_max))),
+                    order_rms: order_of(rows.iter().map(|row| (row.spacing, row.error_rms))),
                 }
             })
             .collect();

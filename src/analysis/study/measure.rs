@@ -73,19 +73,17 @@ fn settings(
         unique(request.n.iter().copied())
     };
     let laws = request.laws(scene);
-    for (n, law) in exponents
+    let pairs = exponents
         .iter()
-        .flat_map(|n| laws.iter().map(|law| (*n, *law)))
-    {
+        .flat_map(|n| laws.iter().map(|law| (*n, *law)));
+    for (n, law) in pairs {
         for method in unique(request.methods.iter().copied()) {
             for interpolation in interpolations(method, request, scene) {
                 let mut drawn = scene.clone();
                 drawn.shading.interpolation = interpolation.unwrap_or(scene.shading.interpolation);
                 drawn.reflection.model = law.unwrap_or(scene.reflection.model);
-                if let Some(reason) = method
-                    .is_scalar()
-                    .then(|| cannot_draw(method, &drawn, model))
-                    .flatten()
+                if method.is_scalar()
+                    && let Some(reason) = cannot_draw(method, &drawn, model)
                 {
                     let omission = Omission {
                         method,
@@ -129,14 +127,11 @@ fn interpolations(
         Interpolation::Scanline if method.is_scalar() => Interpolation::Affine,
         other => other,
     };
-    unique(
-        request
-            .interpolations
-            .iter()
-            .map(|interpolation| Some(same(*interpolation))),
-    )
+    let interpolations = request.interpolations.iter();
+    unique(interpolations.map(|interpolation| Some(same(*interpolation))))
 }
 
+/// Returns the valid tessellations, segments and rings, from coarse to fine.
 fn divisions(request: &StudyQuestion, scene: &Scene) -> Vec<[u32; 2]> {
     /// Minimum number of rings for every shape.
     const LEAST_RINGS: u32 = 3;
@@ -165,6 +160,7 @@ fn divisions(request: &StudyQuestion, scene: &Scene) -> Vec<[u32; 2]> {
     all
 }
 
+/// Returns the values without repetitions, in their order.
 fn unique<T: PartialEq>(values: impl Iterator<Item = T>) -> Vec<T> {
     let mut kept = Vec::new();
     for value in values {
@@ -195,14 +191,13 @@ struct Exact {
 
 impl<'a> Measure<'a> {
     fn new(subject: &'a Subject, reference: ReflectionModel) -> Self {
-        let (renderer, historic, exact) = (subject.renderer(), Historic::default(), HashMap::new());
         Self {
             subject,
             reference,
-            renderer,
-            historic,
+            renderer: subject.renderer(),
+            historic: Historic::default(),
             mesh: None,
-            exact,
+            exact: HashMap::new(),
         }
     }
 
@@ -282,10 +277,8 @@ impl<'a> Measure<'a> {
             self.historic.draw(setting.method, &scene, mesh);
             let began = (self.subject.clock)();
             self.historic.draw(setting.method, &scene, mesh);
-            return (
-                (self.subject.clock)().saturating_sub(began),
-                self.historic.evaluations,
-            );
+            let time = (self.subject.clock)().saturating_sub(began);
+            return (time, self.historic.evaluations);
         }
         self.renderer.keep_linear(false);
         // One frame for geometry, buffers and caches, which the previous setting has left in its own state.
@@ -293,10 +286,8 @@ impl<'a> Measure<'a> {
         self.renderer.redraw();
         self.renderer.render(&scene);
         let report = self.renderer.report();
-        let tessellation = report
-            .stages
-            .iter()
-            .filter(|run| run.stage == Stage::Geometry);
+        let stages = report.stages.iter();
+        let tessellation = stages.filter(|run| run.stage == Stage::Geometry);
         let tessellation: u64 = tessellation.map(|run| run.nanoseconds).sum();
         let evaluations = report.stages.iter().map(|run| run.evaluations).sum();
         (report.nanoseconds.saturating_sub(tessellation), evaluations)
@@ -311,10 +302,8 @@ impl Exact {
         let [width, height] = scene.image.size;
         let mut pixels = renderer.linear().to_vec();
         let mut inside = vec![false; pixels.len()];
-        let (equations, view) = (
-            renderer.for_each_material(scene, Equation::<f64>::new),
-            View::new(&scene.camera, scene.image.size),
-        );
+        let equations = renderer.for_each_material(scene, Equation::<f64>::new);
+        let view = View::new(&scene.camera, scene.image.size);
         let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
         for (index, (x, y)) in places.enumerate() {
             if pixels[index][3] == 0.0 {

@@ -119,16 +119,13 @@ impl Answer for Study {
     }
 
     fn value(&self, about: &ReportContext<'_>) -> Value {
-        let orders =
-            |of: fn(&Series) -> Option<Fit>, value: fn(Fit) -> f64| -> Map<String, Value> {
-                let one = |method: &Method| {
-                    Some((
-                        method.word().to_owned(),
-                        json!(value(of(self.series_of(*method)?)?)),
-                    ))
-                };
-                Method::VALUES.iter().filter_map(one).collect()
+        let orders = |of: fn(&Series) -> Option<Fit>, value: fn(Fit) -> f64| {
+            let one = |method: &Method| {
+                let fit = of(self.series_of(*method)?)?;
+                Some((method.word().to_owned(), json!(value(fit))))
             };
+            Method::VALUES.iter().filter_map(one).collect::<Map<_, _>>()
+        };
         let cost = |method: &Method| (method.word().to_owned(), counts(method.pixel_cost()));
         json!({
             "scene": about.name,
@@ -153,6 +150,7 @@ fn codes(error: f64) -> String {
     format!("{:.3}", 255.0 * error)
 }
 
+/// Returns the table of all settings.
 fn rows(study: &Study) -> Table {
     let titled: Vec<(String, &StudyRow)> = study
         .rows
@@ -261,6 +259,7 @@ fn rows(study: &Study) -> Table {
     )
 }
 
+/// Returns the table of the orders of convergence.
 fn orders(study: &Study) -> Table {
     fn text(fit: Option<Fit>) -> Option<String> {
         fit.map(|fit| format!("{:.2} ± {:.2}", fit.slope, fit.confidence))
@@ -301,11 +300,8 @@ pub fn study_plot(study: &Study) -> Option<Plot> {
     let several_n = known
         .iter()
         .any(|(row, _)| row.setting.n.to_bits() != first.setting.n.to_bits());
-    let mut front: Vec<[f64; 2]> = known
-        .iter()
-        .filter(|(row, _)| row.pareto)
-        .map(|(_, at)| *at)
-        .collect();
+    let front = known.iter().filter(|(row, _)| row.pareto);
+    let mut front: Vec<[f64; 2]> = front.map(|(_, at)| *at).collect();
     front.sort_by(|a, b| a[0].total_cmp(&b[0]));
     let own = known
         .iter()
@@ -316,11 +312,10 @@ pub fn study_plot(study: &Study) -> Option<Plot> {
     } else {
         text!("engine-front").to_owned()
     };
-    let front = Curve::new(&name, front, Ink::Reference);
     let mut curves = vec![Curve {
         dash: Dash::Long,
         emphasised: false,
-        ..front
+        ..Curve::new(&name, front, Ink::Reference)
     }];
     let mut points = Vec::new();
     for series in known.chunk_by(|a, b| a.0.setting.is_like(&b.0.setting)) {
@@ -337,7 +332,7 @@ pub fn study_plot(study: &Study) -> Option<Plot> {
             String::new()
         };
         let name = study.method_title(method, interpolation, law) + &n;
-        let (ink, dash) = look(method);
+        let (ink, dash) = line_style(method);
         let affine = interpolation == Some(Interpolation::Affine);
         let emphasised = !affine && (law.is_none() || law != study.reference);
         let line = series.iter().map(|(_, at)| *at).collect();
@@ -382,6 +377,7 @@ pub fn study_plot(study: &Study) -> Option<Plot> {
     })
 }
 
+/// Describes a row in a few lines.
 fn about_row(study: &Study, row: &StudyRow) -> Vec<String> {
     let setting = &row.setting;
     let mut lines = vec![
@@ -429,7 +425,8 @@ pub fn study_point(row: &StudyRow) -> Option<[f64; 2]> {
     point.iter().all(|value| value.is_finite()).then_some(point)
 }
 
-fn look(method: Method) -> (Ink, Dash) {
+/// Returns the ink and the dashes of a method's curve.
+fn line_style(method: Method) -> (Ink, Dash) {
     match method {
         Method::Flat => (Ink::Shading(ShadingMode::Flat), Dash::Solid),
         Method::FlatVertexMean => (Ink::Shading(ShadingMode::Flat), Dash::Dashed),

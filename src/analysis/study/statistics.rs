@@ -89,12 +89,10 @@ pub fn pareto_front(points: &[[f64; 2]]) -> Vec<bool> {
 /// Returns the median and interquartile range of samples in nanoseconds, as milliseconds.
 pub fn median_and_spread(samples: &mut [u64]) -> (f64, f64) {
     samples.sort_unstable();
+    let milliseconds = |place: f64| samples[place as usize] as f64 / 1e6;
     let quantile = |share: f64| {
-        let (last, value) = ((samples.len() - 1) as f64, |index: usize| {
-            samples[index] as f64 / 1e6
-        });
-        let place = share * last;
-        let (below, above) = (value(place.floor() as usize), value(place.ceil() as usize));
+        let place = share * (samples.len() - 1) as f64;
+        let (below, above) = (milliseconds(place.floor()), milliseconds(place.ceil()));
         below + (above - below) * place.fract()
     };
     if samples.is_empty() {
