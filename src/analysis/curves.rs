@@ -76,18 +76,15 @@ impl Curves {
     /// Returns the plots.
     pub fn plots(&self, scene: &Scene) -> Vec<Plot> {
         let several = scene.lights.len() > 1;
-        let plots = self.kinds.iter().filter_map(|kind| {
+        let plot = |kind: &PlotKind| {
             let mut plot = self.plot(*kind, scene)?;
             if several && matches!(kind, PlotKind::Attenuation | PlotKind::Lobe) {
-                plot.title = text!(
-                    "point-plot-of-light",
-                    title = plot.title,
-                    light = self.light + 1
-                );
+                let light = self.light + 1;
+                plot.title = text!("point-plot-of-light", title = plot.title, light = light);
             }
             Some(plot)
-        });
-        plots.collect()
+        };
+        self.kinds.iter().filter_map(plot).collect()
     }
 
     /// Returns the plot of a kind; none if there is nothing to plot: no such light, or for the lobe a light that does
@@ -101,17 +98,17 @@ impl Curves {
             PlotKind::Exponent if scene.reflection.is_own_law() => {
                 law_plot(scene, hit?, self.light)
             }
-            PlotKind::Exponent => exponent_plot(
-                scene,
-                terms.map(|terms| terms.lobe_angle(scene.reflection.model).1),
-            ),
+            PlotKind::Exponent => {
+                let angle = terms.map(|terms| terms.lobe_angle(scene.reflection.model).1);
+                exponent_plot(scene, angle)
+            }
             PlotKind::Reflectance => {
                 Some(reflectance_plot(scene, terms.map(|terms| terms.incidence)))
             }
-            PlotKind::Attenuation => Some(attenuation_plot(
-                scene.lights.get(self.light)?,
-                &self.distances,
-            )),
+            PlotKind::Attenuation => {
+                let light = scene.lights.get(self.light)?;
+                Some(attenuation_plot(light, &self.distances))
+            }
             PlotKind::Lobe => lobe_plot(scene, hit?, self.light),
             _ => None,
         }

@@ -127,16 +127,20 @@ impl ReflectionLobe {
         self.own_law
     }
 
+    /// Returns the point as seen from the unit direction `v`.
+    fn seen_from(&self, v: DVec3) -> ShadingPoint<f64> {
+        ShadingPoint {
+            view: V3::from(v),
+            ..self.site
+        }
+    }
+
     /// Returns the reflection as seen from the unit direction `v`, per channel; zero from below the surface.
     pub fn channels_towards(&self, v: DVec3) -> Rgb {
         if v.dot(self.n) < BELOW {
             return Rgb::ZERO;
         }
-        let site = ShadingPoint {
-            view: V3::from(v),
-            ..self.site
-        };
-        Rgb::from_array(self.equation.illuminate(&site, None))
+        Rgb::from_array(self.equation.illuminate(&self.seen_from(v), None))
     }
 
     /// Returns the angle from R at which the reflection has fallen to half of what R has, within the plane of incidence and on
@@ -167,10 +171,7 @@ impl ReflectionLobe {
         if v.dot(self.n) < BELOW {
             return response;
         }
-        let site = ShadingPoint {
-            view: V3::from(v),
-            ..self.site
-        };
+        let site = self.seen_from(v);
         for source in &self.equation.sources {
             let terms = self.equation.respond_to(source, &site);
             let w = self.equation.reflectance(terms.incidence);

@@ -48,14 +48,12 @@ impl Distances {
             (u64::from(2 * i + 1) * u64::from(side) / u64::from(2 * SEARCH)) as u32
         };
         let pixels = (0..SEARCH).flat_map(|y| (0..SEARCH).map(move |x| (x, y)));
-        let points =
+        let seen =
             pixels.filter_map(|(x, y)| renderer.evaluation(middle(x, width), middle(y, height)));
+        let points = seen.map(|evaluation| evaluation.position);
         // The probed point is one of the visible points.
-        let seen = points
-            .map(|evaluation| evaluation.position)
-            .chain(probe)
-            .map(distance);
-        let seen: Vec<f64> = seen.filter(|d| d.is_finite()).collect();
+        let distances = points.chain(probe).map(distance);
+        let seen: Vec<f64> = distances.filter(|d| d.is_finite()).collect();
         Self {
             nearest: seen.iter().copied().reduce(f64::min),
             farthest: seen.iter().copied().reduce(f64::max),
@@ -81,12 +79,8 @@ pub fn attenuation_plot(light: &Light, distances: &Distances) -> Plot {
         Attenuation::None
     };
     let f = |d: f64| attenuation_at(light, attenuation, d);
-    let reach = distances
-        .farthest
-        .or(distances.probe)
-        .filter(|d| *d > 0.0)
-        .unwrap_or(1.0)
-        * BEYOND;
+    let farthest = distances.farthest.or(distances.probe);
+    let reach = farthest.filter(|d| *d > 0.0).unwrap_or(1.0) * BEYOND;
     let at = |law: Attenuation, i: u32| {
         let share = f64::from(i) / f64::from(SAMPLES);
         let d = reach * share * share;
@@ -134,10 +128,8 @@ pub fn attenuation_plot(light: &Light, distances: &Distances) -> Plot {
     let marks = marks.into_iter().filter_map(|(name, x, probe)| {
         let x = x?;
         let label = format!("{name}: f({}) = {}", short(x), short(f(x)));
-        let values = laws
-            .iter()
-            .map(|(law, ..)| attenuation_at(light, *law, x))
-            .enumerate();
+        let values = laws.iter().map(|(law, ..)| attenuation_at(light, *law, x));
+        let values = values.enumerate();
         Some(Mark {
             x,
             label,
@@ -179,19 +171,14 @@ pub fn attenuation_plot(light: &Light, distances: &Distances) -> Plot {
         Axis::new(distance, 0.0, reach),
         Axis::new(format!("f({symbol})"), 0.0, top),
     ];
+    let legend = distances
+        .probe
+        .map(|_| text!("point-legend-at-probe").to_owned());
+    let title = text!("point-plot-attenuation");
+    let note = text!("point-note-laws", law = attenuation_law(light));
     Plot {
-        legend: Vec::from_iter(
-            distances
-                .probe
-                .map(|_| text!("point-legend-at-probe").to_owned()),
-        ),
+        legend: legend.into_iter().collect(),
         marks,
-        ..Plot::new(
-            PlotKind::Attenuation,
-            text!("point-plot-attenuation"),
-            text!("point-note-laws", law = attenuation_law(light)),
-            axes,
-            curves,
-        )
+        ..Plot::new(PlotKind::Attenuation, title, note, axes, curves)
     }
 }

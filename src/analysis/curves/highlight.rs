@@ -1,7 +1,7 @@
 //! Falloff of the highlight with the angle φ between R and V, or α between N and H: the family of powers of its
 //! cosine, and the polar lobe of a point.
 
-use crate::analysis::lobe::ReflectionLobe;
+use crate::analysis::lobe::{ReflectionLobe, Response};
 use crate::analysis::probe::{ProbeHit, exponent};
 use crate::figure::{Axis, Curve, Dash, Direction, Ink, Mark, Plot, PlotKind, Tag, short};
 use crate::illumination::half_width;
@@ -45,7 +45,7 @@ pub fn lobe_plot(scene: &Scene, hit: &ProbeHit, light: usize) -> Option<Plot> {
     let mirror = lobe.mirror_angle();
     let half_width = lobe_half_width(&lobe, scene).max(NARROW);
     let angles = angles(&[(mirror, half_width)], FINE[0]);
-    let responses = angles.into_iter().map(|angle| {
+    let response = |angle: f64| {
         // R itself, not R to rounding: a mirror reflects in no other direction.
         let v = if angle == mirror {
             lobe.r
@@ -53,20 +53,14 @@ pub fn lobe_plot(scene: &Scene, hit: &ProbeHit, light: usize) -> Option<Plot> {
             lobe.in_plane(angle)
         };
         (angle.to_degrees(), lobe.towards(v))
-    });
-    let responses: Vec<_> = responses.collect();
-    let most = responses
-        .iter()
-        .map(|(_, response)| response.length())
-        .fold(0.0, f64::max);
-    let total = responses
-        .iter()
-        .map(|(angle, response)| [*angle, response.length()])
-        .collect();
-    let diffuse = responses
-        .iter()
-        .map(|(angle, response)| [*angle, response.diffuse])
-        .collect();
+    };
+    let responses: Vec<(f64, Response)> = angles.into_iter().map(response).collect();
+    let points = |of: fn(Response) -> f64| -> Vec<[f64; 2]> {
+        let point = |(angle, response): &(f64, Response)| [*angle, of(*response)];
+        responses.iter().map(point).collect()
+    };
+    let total = points(Response::length);
+    let most = total.iter().map(|[_, y]| *y).fold(0.0, f64::max);
     let (key, name) = if lobe.is_own_law() {
         ("law", text!("point-own-law"))
     } else {
@@ -83,7 +77,7 @@ pub fn lobe_plot(scene: &Scene, hit: &ProbeHit, light: usize) -> Option<Plot> {
             emphasised: false,
             notes: vec![short(lobe.towards(lobe.n).diffuse)],
             name: text!("point-diffuse").to_owned(),
-            ..Curve::new("diffuse", diffuse, Ink::L)
+            ..Curve::new("diffuse", points(|response| response.diffuse), Ink::L)
         },
     ];
     if lobe.is_own_law() {
@@ -118,11 +112,8 @@ pub fn lobe_plot(scene: &Scene, hit: &ProbeHit, light: usize) -> Option<Plot> {
 
 /// Returns the degrees between `vector` and the plane of incidence.
 pub(super) fn out_of_plane(lobe: &ReflectionLobe, vector: DVec3) -> f64 {
-    vector
-        .dot(lobe.n.cross(lobe.across))
-        .clamp(-1.0, 1.0)
-        .asin()
-        .to_degrees()
+    let sine = vector.dot(lobe.n.cross(lobe.across));
+    sine.clamp(-1.0, 1.0).asin().to_degrees()
 }
 
 /// Returns the directions in the plot. N, L and R lie in the plane; V is represented by its projection onto it.
@@ -174,16 +165,13 @@ pub fn exponent_plot(scene: &Scene, angle: Option<f64>) -> Option<Plot> {
         ReflectionModel::Blinn | ReflectionModel::CookTorrance => ("α", ["N", "H"]),
     };
     let (name, symbol, formula) = falling.words(letter, between);
-    let notes = vec![degrees(falling.half_width())];
     let present = Curve {
         name: text!("point-now", name = &name[..]),
-        notes,
+        notes: vec![degrees(falling.half_width())],
         ..Curve::new(name, sampled(&falling), specular_ink(scene))
     };
-    let top = present
-        .points
-        .iter()
-        .fold(1.0, |top: f64, [_, y]| top.max(*y));
+    let heights = present.points.iter().map(|[_, y]| *y);
+    let top = heights.fold(1.0, f64::max);
     let marks = angle
         .filter(|angle| angle.is_finite() && *angle <= FRAC_PI_2)
         .map(|angle| {
@@ -199,21 +187,19 @@ pub fn exponent_plot(scene: &Scene, angle: Option<f64>) -> Option<Plot> {
         });
     let mut curves = vec![present];
     for ((n, dash), height) in COURSE.into_iter().zip(DASHES).zip(TAGS) {
-        if falling != Falling::Power(n) {
+        let power = Falling::Power(n);
+        if falling != power {
             let left = -height.powf(1.0 / n).acos().to_degrees();
+            let tag = Tag {
+                text: n.to_string(),
+                at: [left, height],
+            };
             curves.push(Curve {
                 notes: vec![degrees(half_width(n))],
                 emphasised: false,
                 dash,
-                tag: Some(Tag {
-                    text: n.to_string(),
-                    at: [left, height],
-                }),
-                ..Curve::new(
-                    format!("n = {n}"),
-                    sampled(&Falling::Power(n)),
-                    Ink::Reference,
-                )
+                tag: Some(tag),
+                ..Curve::new(format!("n = {n}"), sampled(&power), Ink::Reference)
             });
         }
     }
@@ -344,6 +330,7 @@ impl Falling {
     }
 }
 
+/// Formats the power of an angle's cosine.
 fn power(letter: &str) -> String {
     format!("cosⁿ{letter}")
 }

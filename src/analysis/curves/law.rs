@@ -30,24 +30,22 @@ pub fn law_plot(scene: &Scene, hit: &ProbeHit, light: usize) -> Option<Plot> {
     }
     let lobe = ReflectionLobe::at(&alone, hit, light)?;
     let mirror = lobe.mirror_angle();
-    let values: Vec<(f64, Rgb)> = angles(&SCALES.map(|scale| (mirror, scale)), FINE[0])
-        .into_iter()
-        .map(|angle| {
-            let value = lobe.channels_towards(lobe.in_plane(angle));
-            (angle.to_degrees(), value)
-        })
-        .collect();
-    let grey = |value: &Rgb| *value == Rgb::splat(value.x);
-    let is_grey = values.iter().all(|(_, value)| grey(value));
+    let angles = angles(&SCALES.map(|scale| (mirror, scale)), FINE[0]).into_iter();
+    let values = angles.map(|angle| {
+        let value = lobe.channels_towards(lobe.in_plane(angle));
+        (angle.to_degrees(), value)
+    });
+    let values: Vec<(f64, Rgb)> = values.collect();
+    let mut colors = values.iter().map(|(_, value)| *value);
+    let is_grey = colors.all(|value| value == Rgb::splat(value.x));
     let points = |channel: usize| -> Vec<[f64; 2]> {
         let of = |(angle, value): &(f64, Rgb)| [*angle, value[channel]];
         values.iter().map(of).collect()
     };
     let curves: Vec<Curve> = if is_grey {
-        let curve = Curve::new("law", points(0), specular_ink(scene));
         vec![Curve {
             name: text!("point-own-law").to_owned(),
-            ..curve
+            ..Curve::new("law", points(0), specular_ink(scene))
         }]
     } else {
         let channels = (0u8..).zip(CHANNELS);
@@ -69,27 +67,21 @@ pub fn law_plot(scene: &Scene, hit: &ProbeHit, light: usize) -> Option<Plot> {
     };
     let (seen, out) = (lobe.channels_towards(lobe.v), out_of_plane(&lobe, lobe.v));
     let value = short(luminance(seen));
-    let mut note = text!(
-        "point-note-own-law",
-        theta = degrees(mirror),
-        value = &*value
-    );
+    let theta = degrees(mirror);
+    let mut note = text!("point-note-own-law", theta = theta, value = &*value);
     let at = lobe.v.dot(lobe.across).atan2(lobe.v.dot(lobe.n));
+    let channels = 0..curves.len();
     let mark = Mark {
         x: at.to_degrees(),
         label: format!("{}: {value}", text!("point-mark-probe")),
-        values: (0..curves.len())
-            .map(|curve| (curve, seen[curve]))
-            .collect(),
+        values: channels.map(|channel| (channel, seen[channel])).collect(),
         probe: true,
     };
     let in_plane = out.abs() < IN_PLANE;
     if !in_plane {
         note += text!("point-sentence-gap");
-        note += &text!(
-            "point-note-out-of-plane",
-            angle = format!("{:.0}°", out.abs())
-        );
+        let angle = format!("{:.0}°", out.abs());
+        note += &text!("point-note-out-of-plane", angle = angle);
     }
     let axes = [
         Axis::degrees(text!("point-axis-from-normal"), -90.0, 90.0),

@@ -78,8 +78,8 @@ pub fn reflectance_plot(scene: &Scene, incidence: Option<f64>) -> Plot {
         .map(|theta| {
             let values: Vec<f64> = w(theta).to_array()[..channels.len()].to_vec();
             let texts: Vec<String> = values.iter().copied().map(short).collect();
-            let probe = text!("point-mark-probe");
-            let label = format!("{probe}: W({}) = {}", degrees(theta), texts.join(", "));
+            let (probe, texts) = (text!("point-mark-probe"), texts.join(", "));
+            let label = format!("{probe}: W({}) = {texts}", degrees(theta));
             Mark {
                 x: theta.to_degrees(),
                 label,
@@ -92,16 +92,11 @@ pub fn reflectance_plot(scene: &Scene, incidence: Option<f64>) -> Plot {
         Axis::new("W(θ)", 0.0, 1.0),
     ];
     let title = text!("point-plot-reflectance", substance = substance(present));
+    let note = reflectance_note(scene, index);
     Plot {
         legend: READ_AT.map(|angle| format!("W({angle}°)")).to_vec(),
         marks: marks.into_iter().collect(),
-        ..Plot::new(
-            PlotKind::Reflectance,
-            title,
-            reflectance_note(scene, index),
-            axes,
-            curves,
-        )
+        ..Plot::new(PlotKind::Reflectance, title, note, axes, curves)
     }
 }
 
@@ -140,6 +135,7 @@ const SUBSTANCES: [Substance; 4] = [
     ),
 ];
 
+/// Returns the name of a substance.
 fn substance(reflectance: Reflectance) -> &'static str {
     match reflectance {
         Reflectance::Constant => text!("point-constant"),
