@@ -8,7 +8,9 @@ pub use sheet::{
 };
 
 use super::perception::pixel_luminance;
-use super::report::{Answer, Column, Part, Report, ReportContext, Table, as_it_is, fixed, word};
+use super::report::{
+    Answer, Column, Part, Report, ReportContext, Table, as_it_is, fixed, table, word,
+};
 use super::{Question, Subject, Watch};
 use crate::scene::Scene;
 use crate::text;
@@ -301,67 +303,23 @@ impl Comparison {
     }
 }
 
-fn table(panes: &[PaneFigures]) -> Table {
-    Table::from_rows(
-        panes,
-        [
-            (
-                Column::both("pane", text!("picture-column-pane"), as_it_is),
-                |pane| pane.name.as_str().into(),
-            ),
-            (
-                Column::both("brightest", text!("picture-column-brightest"), fixed::<4>).extra(),
-                |pane| pane.brightest.map(|b| b.value).into(),
-            ),
-            (Column::key("brightest_x"), |pane| {
-                pane.brightest.map(|b| b.at[0]).into()
-            }),
-            (Column::key("brightest_y"), |pane| {
-                pane.brightest.map(|b| b.at[1]).into()
-            }),
-            (Column::key("pixels"), |pane| {
-                pane.error.map(|e| e.pixels).into()
-            }),
-            (
-                Column::both("mean", text!("picture-column-mean"), fixed::<4>),
-                |pane| pane.error.map(|e| e.mean).into(),
-            ),
-            (Column::both("rms", "RMS", fixed::<4>), |pane| {
-                pane.error.map(|e| e.rms).into()
-            }),
-            (
-                Column::both("greatest", text!("picture-column-greatest"), fixed::<4>),
-                |pane| pane.error.map(|e| e.greatest).into(),
-            ),
-            (
-                Column::shown(text!("picture-column-at"), as_it_is).extra(),
-                |pane| {
-                    pane.error
-                        .and_then(|e| e.at)
-                        .map(|[x, y]| format!("{x},{y}"))
-                        .into()
-                },
-            ),
-            (Column::key("x"), |pane| {
-                pane.error.and_then(|e| e.at).map(|at| at[0]).into()
-            }),
-            (Column::key("y"), |pane| {
-                pane.error.and_then(|e| e.at).map(|at| at[1]).into()
-            }),
-            (
-                Column::shown(text!("picture-column-region"), as_it_is).extra(),
-                |pane| {
-                    pane.error
-                        .and_then(|e| e.region)
-                        .map(ErrorRegion::name)
-                        .into()
-                },
-            ),
-            (Column::key("region"), |pane| {
-                pane.error.and_then(|e| e.region).as_ref().map(word).into()
-            }),
-        ],
-    )
+/// Returns the table of the figures of all panes.
+fn figures(panes: &[PaneFigures]) -> Table {
+    table! { pane in panes;
+        Column::both("pane", text!("picture-column-pane"), as_it_is) => pane.name.as_str();
+        Column::both("brightest", text!("picture-column-brightest"), fixed::<4>).extra() => pane.brightest.map(|b| b.value);
+        Column::key("brightest_x") => pane.brightest.map(|b| b.at[0]);
+        Column::key("brightest_y") => pane.brightest.map(|b| b.at[1]);
+        Column::key("pixels") => pane.error.map(|e| e.pixels);
+        Column::both("mean", text!("picture-column-mean"), fixed::<4>) => pane.error.map(|e| e.mean);
+        Column::both("rms", "RMS", fixed::<4>) => pane.error.map(|e| e.rms);
+        Column::both("greatest", text!("picture-column-greatest"), fixed::<4>) => pane.error.map(|e| e.greatest);
+        Column::shown(text!("picture-column-at"), as_it_is).extra() => pane.error.and_then(|e| e.at).map(|[x, y]| format!("{x},{y}"));
+        Column::key("x") => pane.error.and_then(|e| e.at).map(|at| at[0]);
+        Column::key("y") => pane.error.and_then(|e| e.at).map(|at| at[1]);
+        Column::shown(text!("picture-column-region"), as_it_is).extra() => pane.error.and_then(|e| e.region).map(ErrorRegion::name);
+        Column::key("region") => pane.error.and_then(|e| e.region).as_ref().map(word);
+    }
 }
 
 impl Answer for Comparison {
@@ -374,7 +332,7 @@ impl Answer for Comparison {
             reference = reference.map_or("", |pane| pane.name.as_str())
         ));
         report.section("").note(text!("picture-linear"));
-        report.section("").push(Part::Table(table(&panes)));
+        report.section("").push(Part::Table(figures(&panes)));
         report
     }
 

@@ -3,7 +3,8 @@
 use super::bench::{CHANGES, StageTimes, WARM_UP, change_name, changed, median_ms};
 use super::plan_words::{per_words, stage_words};
 use super::report::{
-    Answer, Column, Part, Report, ReportContext, Table, as_it_is, cells, fixed, grouped, word,
+    Answer, Column, Part, Report, ReportContext, Table, as_it_is, cells, fixed, grouped, table,
+    word,
 };
 use super::{Question, Subject, Watch};
 use crate::render::{Renderer, Stage, StageRun, Term};
@@ -255,21 +256,14 @@ impl Answer for FramePlan {
     }
 
     fn table(&self) -> Option<Table> {
-        Some(Table::from_rows(
-            &self.terms,
-            [
-                (Column::key("stage"), |term| word(&term.stage).into()),
-                (Column::key("name"), |term| term.name.to_string().into()),
-                (Column::key("per"), |term| word(&term.per).into()),
-                (Column::key("evaluations"), |term| term.evaluations.into()),
-                (Column::key("omitted"), |term| {
-                    term.omitted.map(Message::text).into()
-                }),
-                (Column::key("note"), |term| {
-                    term.note.map(Message::text).into()
-                }),
-            ],
-        ))
+        Some(table! { term in &self.terms;
+            Column::key("stage") => word(&term.stage);
+            Column::key("name") => term.name.to_string();
+            Column::key("per") => word(&term.per);
+            Column::key("evaluations") => term.evaluations;
+            Column::key("omitted") => term.omitted.map(Message::text);
+            Column::key("note") => term.note.map(Message::text);
+        })
     }
 
     fn value(&self, about: &ReportContext<'_>) -> Value {

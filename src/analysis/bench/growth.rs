@@ -3,7 +3,7 @@
 //! alike, each once uncounted just before, and slow ones in fewer of the rounds.
 
 use super::{Run, median_ms};
-use crate::analysis::report::{Column, Part, Report, Table, as_it_is, fixed};
+use crate::analysis::report::{Column, Part, Report, as_it_is, fixed, table};
 use crate::analysis::study::{Fit, order_of};
 use crate::geometry::{divisions_for, triangles};
 use crate::render::Renderer;
@@ -194,28 +194,13 @@ impl Growth {
         ];
         for (name, series) in series {
             let Some(series) = series else { continue };
-            let table = Table::from_rows(
-                &series.rows,
-                [
-                    (Column::shown(text!("engine-pixels"), as_it_is), |row| {
-                        row.pixels.into()
-                    }),
-                    (Column::shown(text!("engine-triangles"), as_it_is), |row| {
-                        row.triangles.into()
-                    }),
-                    (Column::shown(text!("engine-frames"), as_it_is), |row| {
-                        row.frames.into()
-                    }),
-                    (
-                        Column::shown(text!("engine-median-ms"), fixed::<3>),
-                        |row| row.median_ms.into(),
-                    ),
-                    (
-                        Column::shown(text!("engine-fastest-ms"), fixed::<3>),
-                        |row| row.fastest_ms.into(),
-                    ),
-                ],
-            );
+            let table = table! { row in &series.rows;
+                Column::shown(text!("engine-pixels"), as_it_is) => row.pixels;
+                Column::shown(text!("engine-triangles"), as_it_is) => row.triangles;
+                Column::shown(text!("engine-frames"), as_it_is) => row.frames;
+                Column::shown(text!("engine-median-ms"), fixed::<3>) => row.median_ms;
+                Column::shown(text!("engine-fastest-ms"), fixed::<3>) => row.fastest_ms;
+            };
             let section = report.section(text!(name));
             section.push(Part::Table(table));
             let fits = [

@@ -2,7 +2,7 @@
 
 use super::{NormalField, VertexNormal};
 use crate::analysis::report::{
-    Answer, Column, Part, Report, ReportContext, Table, as_it_is, fixed,
+    Answer, Column, Part, Report, ReportContext, as_it_is, fixed, table,
 };
 use crate::analysis::{Question, Subject, Watch};
 use crate::geometry::NormalOrigin;
@@ -153,33 +153,16 @@ impl Answer for FoundNormal {
             Some(_) => text!("picture-column-area"),
             None => text!("picture-column-weight"),
         };
-        let table = Table::from_rows(
-            &vertex.faces,
-            [
-                (
-                    Column::both("face", text!("picture-column-face"), as_it_is),
-                    |face| face.face.into(),
-                ),
-                (
-                    Column::both("share", text!("picture-column-share"), fixed::<4>),
-                    |face| face.share.into(),
-                ),
-                (Column::both("weight", weight, fixed::<5>), |face| {
-                    face.weight.into()
-                }),
-                (
-                    Column::both("angle", text!("picture-column-off"), fixed::<3>),
-                    |face| face.angle.into(),
-                ),
-                (
-                    Column::shown(text!("picture-column-normal"), as_it_is),
-                    |face| triple(face.normal).into(),
-                ),
-                (Column::key("nx"), |face| face.normal.x.into()),
-                (Column::key("ny"), |face| face.normal.y.into()),
-                (Column::key("nz"), |face| face.normal.z.into()),
-            ],
-        );
+        let table = table! { face in &vertex.faces;
+            Column::both("face", text!("picture-column-face"), as_it_is) => face.face;
+            Column::both("share", text!("picture-column-share"), fixed::<4>) => face.share;
+            Column::both("weight", weight, fixed::<5>) => face.weight;
+            Column::both("angle", text!("picture-column-off"), fixed::<3>) => face.angle;
+            Column::shown(text!("picture-column-normal"), as_it_is) => triple(face.normal);
+            Column::key("nx") => face.normal.x;
+            Column::key("ny") => face.normal.y;
+            Column::key("nz") => face.normal.z;
+        };
         report.section("").push(Part::Table(table));
         report
     }

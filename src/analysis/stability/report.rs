@@ -6,7 +6,7 @@ use super::{
 };
 use crate::analysis::codec::Codec;
 use crate::analysis::report::{
-    Answer, Column, Figure, Part, Report, ReportContext, Section, Table, as_it_is,
+    Answer, Column, Figure, Part, Report, ReportContext, Section, Table, as_it_is, table,
 };
 use crate::analysis::{Question, Subject, Watch};
 use crate::figure::{Drawing, Paper, Text, magnitude};
@@ -115,42 +115,18 @@ pub(super) fn error(value: f64) -> String {
 }
 
 fn rows(results: &[Arc<CaseResult>]) -> Table {
-    Table::from_rows(
-        results,
-        [
-            (Column::shown(text!("engine-case"), as_it_is), |result| {
-                result.case.title().into()
-            }),
-            (Column::key("name"), |result| result.case.name.into()),
-            (Column::key("topic"), |result| {
-                result.case.topic.label().into()
-            }),
-            (
-                Column::both("condition", text!("engine-condition"), magnitude).extra(),
-                |result| result.case.condition.map(|c| c.value).into(),
-            ),
-            (
-                Column::both("naive_error", text!("engine-naive-short"), error),
-                |result| result.naive_error.into(),
-            ),
-            (
-                Column::both("robust_error", text!("engine-this-short"), error),
-                |result| result.robust_error.into(),
-            ),
-            (Column::key("verdict"), |result| {
-                result.verdict.label().into()
-            }),
-            (Column::key("pixels"), |result| result.pixels.into()),
-            (
-                Column::both("naive_off", text!("engine-pixels-off"), as_it_is).extra(),
-                |result| result.naive_off.into(),
-            ),
-            (
-                Column::both("naive_not_finite", text!("engine-not-finite"), as_it_is).extra(),
-                |result| result.naive_not_finite.into(),
-            ),
-        ],
-    )
+    table! { result in results;
+        Column::shown(text!("engine-case"), as_it_is) => result.case.title();
+        Column::key("name") => result.case.name;
+        Column::key("topic") => result.case.topic.label();
+        Column::both("condition", text!("engine-condition"), magnitude).extra() => result.case.condition.map(|c| c.value);
+        Column::both("naive_error", text!("engine-naive-short"), error) => result.naive_error;
+        Column::both("robust_error", text!("engine-this-short"), error) => result.robust_error;
+        Column::key("verdict") => result.verdict.label();
+        Column::key("pixels") => result.pixels;
+        Column::both("naive_off", text!("engine-pixels-off"), as_it_is).extra() => result.naive_off;
+        Column::both("naive_not_finite", text!("engine-not-finite"), as_it_is).extra() => result.naive_not_finite;
+    }
 }
 
 impl Answer for Catalogue {

@@ -3,7 +3,7 @@
 use super::{Fit, Method, Series, Setting, Study, StudyQuestion, StudyRow, study};
 use crate::analysis::codec::Codec;
 use crate::analysis::report::{
-    Answer, Column, Figure, Part, Report, ReportContext, Table, as_it_is, fixed,
+    Answer, Column, Figure, Part, Report, ReportContext, Table, as_it_is, fixed, table,
 };
 use crate::analysis::{Question, Subject, Watch};
 use crate::figure::{Axis, Curve, Dash, Ink, Paper, Plot, PlotKind, PlotStyle, Point, lay_out};
@@ -152,111 +152,51 @@ fn codes(error: f64) -> String {
 
 /// Returns the table of all settings.
 fn rows(study: &Study) -> Table {
-    let titled: Vec<(String, &StudyRow)> = study
-        .rows
-        .iter()
-        .map(|row| (study.title(&row.setting), row))
-        .collect();
     // Where one law is measured, columns about laws are for files alone.
     let of_law = |key, head: &'static str, show| match study.reference {
         Some(_) => Column::both(key, head, show).extra(),
         None => Column::key(key),
     };
-    Table::from_rows(
-        &titled,
-        [
-            (Column::shown("", as_it_is), |(title, _)| {
-                title.as_str().into()
-            }),
-            (Column::key("method"), |(_, row)| {
-                row.setting.method.word().into()
-            }),
-            (Column::key("segments"), |(_, row)| {
-                row.setting.segments.into()
-            }),
-            (Column::key("rings"), |(_, row)| row.setting.rings.into()),
-            (Column::key("interpolation"), |(_, row)| {
-                row.setting
-                    .interpolation
-                    .map_or("none", Choice::word)
-                    .into()
-            }),
-            (Column::both("n", "n", as_it_is).extra(), |(_, row)| {
-                row.setting.n.into()
-            }),
-            (Column::key("spacing"), |(_, row)| row.spacing.into()),
-            (
-                Column::both("error_rms", text!("engine-rms"), codes),
-                |(_, row)| row.error_rms.into(),
-            ),
-            (
-                Column::both("error_max", text!("engine-greatest"), codes).extra(),
-                |(_, row)| row.error_max.into(),
-            ),
-            (
-                Column::both("error_p99", "99 %", codes).extra(),
-                |(_, row)| row.error_p99.into(),
-            ),
-            (Column::key("interior_pixels"), |(_, row)| {
-                row.interior_pixels.into()
-            }),
-            (
-                Column::both("outline_pixels", text!("engine-outline"), as_it_is).extra(),
-                |(_, row)| row.outline_pixels.into(),
-            ),
-            (Column::key("outline_rms"), |(_, row)| {
-                row.outline_rms.into()
-            }),
-            (
-                Column::both("time_ms", text!("engine-time-ms"), fixed::<3>),
-                |(_, row)| row.time_ms.into(),
-            ),
-            (
-                Column::both("spread_ms", text!("engine-spread"), fixed::<3>).extra(),
-                |(_, row)| row.spread_ms.into(),
-            ),
-            (Column::key("samples"), |(_, row)| row.samples.into()),
-            (
-                Column::both("evaluations", text!("engine-evaluations"), as_it_is).extra(),
-                |(_, row)| row.evaluations.into(),
-            ),
-            (Column::key("pareto"), |(_, row)| {
-                row.pareto.to_string().into()
-            }),
-            (Column::key("scalar"), |(_, row)| {
-                row.scalar.to_string().into()
-            }),
-            (
-                Column::both("error_rms_shown", text!("engine-rms-shown"), codes).extra(),
-                |(_, row)| row.error_rms_shown.into(),
-            ),
-            (Column::key("error_max_shown"), |(_, row)| {
-                row.error_max_shown.into()
-            }),
-            (Column::key("law"), |(_, row)| {
-                row.setting.law.map(Choice::word).into()
-            }),
-            (
-                of_law("law_rms", text!("engine-law-rms"), codes),
-                |(_, row)| row.law_rms.into(),
-            ),
-            (of_law("additions", "+", as_it_is), |(_, row)| {
-                row.operations.map(|[count, ..]| count).into()
-            }),
-            (of_law("multiplications", "×", as_it_is), |(_, row)| {
-                row.operations.map(|[_, count, ..]| count).into()
-            }),
-            (of_law("divisions", "÷ √", as_it_is), |(_, row)| {
-                row.operations.map(|[.., count, _]| count).into()
-            }),
-            (of_law("powers", "x^n", as_it_is), |(_, row)| {
-                row.operations.map(|[.., count]| count).into()
-            }),
-            (Column::shown("", as_it_is), |(_, row)| {
-                if row.pareto { "*" } else { "" }.into()
-            }),
-        ],
-    )
+    let table = table! { row in &study.rows;
+        Column::key("method") => row.setting.method.word();
+        Column::key("segments") => row.setting.segments;
+        Column::key("rings") => row.setting.rings;
+        Column::key("interpolation") => row.setting.interpolation.map_or("none", Choice::word);
+        Column::both("n", "n", as_it_is).extra() => row.setting.n;
+        Column::key("spacing") => row.spacing;
+        Column::both("error_rms", text!("engine-rms"), codes) => row.error_rms;
+        Column::both("error_max", text!("engine-greatest"), codes).extra() => row.error_max;
+        Column::both("error_p99", "99 %", codes).extra() => row.error_p99;
+        Column::key("interior_pixels") => row.interior_pixels;
+        Column::both("outline_pixels", text!("engine-outline"), as_it_is).extra() => row.outline_pixels;
+        Column::key("outline_rms") => row.outline_rms;
+        Column::both("time_ms", text!("engine-time-ms"), fixed::<3>) => row.time_ms;
+        Column::both("spread_ms", text!("engine-spread"), fixed::<3>).extra() => row.spread_ms;
+        Column::key("samples") => row.samples;
+        Column::both("evaluations", text!("engine-evaluations"), as_it_is).extra() => row.evaluations;
+        Column::key("pareto") => row.pareto.to_string();
+        Column::key("scalar") => row.scalar.to_string();
+        Column::both("error_rms_shown", text!("engine-rms-shown"), codes).extra() => row.error_rms_shown;
+        Column::key("error_max_shown") => row.error_max_shown;
+        Column::key("law") => row.setting.law.map(Choice::word);
+        of_law("law_rms", text!("engine-law-rms"), codes) => row.law_rms;
+        of_law("additions", "+", as_it_is) => row.operations.map(|[count, ..]| count);
+        of_law("multiplications", "×", as_it_is) => row.operations.map(|[_, count, ..]| count);
+        of_law("divisions", "÷ √", as_it_is) => row.operations.map(|[.., count, _]| count);
+        of_law("powers", "x^n", as_it_is) => row.operations.map(|[.., count]| count);
+        Column::shown("", as_it_is) => if row.pareto { "*" } else { "" };
+    };
+    let titles = study.rows.iter().map(|row| study.title(&row.setting));
+    with_titles(table, titles)
+}
+
+/// Adds a first column with the titles of the rows.
+fn with_titles(mut table: Table, titles: impl Iterator<Item = String>) -> Table {
+    table.columns.insert(0, Column::shown("", as_it_is));
+    for (row, title) in table.rows.iter_mut().zip(titles) {
+        row.insert(0, title.into());
+    }
+    table
 }
 
 /// Returns the table of the orders of convergence.
@@ -265,28 +205,12 @@ fn orders(study: &Study) -> Table {
         fit.map(|fit| format!("{:.2} ± {:.2}", fit.slope, fit.confidence))
     }
     let title = |own: &Series| study.method_title(own.method, own.interpolation, own.law);
-    let titled: Vec<(String, &Series)> = study
-        .series
-        .iter()
-        .map(|series| (title(series), series))
-        .collect();
-    Table::from_rows(
-        &titled,
-        [
-            (Column::shown("", as_it_is), |(title, _)| {
-                title.as_str().into()
-            }),
-            (Column::shown("n", as_it_is), |(_, series)| series.n.into()),
-            (
-                Column::shown(text!("engine-order-greatest"), as_it_is),
-                |(_, series)| text(series.order).into(),
-            ),
-            (
-                Column::shown(text!("engine-order-rms"), as_it_is),
-                |(_, series)| text(series.order_rms).into(),
-            ),
-        ],
-    )
+    let table = table! { series in &study.series;
+        Column::shown("n", as_it_is) => series.n;
+        Column::shown(text!("engine-order-greatest"), as_it_is) => text(series.order);
+        Column::shown(text!("engine-order-rms"), as_it_is) => text(series.order_rms);
+    };
+    with_titles(table, study.series.iter().map(title))
 }
 
 /// Plots error over time, both logarithmic: a curve for each method, and the Pareto front; none before any is known.

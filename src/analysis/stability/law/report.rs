@@ -2,7 +2,7 @@
 
 use super::{LawOperation, LawStability, PrecisionError};
 use crate::analysis::report::{
-    Cell, Column, Part, Report, ReportContext, Table, as_it_is, cells, grouped,
+    Column, Part, Report, ReportContext, Table, as_it_is, cells, grouped, table,
 };
 use crate::analysis::stability::report::error;
 use crate::figure::magnitude;
@@ -109,49 +109,24 @@ impl LawStability {
     }
 }
 
-/// A column with its cell for an operation.
-type OperationColumn = (Column, fn(&LawOperation) -> Cell);
-
-/// Returns the columns that both lists have.
-fn place_columns() -> [OperationColumn; 3] {
-    [
-        (
-            Column::shown(text!("engine-law-operation"), as_it_is),
-            |of| of.operation.as_str().into(),
-        ),
-        (
-            Column::shown(text!("engine-law-line"), as_it_is).extra(),
-            |of| of.line.into(),
-        ),
-        (Column::shown(text!("engine-law-pixels"), as_it_is), |of| {
-            of.pixels.into()
-        }),
-    ]
-}
-
 fn losses(operations: &[LawOperation]) -> Table {
-    let [operation, line, pixels] = place_columns();
-    Table::from_rows(
-        operations,
-        [
-            operation,
-            line,
-            pixels,
-            (Column::shown(text!("engine-law-error"), error), |of| {
-                of.error.into()
-            }),
-            (Column::shown(text!("engine-condition"), condition), |of| {
-                of.condition.into()
-            }),
-            (Column::shown(text!("engine-law-worst"), as_it_is), pixel),
-        ],
-    )
+    table! { of in operations;
+        Column::shown(text!("engine-law-operation"), as_it_is) => of.operation.as_str();
+        Column::shown(text!("engine-law-line"), as_it_is).extra() => of.line;
+        Column::shown(text!("engine-law-pixels"), as_it_is) => of.pixels;
+        Column::shown(text!("engine-law-error"), error) => of.error;
+        Column::shown(text!("engine-condition"), condition) => of.condition;
+        Column::shown(text!("engine-law-worst"), as_it_is) => pixel(of);
+    }
 }
 
 fn places(operations: &[LawOperation]) -> Table {
-    let [operation, line, pixels] = place_columns();
-    let first: OperationColumn = (Column::shown(text!("engine-law-first"), as_it_is), pixel);
-    Table::from_rows(operations, [operation, line, pixels, first])
+    table! { of in operations;
+        Column::shown(text!("engine-law-operation"), as_it_is) => of.operation.as_str();
+        Column::shown(text!("engine-law-line"), as_it_is).extra() => of.line;
+        Column::shown(text!("engine-law-pixels"), as_it_is) => of.pixels;
+        Column::shown(text!("engine-law-first"), as_it_is) => pixel(of);
+    }
 }
 
 fn condition(value: f64) -> String {
@@ -162,7 +137,7 @@ fn condition(value: f64) -> String {
     }
 }
 
-fn pixel(of: &LawOperation) -> Cell {
+fn pixel(of: &LawOperation) -> String {
     let [x, y] = of.at;
-    format!("({x}, {y})").into()
+    format!("({x}, {y})")
 }
