@@ -174,8 +174,8 @@ impl<W: Work> Listener<W> {
         wake: impl Fn(Duration) + 'static,
     ) -> impl FnMut(page::WorkerMessage<'_>) + 'static {
         let ended = || text!("render-job-ended").to_owned();
-        move |said| {
-            let over = match said {
+        move |message| {
+            let over = match message {
                 page::WorkerMessage::At(share) => {
                     let thousandths = (1000.0 * share) as u32;
                     self.progress.share.store(thousandths, Ordering::Relaxed);

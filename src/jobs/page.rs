@@ -27,18 +27,21 @@ pub enum WorkerMessage<'a> {
     Stopped,
 }
 
-type Hear = Box<dyn FnMut(WorkerMessage<'_>)>;
+/// A receiver of a worker's messages.
+type OnMessage = Box<dyn FnMut(WorkerMessage<'_>)>;
 
+/// Work that waits for a worker.
 struct Order {
     number: u64,
     message: JsValue,
-    hear: Hear,
+    on_message: OnMessage,
 }
 
+/// A worker with its work.
 struct Busy {
     worker: Worker,
     number: u64,
-    hear: Hear,
+    on_message: OnMessage,
 }
 
 #[derive(Default)]
@@ -62,8 +65,12 @@ pub fn later(work: impl FnOnce() + 'static) {
     }
 }
 
-/// Sends work of this name to a worker; `hear` receives its messages.
-pub fn send(name: &str, content: Vec<u8>, hear: impl FnMut(WorkerMessage<'_>) + 'static) -> u64 {
+/// Sends work of this name to a worker; `on_message` receives its messages.
+pub fn send(
+    name: &str,
+    content: Vec<u8>,
+    on_message: impl FnMut(WorkerMessage<'_>) + 'static,
+) -> u64 {
     let place = Language::ALL.iter().position(|known| *known == language());
     let message = Array::of5(
         &name.into(),
@@ -77,7 +84,7 @@ pub fn send(name: &str, content: Vec<u8>, hear: impl FnMut(WorkerMessage<'_>) + 
         pool.orders.push_back(Order {
             number: pool.sent,
             message: message.into(),
-            hear: Box::new(hear),
+            on_message: Box::new(on_message),
         });
         pool.sent
     });
@@ -87,18 +94,18 @@ pub fn send(name: &str, content: Vec<u8>, hear: impl FnMut(WorkerMessage<'_>) + 
 
 /// Cancels work that was sent, if it is still running.
 pub fn cancel(number: u64) {
-    let hear = POOL.with_borrow_mut(|pool| {
+    let on_message = POOL.with_borrow_mut(|pool| {
         let waiting = pool.orders.iter().position(|order| order.number == number);
         if let Some(order) = waiting.and_then(|place| pool.orders.remove(place)) {
-            return Some(order.hear);
+            return Some(order.on_message);
         }
         let place = pool.busy.iter().position(|busy| busy.number == number)?;
         let busy = pool.busy.swap_remove(place);
         busy.worker.terminate();
-        Some(busy.hear)
+        Some(busy.on_message)
     });
-    if let Some(mut hear) = hear {
-        hear(WorkerMessage::Stopped);
+    if let Some(mut on_message) = on_message {
+        on_message(WorkerMessage::Stopped);
         begin();
     }
 }
@@ -113,24 +120,25 @@ fn begin() {
             let Order {
                 number,
                 message,
-                hear,
+                on_message,
             } = order;
             match worker.and_then(|worker| worker.post_message(&message).map(|()| worker)) {
                 Ok(worker) => pool.busy.push(Busy {
                     worker,
                     number,
-                    hear,
+                    on_message,
                 }),
-                Err(_) => return Some(hear),
+                Err(_) => return Some(on_message),
             }
         }
         None
     });
-    if let Some(mut hear) = refused {
-        hear(WorkerMessage::Stopped);
+    if let Some(mut on_message) = refused {
+        on_message(WorkerMessage::Stopped);
     }
 }
 
+/// Starts a worker, and gives it the program.
 fn worker() -> Result<Worker, JsValue> {
     let options = WorkerOptions::new();
     options.set_type(WorkerType::Module);
@@ -141,12 +149,12 @@ fn worker() -> Result<Worker, JsValue> {
     }
     worker.post_message(&program)?;
     let of = worker.clone();
-    let said = Closure::<dyn FnMut(MessageEvent)>::new(move |event: MessageEvent| {
-        hear(&of, &event.data());
+    let heard = Closure::<dyn FnMut(MessageEvent)>::new(move |event: MessageEvent| {
+        handle_message(&of, &event.data());
     });
-    worker.set_onmessage(Some(said.into_js_value().unchecked_ref()));
+    worker.set_onmessage(Some(heard.into_js_value().unchecked_ref()));
     let of = worker.clone();
-    let failed = Closure::<dyn FnMut(ErrorEvent)>::new(move |_| lose(&of));
+    let failed = Closure::<dyn FnMut(ErrorEvent)>::new(move |_| handle_failure(&of));
     worker.set_onerror(Some(failed.into_js_value().unchecked_ref()));
     Ok(worker)
 }
@@ -156,7 +164,7 @@ fn is(one: &Worker, other: &Worker) -> bool {
 }
 
 /// Handles a message: its kind, and its content.
-fn hear(worker: &Worker, message: &JsValue) {
+fn handle_message(worker: &Worker, message: &JsValue) {
     let message: &Array = message.unchecked_ref();
     let kind = message.get(0).as_f64().unwrap_or(0.0) as u32;
     let is_kind = |known: MessageKind| kind == known as u32;
@@ -165,13 +173,14 @@ fn hear(worker: &Worker, message: &JsValue) {
         .dyn_ref::<Uint8Array>()
         .map(Uint8Array::to_vec)
         .unwrap_or_default();
-    let said = match () {
-        () if is_kind(MessageKind::Share) => {
-            WorkerMessage::At(content.as_f64().unwrap_or(0.0) as f32)
-        }
-        () if is_kind(MessageKind::SoFar) => WorkerMessage::SoFar(&bytes),
-        () if is_kind(MessageKind::Answer) => WorkerMessage::Over(&bytes),
-        () => WorkerMessage::Failed(content.as_string().unwrap_or_default()),
+    let message = if is_kind(MessageKind::Share) {
+        WorkerMessage::At(content.as_f64().unwrap_or(0.0) as f32)
+    } else if is_kind(MessageKind::SoFar) {
+        WorkerMessage::SoFar(&bytes)
+    } else if is_kind(MessageKind::Answer) {
+        WorkerMessage::Over(&bytes)
+    } else {
+        WorkerMessage::Failed(content.as_string().unwrap_or_default())
     };
     let place = |pool: &Pool| pool.busy.iter().position(|busy| is(&busy.worker, worker));
     let Some(mut busy) =
@@ -179,8 +188,8 @@ fn hear(worker: &Worker, message: &JsValue) {
     else {
         return;
     };
-    let goes_on = matches!(said, WorkerMessage::At(_) | WorkerMessage::SoFar(_));
-    (busy.hear)(said);
+    let goes_on = matches!(message, WorkerMessage::At(_) | WorkerMessage::SoFar(_));
+    (busy.on_message)(message);
     POOL.with_borrow_mut(|pool| {
         if goes_on {
             pool.busy.push(busy);
@@ -192,7 +201,7 @@ fn hear(worker: &Worker, message: &JsValue) {
 }
 
 /// Handles the failure of a worker.
-fn lose(worker: &Worker) {
+fn handle_failure(worker: &Worker) {
     let number = POOL.with_borrow(|pool| {
         let busy = pool.busy.iter().find(|busy| is(&busy.worker, worker));
         busy.map(|busy| busy.number)

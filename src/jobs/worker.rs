@@ -46,7 +46,7 @@ pub fn serve(kinds: Vec<Served>) -> bool {
             .find(|(known, _)| name.as_deref() == Some(*known));
         match kind {
             Some((_, work)) => work(&content),
-            None => tell(MessageKind::Failure, &JsValue::NULL),
+            None => post(MessageKind::Failure, &JsValue::NULL),
         }
     });
     // If this fails, the script reports it itself.
@@ -55,41 +55,42 @@ pub fn serve(kinds: Vec<Served>) -> bool {
 }
 
 /// Sends a message to the page.
-fn tell(kind: MessageKind, content: &JsValue) {
+fn post(kind: MessageKind, content: &JsValue) {
     let scope: DedicatedWorkerGlobalScope = js_sys::global().unchecked_into();
     // A closed page receives nothing.
     let _ = scope.post_message(&Array::of2(&(kind as u32).into(), content));
 }
 
-fn tell_bytes(kind: MessageKind, content: &[u8]) {
-    tell(kind, &Uint8Array::from(content));
+fn post_bytes(kind: MessageKind, content: &[u8]) {
+    post(kind, &Uint8Array::from(content));
 }
 
+/// Does work that arrives as bytes, and sends its answer.
 fn work<W: Work>(content: &[u8]) {
-    let travels =
+    let decoded =
         W::CODECS.and_then(|(codec, answers)| Some(((codec.from_bytes)(content)?, answers)));
-    let Some((work, answers)) = travels else {
-        return tell(MessageKind::Failure, &JsValue::NULL);
+    let Some((work, answers)) = decoded else {
+        return post(MessageKind::Failure, &JsValue::NULL);
     };
     let reporter = Reporter::<W> {
-        told: [AtomicU64::new(0), AtomicU64::new(0)],
+        reported: [AtomicU64::new(0), AtomicU64::new(0)],
         work: PhantomData,
     };
     match work.run(&reporter) {
-        Ok(answer) => tell_bytes(MessageKind::Answer, &(answers.to_bytes)(&answer)),
-        Err(why) => tell(MessageKind::Failure, &why.into()),
+        Ok(answer) => post_bytes(MessageKind::Answer, &(answers.to_bytes)(&answer)),
+        Err(why) => post(MessageKind::Failure, &why.into()),
     }
 }
 
 struct Reporter<W> {
     /// Times of the last reports of progress and of intermediate answers, nanoseconds.
-    told: [AtomicU64; 2],
+    reported: [AtomicU64; 2],
     work: PhantomData<fn(W)>,
 }
 
 impl<W> Reporter<W> {
     fn is_due(&self, what: usize) -> bool {
-        let (now, last) = (nanoseconds(), &self.told[what]);
+        let (now, last) = (nanoseconds(), &self.reported[what]);
         let due = now >= last.load(Ordering::Relaxed) + PAUSE;
         if due {
             last.store(now, Ordering::Relaxed);
@@ -102,7 +103,7 @@ impl<W: Work> Watch<W::Answer> for Reporter<W> {
     /// Always continues: the page ends the worker to cancel.
     fn progress(&self, share: f32) -> bool {
         if self.is_due(0) {
-            tell(MessageKind::Share, &share.into());
+            post(MessageKind::Share, &share.into());
         }
         true
     }
@@ -111,7 +112,7 @@ impl<W: Work> Watch<W::Answer> for Reporter<W> {
         if self.is_due(1)
             && let Some((_, answers)) = W::CODECS
         {
-            tell_bytes(MessageKind::SoFar, &(answers.to_bytes)(so_far));
+            post_bytes(MessageKind::SoFar, &(answers.to_bytes)(so_far));
         }
     }
 }
