@@ -388,7 +388,7 @@ impl<W: Work> Background<W> {
         self.known()?.as_ref().ok()
     }
 
-    /// Returns the work that it answers.
+    /// Returns the work of the latest answer.
     pub fn answered(&self) -> Option<&W> {
         self.known.as_ref().map(|(work, _)| &**work)
     }
@@ -403,12 +403,12 @@ impl<W: Work> Background<W> {
         self.took
     }
 
-    /// Ends the work soon; its results so far are its answer.
+    /// Asks the current work to end soon with its results so far.
     pub fn stop(&self) {
         self.job.iter().for_each(Job::cancel);
     }
 
-    /// Returns whether the answer is that of stopped work.
+    /// Returns whether the latest answer is that of cancelled work.
     pub fn stopped(&self) -> bool {
         self.stopped && self.job.is_none()
     }

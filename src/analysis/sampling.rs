@@ -30,19 +30,16 @@ pub fn sampling_error(
     scene: &Scene,
     light: usize,
 ) -> Option<SamplingError> {
-    let chosen = scene
-        .lights
-        .get(light)
-        .filter(|chosen| chosen.kind == LightKind::Area)?;
-    if !chosen.shines(scene.soloing()) {
+    let shines = |chosen: &&Light| chosen.shines(scene.soloing());
+    let chosen = scene.lights.get(light).filter(shines)?;
+    if chosen.kind != LightKind::Area {
         return None;
     }
     let mut small = scene.clone();
-    let longer = u64::from(scene.image.size[0].max(scene.image.size[1]).max(1));
-    small.image.size = scene
-        .image
-        .size
-        .map(|side| (u64::from(side) * u64::from(SIDE) / longer).max(1) as u32);
+    let [width, height] = scene.image.size;
+    let longer = u64::from(width.max(height).max(1));
+    let side = |side: u32| (u64::from(side) * u64::from(SIDE) / longer).max(1) as u32;
+    small.image.size = scene.image.size.map(side);
     small.shading.shadows = false;
     renderer.render(&small);
     let of = |samples: u32| {

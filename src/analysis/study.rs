@@ -1,7 +1,7 @@
 //! Error against run time: every shading method at every tessellation against the exact picture.
 //!
-//! A scene's own law is compared with a reference law, Phong's unless another is asked for: both are measured, against the exact picture
-//! of the reference.
+//! A scene's own law is compared with a reference law, Phong's unless another is requested: both are measured against the
+//! exact picture of the reference.
 //!
 //! Errors are of the linear intensity before the display, and nothing is clamped; a code value of the raw encoding is
 //! 1/255. They are measured inside, where the picture and the exact one show the object with N·V ≥ 0.2, and

@@ -132,11 +132,8 @@ impl Set {
     /// Returns the setting of `character`.
     pub fn of(character: char) -> Self {
         for (small, ordinary, rise) in SMALL {
-            let same = small
-                .chars()
-                .zip(ordinary.chars())
-                .find(|(letter, _)| *letter == character);
-            if let Some((_, letter)) = same {
+            let mut pairs = small.chars().zip(ordinary.chars());
+            if let Some((_, letter)) = pairs.find(|(letter, _)| *letter == character) {
                 return Self {
                     letter,
                     size: SMALL_SIZE,
@@ -167,17 +164,15 @@ pub fn raised(number: i32) -> String {
     small(&with_minus(&number.to_string()), 1)
 }
 
+/// Converts characters to those of a row of [`SMALL`].
 fn small(text: &str, which: usize) -> String {
     let (small, ordinary, _) = SMALL[which];
     let of = |letter: char| {
-        ordinary
-            .chars()
-            .zip(small.chars())
-            .find(|(own, _)| *own == letter)
+        let mut pairs = ordinary.chars().zip(small.chars());
+        let found = pairs.find(|(own, _)| *own == letter);
+        found.map_or(letter, |(_, small)| small)
     };
-    text.chars()
-        .map(|letter| of(letter).map_or(letter, |(_, small)| small))
-        .collect()
+    text.chars().map(of).collect()
 }
 
 /// Converts glyphs, whose y points upwards, to pictures, where it points downwards.

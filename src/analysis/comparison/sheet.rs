@@ -91,8 +91,8 @@ pub struct DrawnPane {
     pub frame: Frame,
     /// The picture before the display; empty where nothing is compared.
     pub linear: Vec<[f32; 4]>,
-    /// The same of one sample at each pixel's centre, as everywhere where figures are taken. (A mean of several is one of values
-    /// that the display has clamped.)
+    /// The picture before the display with one sample at each pixel's centre, from which figures are taken. (A mean of several
+    /// samples is one of values that the display has clamped.)
     pub measured: Vec<[f32; 4]>,
     /// True if the display clamps at 1; see [`LinearPicture`](super::LinearPicture).
     pub clamps: bool,
@@ -408,6 +408,7 @@ fn signed(share: f64) -> Rgb8 {
     mixed(NONE, end, share.abs().clamp(0.0, 1.0))
 }
 
+/// Returns a colour of the scale for a share from 0 to 1.
 fn cividis(share: f64) -> Rgb8 {
     let steps = (CIVIDIS.len() - 1) as f64;
     let place = (share.clamp(0.0, 1.0) * steps).min(steps - 1e-9);
@@ -415,6 +416,7 @@ fn cividis(share: f64) -> Rgb8 {
     mixed(CIVIDIS[index], CIVIDIS[index + 1], place - index as f64)
 }
 
+/// Rounds a value to a code value.
 fn code(value: f64) -> u8 {
     value.round().clamp(0.0, 255.0) as u8
 }
@@ -459,6 +461,7 @@ pub fn difference_scale(size: [u32; 2], kind: DifferenceKind, gain: f64, em: f64
     drawing
 }
 
+/// Formats a number of the scale with at most four decimals.
 fn tick(value: f64, signed: bool) -> String {
     let digits = format!("{:.4}", value.abs());
     let digits = digits.trim_end_matches('0').trim_end_matches('.');

@@ -31,8 +31,8 @@ pub struct DefectMark {
     pub label_at: DVec2,
 }
 
-/// Returns the marks in a picture of `size` pixels, for letters of `em` pixels: the outline's largest distance, the tenths of an edge that
-/// runs away from the eye, the largest jump at an unshared vertex.
+/// Returns the marks in a picture of `size` pixels, for letters of `em` pixels: the outline's largest distance, the tenths of
+/// an edge that runs away from the eye, the largest jump at an unshared vertex.
 pub fn defect_marks(defects: &Defects, size: [u32; 2], em: f64) -> Vec<DefectMark> {
     // Words are wider than tall.
     let beside = |end: DVec2, way: DVec2| end + DVec2::new(1.9 * em, 1.6 * em) * way;

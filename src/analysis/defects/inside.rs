@@ -19,8 +19,8 @@ use std::mem;
 const STEP: u32 = 3;
 /// Side of the rotated pictures: places in them differ by at least 1/256 of a pixel.
 const SIDE: u32 = 256;
-/// Ratio of the depths of an edge's ends from which it runs away from the eye, and the smallest displacement of its middle that is seen,
-/// pixels.
+/// Minimum ratio of the depths of an edge's ends for it to run away from the eye, and minimum visible displacement of its
+/// middle, pixels.
 const LEAST_RATIO: f64 = 1.5;
 const LEAST_DISPLACEMENT: f64 = 4.0;
 /// Share of a depth within which two are the same.

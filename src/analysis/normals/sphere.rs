@@ -1,5 +1,5 @@
-//! The sphere of normals: the normals of a vertex's polygons as points of a unit sphere, their mean inside it, and the vertex normal, which
-//! is the mean at length 1.
+//! The sphere of normals: the normals of a vertex's polygons as points of a unit sphere, their mean inside it, and the
+//! vertex normal, which is the mean at length 1.
 
 use super::needles::{CONTRAST, DARK};
 use super::{VertexFace, VertexNormal};
@@ -21,8 +21,8 @@ const FAR: f64 = 0.35;
 /// Text size of the mean's name, relative to the vectors' letters.
 const NAME: f64 = 0.8;
 
-/// Draws the sphere of `vertex` in a corner of the picture of `lit`, a free one if there is any; nothing where nothing is averaged, or the
-/// vectors' side view may stand there.
+/// Draws the sphere of `vertex` in a corner of the picture of `lit`, a free one if there is any. Returns none where nothing
+/// is averaged, or where the vectors' side view may be.
 pub(super) fn sketch(
     vertex: &VertexNormal,
     lit: &Sketch,

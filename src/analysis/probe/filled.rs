@@ -276,31 +276,26 @@ impl Here<'_> {
         let (hit, display) = (self.hit, &self.scene.display);
         let step =
             |name: &str, value: LineValue| FilledPart::Line(line("", name, value, Tone::Plain));
-        let (mut parts, mut shown) = (Vec::new(), Some(hit.sum.max(Rgb::ZERO)));
-        match display.overflow {
-            Overflow::Clamp if hit.sum.max_element() > 1.0 => {
-                shown = shown.map(|sum| sum.min(Rgb::ONE));
-                parts.push(step(
-                    text!("point-clamped"),
-                    LineValue::sum(shown.unwrap_or_default()),
-                ));
+        let (sum, overflows) = (hit.sum.max(Rgb::ZERO), hit.sum.max_element() > 1.0);
+        let mut parts = Vec::new();
+        let shown = match display.overflow {
+            Overflow::Clamp if overflows => {
+                let clamped = sum.min(Rgb::ONE);
+                parts.push(step(text!("point-clamped"), LineValue::sum(clamped)));
+                Some(clamped)
             }
-            Overflow::Mark if hit.sum.max_element() > 1.0 => {
-                shown = None;
+            Overflow::Mark if overflows => {
                 parts.push(FilledPart::Note(text!("point-hatched").into()));
+                None
             }
             Overflow::Scale if hit.divisor > 1.0 => {
-                shown = shown.map(|sum| sum / hit.divisor);
-                let divisor = format!("{:.3}", hit.divisor);
-                let note = text!("point-divided", divisor = divisor);
-                let scaled = step(
-                    text!("point-scaled"),
-                    LineValue::sum(shown.unwrap_or_default()),
-                );
-                parts.extend([FilledPart::Note(note), scaled]);
+                let (scaled, divisor) = (sum / hit.divisor, format!("{:.3}", hit.divisor));
+                parts.push(FilledPart::Note(text!("point-divided", divisor = divisor)));
+                parts.push(step(text!("point-scaled"), LineValue::sum(scaled)));
+                Some(scaled)
             }
-            Overflow::Clamp | Overflow::Mark | Overflow::Scale => {}
-        }
+            Overflow::Clamp | Overflow::Mark | Overflow::Scale => Some(sum),
+        };
         if let Some(mut encoded) = shown {
             if display.encoding == Encoding::Srgb {
                 encoded = Rgb::from_array(encoded.to_array().map(srgb));
@@ -312,12 +307,8 @@ impl Here<'_> {
             parts.push(step("× 255", LineValue::Channels(codes)));
         }
         let stored = LineValue::Channels(hit.stored.map(|code| code.to_string()));
-        parts.push(FilledPart::Line(line(
-            "=",
-            text!("point-stored"),
-            stored,
-            Tone::Strong,
-        )));
+        let stored = line("=", text!("point-stored"), stored, Tone::Strong);
+        parts.push(FilledPart::Line(stored));
         parts
     }
 

@@ -1,8 +1,9 @@
 //! The reference: a ray through each pixel's centre and the equation's own formulas, in double-double arithmetic.
 //!
-//! It shares no code with the engine but the operations of a typed law. Cosines and powers are computed as the textbook writes them, for which 106 bits
-//! suffice: the power's error at n = 10¹² is below 10⁻¹⁸. Where a formula has no value, the limit is used: a vector
-//! of length zero has no direction and is lit by nothing, and light that grazes the surface counts as none.
+//! It shares no code with the engine except the operations of a typed law. Cosines and powers are computed as the textbook
+//! writes them, for which 106 bits suffice: the power's error at n = 10¹² is below 10⁻¹⁸. Where a formula has no value, the
+//! limit is used: a vector of length zero has no direction and is lit by nothing, and light that grazes the surface counts
+//! as none.
 
 use super::precise::{Precise, Precise3, precise};
 use crate::illumination::{Incidence, LawOperations, LawSite, V3};

@@ -93,8 +93,8 @@ pub(super) fn draw(sketch: &Sketch, lobe: &ReflectionLobe, scene: &Scene) -> Vec
     [skin, hidden, shown].concat()
 }
 
-/// Draws the lobe in the plane of incidence, for a sketch that looks across it: the length in each direction is the light reflected to a
-/// viewer there.
+/// Draws the lobe in the plane of incidence, for a sketch that looks across it: the length in each direction is the light
+/// reflected to a viewer there.
 pub(super) fn draw_section(sketch: &Sketch, lobe: &ReflectionLobe, scene: &Scene) -> Vec<Shape> {
     let unit = peak_of(lobe, scene) / LENGTH;
     if unit.is_nan() || unit <= 0.0 || !unit.is_finite() {
