@@ -77,7 +77,7 @@ impl Loaded {
 }
 
 impl From<Loaded> for Subject {
-    /// The scene with its model, and no clock.
+    /// Returns the scene with its model as a subject without a clock.
     fn from(loaded: Loaded) -> Self {
         Self {
             model: loaded.model,

@@ -143,7 +143,7 @@ impl ReflectionLobe {
         Rgb::from_array(self.equation.illuminate(&self.seen_from(v), None))
     }
 
-    /// Returns the angle from R at which the reflection has fallen to half of what R has, within the plane of incidence and on
+    /// Returns the angle from R at which the reflection has fallen to half of that at R, within the plane of incidence and on
     /// the side where that is first, radians: to 10 %, between 10⁻⁴ and 60°. 60° for a lobe that is not highest near R.
     pub fn half_width(&self) -> f64 {
         const FINEST: f64 = 1e-4;

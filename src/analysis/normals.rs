@@ -126,7 +126,7 @@ impl NormalField {
         }
     }
 
-    /// Returns whether the field is what `new` would make.
+    /// Returns whether the field equals what [`Self::new`] would create.
     pub fn holds(&self, renderer: &Renderer, object: &Object) -> bool {
         let same_weights = self.weighting == object.weighting || !self.weighs();
         Arc::ptr_eq(&self.mesh, renderer.mesh_shown())
@@ -192,7 +192,7 @@ impl NormalField {
         Some(self.vertices.corners[corner])
     }
 
-    /// Returns a vertex with its normal and faces, if there is such a vertex; time in proportion to the mesh's corners.
+    /// Returns a vertex with its normal and faces, if it exists; takes time in proportion to the mesh's corners.
     pub fn vertex(&self, vertex: u32) -> Option<VertexNormal> {
         let normal = self.vertices.normals.get(vertex as usize)?.as_dvec3();
         let shares = self

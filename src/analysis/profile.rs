@@ -67,7 +67,7 @@ impl ProfileQuestion {
         }
     }
 
-    /// Checks whether such a profile exists in a picture of `size`; the error says why there is none.
+    /// Checks whether the profile exists in a picture of `size`; the error is the reason why it does not.
     pub fn check(&self, size: [u32; 2]) -> Result<(), ProfileError> {
         self.line(size).map(|_| ())
     }

@@ -37,7 +37,7 @@ pub trait Question:
     /// Encoding of the answer for its way back from a worker; without one, a web page computes the answer itself.
     const CODEC: Option<Codec<Self::Answer>> = None;
 
-    /// Computes the answer, or the reason why there is none, in a sentence that says what was expected.
+    /// Computes the answer; the error is a sentence with the reason why there is none and what was expected.
     fn answer(
         &self,
         subject: &Subject,

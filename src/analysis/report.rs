@@ -40,7 +40,7 @@ pub trait Answer: Debug + Send + Sync {
     /// Returns text, numbers, tables and plots, in the current language.
     fn report(&self, about: &ReportContext<'_>) -> Report;
 
-    /// Returns what [`Self::object`] returns, with its words in the current language.
+    /// Returns the object of [`Self::object`] with its words in the current language.
     fn value(&self, about: &ReportContext<'_>) -> Value;
 
     /// Returns the rows for a file, where they are more than the report shows.
@@ -48,7 +48,7 @@ pub trait Answer: Debug + Send + Sync {
         None
     }
 
-    /// Returns the default size in pixels of a figure with that many plots.
+    /// Returns the default size in pixels of a figure with `plots` plots.
     fn figure_size(&self, plots: usize) -> [u32; 2] {
         [[1280, 800], [1920, 760], [1920, 1280]][plots.clamp(1, 3) - 1]
     }

@@ -123,7 +123,7 @@ fn law_cost(scene: &Scene) -> Option<[u32; 4]> {
 pub struct StudyQuestion {
     /// The methods.
     pub methods: Vec<Method>,
-    /// Polygons round the axis, those along it in proportion; a shape without such a number keeps its own.
+    /// Numbers of polygons around the axis, with those along it in proportion; an object whose polygons are given keeps them.
     pub segments: Vec<u32>,
     /// Interpolations, where they make a difference.
     pub interpolations: Vec<Interpolation>,

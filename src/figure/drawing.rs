@@ -312,8 +312,8 @@ impl Drawing {
         halos.chain(self.shapes.iter().map(Cow::Borrowed))
     }
 
-    /// Draws a curve over the first plot within its axes; a single point is a dot, and what is not finite interrupts
-    /// it.
+    /// Draws a curve over the first plot within its axes; points that are not finite interrupt it, and a single point is a
+    /// dot.
     pub fn draw_curve(
         &mut self,
         points: impl IntoIterator<Item = [f64; 2]>,

@@ -162,7 +162,7 @@ fn read_base(first: char, rest: &mut Peekable<Chars<'_>>, depth: usize) -> Optio
     })
 }
 
-/// Reads what stands behind `_` or `^`.
+/// Reads the script after `_` or `^`.
 fn read_script(rest: &mut Peekable<Chars<'_>>, depth: usize) -> Option<Formula> {
     let script = match rest.next_if(|next| !"}_^".contains(*next) && !next.is_whitespace())? {
         '{' => read_braced(rest, depth)?,
@@ -185,7 +185,7 @@ fn read_word(mut word: String, rest: &mut Peekable<Chars<'_>>) -> String {
     word
 }
 
-/// A character as a letter or a sign. A hyphen is a minus sign.
+/// Returns a character as a letter or a sign; a hyphen becomes a minus sign.
 fn single(character: char) -> Base {
     match character {
         'a'..='z' | 'A'..='Z' | '\u{391}'..='\u{3c9}' => Base::Name(character.to_string()),

@@ -183,7 +183,7 @@ fn set(out: &mut String, rest: &mut Peekable<Iter<'_, Token>>, depth: usize) {
     }
 }
 
-/// Sets what stands in brackets, and the closing one where it is there.
+/// Sets the content of brackets, and the closing one if it is there.
 fn bracket(out: &mut String, rest: &mut Peekable<Iter<'_, Token>>, depth: usize) {
     out.push('(');
     let mut inside = String::new();

@@ -56,7 +56,7 @@ thread_local! {
     static POOL: RefCell<Pool> = RefCell::default();
 }
 
-/// Runs work on the page, after it has shown what it has drawn.
+/// Runs work on the page after the current frame is shown.
 pub fn later(work: impl FnOnce() + 'static) {
     let work = Closure::once_into_js(work);
     if let Some(window) = web_sys::window() {

@@ -31,7 +31,7 @@ const FEW_PIXELS: f64 = 65_536.0;
 
 /// Time above which a frame takes part in every second round, one twice as long in every third, and so on.
 const ROUND_MS: f64 = 15.0;
-/// Minimum number of rounds for any frame, as far as there are so many.
+/// Minimum number of rounds for any frame, unless fewer are requested.
 const LEAST_FRAMES: u32 = 5;
 
 /// A picture of a series.
@@ -88,7 +88,7 @@ pub fn measure(run: Run<'_>) -> Growth {
     }
 }
 
-/// Returns the scene with about so many pixels.
+/// Returns the scene with about `pixels` pixels.
 fn sized(scene: &Scene, pixels: f64) -> Scene {
     let mut scene = scene.clone();
     let [width, height] = scene.image.size.map(f64::from);
@@ -98,7 +98,7 @@ fn sized(scene: &Scene, pixels: f64) -> Scene {
     scene
 }
 
-/// Returns the scene with about so many triangles; none where its polygons are given.
+/// Returns the scene with about `count` triangles; none where its polygons are given, or it cannot have nearly so many.
 fn divided(scene: &Scene, count: u64) -> Option<Scene> {
     let mut scene = scene.clone();
     let object = &mut scene.object;

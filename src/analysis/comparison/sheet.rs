@@ -194,8 +194,8 @@ pub fn panes_on_sheet(scene: &Scene) -> Vec<(usize, [u32; 2])> {
 }
 
 /// Draws panes of a valid scene, given by their indices with the size of each; `over` may draw over each, with the
-/// renderer that drew it and its scene, and its errors are returned. `progress` gets the number of samples done in all
-/// panes and returns whether to continue.
+/// renderer that drew it and its scene, and its errors are returned. `progress` receives the number of samples drawn so
+/// far in all panes and returns whether to continue.
 pub fn draw_panes<E>(
     renderer: &mut Renderer,
     scene: &Scene,
@@ -238,7 +238,7 @@ pub enum Captions {
     None,
     /// The names alone.
     Names,
-    /// The names with what was measured.
+    /// The names with the figures.
     Figures,
 }
 

@@ -14,7 +14,7 @@ pub(in crate::analysis) const GREY: [u8; 3] = [128; 3];
 const OPAQUE: f64 = 0.88;
 
 /// Returns the side of the largest square in each corner of `frame` that shows the background alone, in pixels: top left,
-/// top right, bottom left, bottom right. `None` where what is drawn reaches the frame's edge.
+/// top right, bottom left, bottom right. Returns none where the drawing reaches the frame's edge.
 pub fn free_corners(frame: &render::Frame) -> Option<[u32; 4]> {
     let background = frame.pixels.first()?;
     let is_drawn = |pixel: &[u8; 4]| pixel != background;

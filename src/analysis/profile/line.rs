@@ -43,7 +43,8 @@ pub struct Line {
 }
 
 impl Line {
-    /// Creates the line between two places of a picture of `size`, followed for a surround of so many pixels.
+    /// Creates the line between two places of a picture of `size`, followed past its ends for a surround of `surround` pixels;
+    /// none where it has no length.
     pub fn new(from: DVec2, to: DVec2, size: [u32; 2], surround: f64) -> Option<Self> {
         let along = to - from;
         let axis = usize::from(along.x.abs() < along.y.abs());

@@ -68,7 +68,7 @@ pub struct Compared {
     pub perceived: bool,
 }
 
-/// Returns the plots of such a view: intensity, slope, and perceived minus actual, each with the curves of all modes.
+/// Returns the plots of a view: intensity, slope, and perceived minus actual, each with the curves of all modes.
 pub fn compared_plots(profile: &Profile, request: &ProfileQuestion, view: Compared) -> [Plot; 3] {
     let plotter = ProfilePlotter::new(profile, view.abscissa, view.edges);
     let own = view.own;
@@ -196,7 +196,7 @@ impl<'a> ProfilePlotter<'a> {
         self.plot(PlotKind::ProfileAdded, title, &note, y, curves)
     }
 
-    /// Returns the values at least so many pixels from where the line enters or leaves the object; or else all.
+    /// Returns the values at least `pixels` from where the line enters or leaves the object; if there are none, all.
     fn away_from_outline(&self, pixels: f64, curves: &[Curve]) -> Vec<f64> {
         let edges = self.edges.iter().filter(|edge| edge.faces.contains(&None));
         let outline: Vec<f64> = edges.map(|edge| self.x(edge.t)).collect();

@@ -30,7 +30,7 @@ fn quick_sum(a: f64, b: f64) -> Precise {
     with_error(hi, b - (hi - a))
 }
 
-/// Returns the sum of a number and its rounding error; what is infinite or not a number has none.
+/// Returns the sum of a number and its rounding error; infinity and NaN have none.
 fn with_error(hi: f64, lo: f64) -> Precise {
     let lo = if hi.is_finite() { lo } else { 0.0 };
     Precise { hi, lo }
@@ -132,7 +132,7 @@ impl Precise {
         }
     }
 
-    /// Computes the angle of the direction (`x`, `y`) of unit length, radians: that of `f64`, and the sine of what it lacks.
+    /// Computes the angle of the unit vector (`x`, `y`), radians: that in `f64`, corrected by the sine of its error.
     pub fn angle(y: Self, x: Self) -> Self {
         let near = precise(y.hi.atan2(x.hi));
         let (sine, cosine) = near.sin_cos();

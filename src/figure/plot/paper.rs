@@ -80,7 +80,7 @@ pub struct PlotStyle {
 }
 
 impl PlotStyle {
-    /// Returns the style of a sheet of `size` with that many plots, for one that fills a screen or a page.
+    /// Returns the style of a sheet of `size` with `plots` plots that fills a screen or a page.
     pub fn of(size: [u32; 2], plots: usize, paper: Paper) -> Self {
         let cell = DVec2::from_array(size.map(f64::from)) / grid(plots, size[0] > size[1]);
         let text = (cell.x / 38.0).min(cell.y / 27.0).max(7.0);
@@ -103,7 +103,7 @@ pub fn dashes(dash: Dash) -> &'static [f32] {
     }
 }
 
-/// Returns the columns and rows of a sheet with that many plots: two side by side from three on, or where it is wide.
+/// Returns the columns and rows of a sheet with `plots` plots: two side by side from three on, or where it is wide.
 pub fn grid(plots: usize, wide: bool) -> DVec2 {
     match plots {
         0 | 1 => DVec2::ONE,

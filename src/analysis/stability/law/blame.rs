@@ -44,7 +44,7 @@ pub struct Blame<'a> {
 }
 
 impl<'a> Blame<'a> {
-    /// Begins the search in a sum of that many parts.
+    /// Begins the search in a sum of `parts` parts.
     pub fn new(operations: &'a LawOperations, parts: usize) -> Self {
         let roundings = operations.iter().count() * parts;
         Self {
@@ -134,7 +134,7 @@ impl<'a> Blame<'a> {
     }
 }
 
-/// Returns the value, 0 in place of what is not a number.
+/// Returns the value, or 0 if it is not a number.
 fn number(value: f64) -> f64 {
     if value.is_nan() { 0.0 } else { value }
 }
