@@ -124,6 +124,45 @@ impl Saved {
             ratio(self.times),
         ]
     }
+
+    /// Adds the tables of what the plan saves, and of the stages that changes run again.
+    fn describe(&self, report: &mut Report) {
+        let heads = [
+            "",
+            text!("engine-by-plan"),
+            text!("engine-all-left-in"),
+            text!("engine-ratio"),
+        ];
+        let mut table = Table::new(heads.map(|head| Column::shown(head, fixed::<3>)));
+        let ([planned, all], [planned_ms, all_ms]) = (self.evaluations, self.times);
+        let [evaluations, time] = self.ratios();
+        table.rows = vec![
+            cells![text!("engine-row-evaluations"), planned, all, evaluations],
+            cells![text!("engine-row-time"), planned_ms, all_ms, time],
+        ];
+        let section = report.section(text!("engine-saved"));
+        section.push(Part::Table(table));
+        let section = report.section(text!("engine-runs-again"));
+        section.push(Part::Table(table! { change in &self.changes;
+            Column::shown("", as_it_is) => change_name(change.0);
+            Column::shown("", as_it_is) => change.1.as_deref().map_or_else(|| "–".to_owned(), stage_names);
+        }));
+    }
+}
+
+/// Returns the name of a material to show; the scene's own has an empty one.
+fn material_name(name: &str) -> &str {
+    if name.is_empty() {
+        text!("engine-plan-material-scene")
+    } else {
+        name
+    }
+}
+
+/// Returns the names of stages in one line.
+fn stage_names(stages: &[Stage]) -> String {
+    let names: Vec<&str> = stages.iter().map(|stage| stage_words(*stage).0).collect();
+    names.join(", ")
 }
 
 impl FramePlan {
@@ -153,105 +192,45 @@ impl Answer for FramePlan {
     fn report(&self, about: &ReportContext<'_>) -> Report {
         let total: u64 = self.terms.iter().map(|term| term.evaluations).sum();
         let mut report = Report::new(match &self.measured {
-            Some(Saved { frames, .. }) => text!(
-                "engine-plan-measured",
-                about = about.heading(),
-                frames = *frames
-            ),
+            Some(Saved { frames, .. }) => {
+                text!(
+                    "engine-plan-measured",
+                    about = about.heading(),
+                    frames = *frames
+                )
+            }
             None => text!("engine-plan-total", count = total, number = grouped(total)),
         });
         for terms in self.terms.chunk_by(|a, b| a.stage == b.stage) {
             let section = report.section(self.heading(terms[0].stage));
-            let mut table = Table::new(["", "", ""].map(|head| Column::shown(head, as_it_is)));
-            let done = || terms.iter().filter(|term| term.omitted.is_none());
-            table.rows.extend(
-                done().map(|term| {
-                    cells![term.name.to_string(), term.evaluations, per_words(term.per)]
-                }),
-            );
-            if !table.rows.is_empty() {
-                section.push(Part::Table(table));
+            let done = terms.iter().filter(|term| term.omitted.is_none());
+            let done: Vec<&Term> = done.collect();
+            if !done.is_empty() {
+                section.push(Part::Table(table! { term in &done;
+                    Column::shown("", as_it_is) => term.name.to_string();
+                    Column::shown("", as_it_is) => term.evaluations;
+                    Column::shown("", as_it_is) => per_words(term.per);
+                }));
             }
-            for (term, note) in done().filter_map(|term| Some((term, term.note?))) {
-                section.note(text!(
-                    "engine-note",
-                    name = term.name.to_string(),
-                    note = note.text()
-                ));
+            for (term, note) in done.iter().filter_map(|term| Some((term, term.note?))) {
+                let name = term.name.to_string();
+                section.note(text!("engine-note", name = name, note = note.text()));
             }
             for (names, reason) in by_reason(terms) {
-                section.note(text!(
-                    "engine-left-out",
-                    names = names.join(", "),
-                    reason = reason
-                ));
+                let names = names.join(", ");
+                section.note(text!("engine-left-out", names = names, reason = reason));
             }
         }
         if !self.materials.is_empty() {
-            let heads = [
-                text!("engine-plan-material"),
-                text!("engine-plan-material-count"),
-            ];
-            let mut table = Table::new(heads.map(|head| Column::shown(head, as_it_is)));
-            table
-                .rows
-                .extend(self.materials.iter().map(|(name, count)| {
-                    let name = if name.is_empty() {
-                        text!("engine-plan-material-scene")
-                    } else {
-                        name.as_str()
-                    };
-                    cells![name, *count]
-                }));
-            report
-                .section(text!("engine-plan-materials"))
-                .push(Part::Table(table));
-        }
-        let Some(saved) = &self.measured else {
-            return report;
-        };
-        let [evaluations, time] = saved.ratios();
-        let heads = [
-            "",
-            text!("engine-by-plan"),
-            text!("engine-all-left-in"),
-            text!("engine-ratio"),
-        ];
-        let mut table = Table::new(heads.map(|head| Column::shown(head, fixed::<3>)));
-        let [planned, all] = saved.evaluations;
-        let [planned_ms, all_ms] = saved.times;
-        table.rows.push(cells![
-            text!("engine-row-evaluations"),
-            planned,
-            all,
-            evaluations
-        ]);
-        table
-            .rows
-            .push(cells![text!("engine-row-time"), planned_ms, all_ms, time]);
-        report
-            .section(text!("engine-saved"))
-            .push(Part::Table(table));
-        let mut table = Table::new(["", ""].map(|head| Column::shown(head, as_it_is)));
-        table
-            .rows
-            .extend(saved.changes.iter().map(|(name, stages)| {
-                let names = |stages: &Vec<Stage>| {
-                    stages
-                        .iter()
-                        .map(|stage| stage_words(*stage).0)
-                        .collect::<Vec<_>>()
-                };
-                cells![
-                    change_name(name),
-                    stages
-                        .as_ref()
-                        .map_or_else(|| "–".to_owned(), |stages| names(stages).join(", "))
-                ]
+            let section = report.section(text!("engine-plan-materials"));
+            section.push(Part::Table(table! { material in &self.materials;
+                Column::shown(text!("engine-plan-material"), as_it_is) => material_name(&material.0);
+                Column::shown(text!("engine-plan-material-count"), as_it_is) => material.1;
             }));
-        report
-            .section(text!("engine-runs-again"))
-            .push(Part::Table(table));
+        }
+        if let Some(saved) = &self.measured {
+            saved.describe(&mut report);
+        }
         report
     }
 
