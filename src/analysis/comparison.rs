@@ -9,7 +9,7 @@ pub use sheet::{
 
 use super::perception::pixel_luminance;
 use super::report::{
-    Answer, Column, Part, Report, ReportContext, Table, as_it_is, fixed, table, word,
+    Answer, Column, Part, Report, ReportContext, Table, as_it_is, fixed, table_of, word,
 };
 use super::{Question, Subject, Watch};
 use crate::scene::Scene;
@@ -305,7 +305,7 @@ impl Comparison {
 
 /// Returns the table of the figures of all panes.
 fn figures(panes: &[PaneFigures]) -> Table {
-    table! { pane in panes;
+    table_of! { pane in panes;
         Column::both("pane", text!("picture-column-pane"), as_it_is) => pane.name.as_str();
         Column::both("brightest", text!("picture-column-brightest"), fixed::<4>).extra() => pane.brightest.map(|b| b.value);
         Column::key("brightest_x") => pane.brightest.map(|b| b.at[0]);

@@ -3,7 +3,7 @@
 use super::bench::{CHANGES, StageTimes, WARM_UP, change_name, changed, median_ms};
 use super::plan_words::{per_words, stage_words};
 use super::report::{
-    Answer, Column, Part, Report, ReportContext, Table, as_it_is, cells, fixed, grouped, table,
+    Answer, Column, Part, Report, ReportContext, Table, as_it_is, cells, fixed, grouped, table_of,
     word,
 };
 use super::{Question, Subject, Watch};
@@ -143,7 +143,7 @@ impl Saved {
         let section = report.section(text!("engine-saved"));
         section.push(Part::Table(table));
         let section = report.section(text!("engine-runs-again"));
-        section.push(Part::Table(table! { change in &self.changes;
+        section.push(Part::Table(table_of! { change in &self.changes;
             Column::shown("", as_it_is) => change_name(change.0);
             Column::shown("", as_it_is) => change.1.as_deref().map_or_else(|| "–".to_owned(), stage_names);
         }));
@@ -206,7 +206,7 @@ impl Answer for FramePlan {
             let done = terms.iter().filter(|term| term.omitted.is_none());
             let done: Vec<&Term> = done.collect();
             if !done.is_empty() {
-                section.push(Part::Table(table! { term in &done;
+                section.push(Part::Table(table_of! { term in &done;
                     Column::shown("", as_it_is) => term.name.to_string();
                     Column::shown("", as_it_is) => term.evaluations;
                     Column::shown("", as_it_is) => per_words(term.per);
@@ -223,7 +223,7 @@ impl Answer for FramePlan {
         }
         if !self.materials.is_empty() {
             let section = report.section(text!("engine-plan-materials"));
-            section.push(Part::Table(table! { material in &self.materials;
+            section.push(Part::Table(table_of! { material in &self.materials;
                 Column::shown(text!("engine-plan-material"), as_it_is) => material_name(&material.0);
                 Column::shown(text!("engine-plan-material-count"), as_it_is) => material.1;
             }));
@@ -235,7 +235,7 @@ impl Answer for FramePlan {
     }
 
     fn table(&self) -> Option<Table> {
-        Some(table! { term in &self.terms;
+        Some(table_of! { term in &self.terms;
             Column::key("stage") => word(&term.stage);
             Column::key("name") => term.name.to_string();
             Column::key("per") => word(&term.per);

@@ -352,12 +352,12 @@ macro_rules! cells {
 pub(crate) use cells;
 
 /// Makes a table with a row for each of some values: for each column, the cell of a value.
-macro_rules! table {
+macro_rules! table_of {
     ($value:ident in $values:expr; $($column:expr => $cell:expr;)*) => {
         $crate::analysis::report::Table::from_rows($values, [$(($column, |$value| $cell.into())),*])
     };
 }
-pub(crate) use table;
+pub(crate) use table_of;
 
 /// Formats a number with as many digits as it has.
 pub fn as_it_is(value: f64) -> String {

@@ -3,7 +3,7 @@
 //! alike, each once uncounted just before, and slow ones in fewer of the rounds.
 
 use super::{Run, median_ms};
-use crate::analysis::report::{Column, Part, Report, as_it_is, fixed, table};
+use crate::analysis::report::{Column, Part, Report, as_it_is, fixed, table_of};
 use crate::analysis::study::{Fit, order_of};
 use crate::geometry::{divisions_for, triangles};
 use crate::render::Renderer;
@@ -194,7 +194,7 @@ impl Growth {
         ];
         for (name, series) in series {
             let Some(series) = series else { continue };
-            let table = table! { row in &series.rows;
+            let table = table_of! { row in &series.rows;
                 Column::shown(text!("engine-pixels"), as_it_is) => row.pixels;
                 Column::shown(text!("engine-triangles"), as_it_is) => row.triangles;
                 Column::shown(text!("engine-frames"), as_it_is) => row.frames;

@@ -2,7 +2,7 @@
 
 use super::{NormalField, VertexNormal};
 use crate::analysis::report::{
-    Answer, Column, Part, Report, ReportContext, as_it_is, fixed, table,
+    Answer, Column, Part, Report, ReportContext, as_it_is, fixed, table_of,
 };
 use crate::analysis::{Question, Subject, Watch};
 use crate::geometry::NormalOrigin;
@@ -153,7 +153,7 @@ impl Answer for FoundNormal {
             Some(_) => text!("picture-column-area"),
             None => text!("picture-column-weight"),
         };
-        let table = table! { face in &vertex.faces;
+        let table = table_of! { face in &vertex.faces;
             Column::both("face", text!("picture-column-face"), as_it_is) => face.face;
             Column::both("share", text!("picture-column-share"), fixed::<4>) => face.share;
             Column::both("weight", weight, fixed::<5>) => face.weight;

@@ -6,7 +6,7 @@ use super::{
 };
 use crate::analysis::codec::Codec;
 use crate::analysis::report::{
-    Answer, Column, Figure, Part, Report, ReportContext, Section, Table, as_it_is, table,
+    Answer, Column, Figure, Part, Report, ReportContext, Section, Table, as_it_is, table_of,
 };
 use crate::analysis::{Question, Subject, Watch};
 use crate::figure::{Drawing, Paper, Text, magnitude};
@@ -115,7 +115,7 @@ pub(super) fn error(value: f64) -> String {
 }
 
 fn rows(results: &[Arc<CaseResult>]) -> Table {
-    table! { result in results;
+    table_of! { result in results;
         Column::shown(text!("engine-case"), as_it_is) => result.case.title();
         Column::key("name") => result.case.name;
         Column::key("topic") => result.case.topic.label();

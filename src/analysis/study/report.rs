@@ -3,7 +3,7 @@
 use super::{Fit, Method, Series, Setting, Study, StudyQuestion, StudyRow, study};
 use crate::analysis::codec::Codec;
 use crate::analysis::report::{
-    Answer, Column, Figure, Part, Report, ReportContext, Table, as_it_is, fixed, table,
+    Answer, Column, Figure, Part, Report, ReportContext, Table, as_it_is, fixed, table_of,
 };
 use crate::analysis::{Question, Subject, Watch};
 use crate::figure::{Axis, Curve, Dash, Ink, Paper, Plot, PlotKind, PlotStyle, Point, lay_out};
@@ -157,7 +157,7 @@ fn rows(study: &Study) -> Table {
         Some(_) => Column::both(key, head, show).extra(),
         None => Column::key(key),
     };
-    let table = table! { row in &study.rows;
+    let table = table_of! { row in &study.rows;
         Column::key("method") => row.setting.method.word();
         Column::key("segments") => row.setting.segments;
         Column::key("rings") => row.setting.rings;
@@ -205,7 +205,7 @@ fn orders(study: &Study) -> Table {
         fit.map(|fit| format!("{:.2} ± {:.2}", fit.slope, fit.confidence))
     }
     let title = |own: &Series| study.method_title(own.method, own.interpolation, own.law);
-    let table = table! { series in &study.series;
+    let table = table_of! { series in &study.series;
         Column::shown("n", as_it_is) => series.n;
         Column::shown(text!("engine-order-greatest"), as_it_is) => text(series.order);
         Column::shown(text!("engine-order-rms"), as_it_is) => text(series.order_rms);

@@ -2,7 +2,7 @@
 
 use super::{LawOperation, LawStability, PrecisionError};
 use crate::analysis::report::{
-    Column, Part, Report, ReportContext, Table, as_it_is, cells, grouped, table,
+    Column, Part, Report, ReportContext, Table, as_it_is, cells, grouped, table_of,
 };
 use crate::analysis::stability::report::error;
 use crate::figure::magnitude;
@@ -110,7 +110,7 @@ impl LawStability {
 }
 
 fn losses(operations: &[LawOperation]) -> Table {
-    table! { of in operations;
+    table_of! { of in operations;
         Column::shown(text!("engine-law-operation"), as_it_is) => of.operation.as_str();
         Column::shown(text!("engine-law-line"), as_it_is).extra() => of.line;
         Column::shown(text!("engine-law-pixels"), as_it_is) => of.pixels;
@@ -121,7 +121,7 @@ fn losses(operations: &[LawOperation]) -> Table {
 }
 
 fn places(operations: &[LawOperation]) -> Table {
-    table! { of in operations;
+    table_of! { of in operations;
         Column::shown(text!("engine-law-operation"), as_it_is) => of.operation.as_str();
         Column::shown(text!("engine-law-line"), as_it_is).extra() => of.line;
         Column::shown(text!("engine-law-pixels"), as_it_is) => of.pixels;
