@@ -414,7 +414,7 @@ fn no_text_that_people_read_is_left_in_the_sources() {
 }
 
 /// Names that are the same in every language, keys of the keyboard aside: [`is_keys`] recognises those.
-const KEPT: [&str; 39] = [
+const KEPT: [&str; 40] = [
     // The name of the standard input.
     "<stdin>",
     // Names of people, of letters and of this program.
@@ -423,7 +423,7 @@ const KEPT: [&str; 39] = [
     "Irefl",
     "Itrans",
     "Idc",
-    "{}{mark} — shading-lab",
+    "{name}{mark} — shading-lab",
     // Text that programs read.
     "Next:",
     " at line 1 ",
@@ -431,6 +431,7 @@ const KEPT: [&str; 39] = [
     "# Unsaved work of shading-lab, from ",
     "light = []\n",
     "light.N.name",
+    "true, false",
     "sqrt(",
     "square units",
     "diffuse + specular",
