@@ -53,7 +53,7 @@ impl Parameter {
                 .map(|option| option.word)
                 .collect::<Vec<_>>()
                 .join(", "),
-            Kind::Switch(_) => "true, false".to_owned(),
+            Kind::Switch(_) => ["true", "false"].join(", "),
             Kind::Text(_, longest) => text!("range-text", longest = longest),
             Kind::Lines(_, longest) => text!("range-lines", longest = longest),
             Kind::Direction(..) => text!("range-direction").to_owned(),

@@ -414,7 +414,7 @@ fn no_text_that_people_read_is_left_in_the_sources() {
 }
 
 /// Names that are the same in every language, keys of the keyboard aside: [`is_keys`] recognises those.
-const KEPT: [&str; 40] = [
+const KEPT: [&str; 39] = [
     // The name of the standard input.
     "<stdin>",
     // Names of people, of letters and of this program.
@@ -431,7 +431,6 @@ const KEPT: [&str; 40] = [
     "# Unsaved work of shading-lab, from ",
     "light = []\n",
     "light.N.name",
-    "true, false",
     "sqrt(",
     "square units",
     "diffuse + specular",
